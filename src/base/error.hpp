@@ -1,0 +1,29 @@
+// What can go wrong, by who has to act; the main program turns it into an exit code.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace voussoir {
+
+/// The input is wrong: the message names the key or block, the value, why, and what to do. Exit code 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The solution was not found; the state before the failed step is saved. Exit code 3.
+class ConvergenceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Something outside the scene is missing: a file that cannot be written, memory, a library. Exit code 4.
+class ResourceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum ExitCode { exit_done = 0, exit_input = 2, exit_no_convergence = 3, exit_resource = 4 };
+
+}  // namespace voussoir

@@ -1,0 +1,26 @@
+// Linear elastic material of a set of blocks, and the plane assumption.
+#pragma once
+
+#include <string>
+
+namespace voussoir {
+
+class ParameterSection;
+
+enum class Plane { stress, strain };
+
+struct ModelParameters {
+  Plane plane = Plane::stress;
+  double thickness = 1.0;  ///< [m] out of plane
+  void declare(ParameterSection&);
+};
+
+struct MaterialParameters {
+  std::string blocks = "all";    ///< a set of blocks; later materials of the scene override earlier ones
+  double young_modulus = 20e9;   ///< [Pa]
+  double poisson_ratio = 0.2;    ///< [-]
+  double density = 2200.0;       ///< [kg/m3]
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

@@ -1,0 +1,16 @@
+// A support: facets of a set whose displacement is prescribed (zero, unless a settlement load moves it).
+#pragma once
+
+#include <string>
+
+namespace voussoir {
+
+class ParameterSection;
+
+struct SupportParameters {
+  std::string on;                   ///< a set of facets
+  std::string components = "xy";    ///< held components: "x", "y" or "xy"
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

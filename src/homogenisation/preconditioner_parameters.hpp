@@ -1,0 +1,15 @@
+// Parts of the preconditioner of the block-level system.
+#pragma once
+
+namespace voussoir {
+
+class ParameterSection;
+
+struct PreconditionerParameters {
+  bool homogenised = true;   ///< the bonded continuum, by MueLu
+  bool rigid_blocks = true;  ///< rigid motions of the blocks, solved directly
+  bool block_local = true;   ///< exact solves on single blocks
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

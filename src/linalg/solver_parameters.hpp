@@ -1,0 +1,20 @@
+// Lists passed on verbatim to Belos and MueLu, whose manuals apply.
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+
+namespace voussoir {
+
+class ParameterSection;
+
+struct SolverParameters {
+  std::string method = "CG";         ///< a name Belos::SolverFactory knows; must suit symmetric positive definite systems
+  double tolerance = 1e-10;          ///< [-] of a linear solve, relative to its right-hand side
+  int largest_iterations = 2000;
+  Teuchos::ParameterList belos;      ///< sublist "Belos": overrides what Voussoir sets
+  Teuchos::ParameterList muelu;      ///< sublist "MueLu": overrides what Voussoir sets
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

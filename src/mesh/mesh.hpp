@@ -1,0 +1,75 @@
+// What the program knows of geometry: blocks, each with a mesh of its own.
+//
+// A mesh is handed out block by block by a BlockSource, so that a rank builds
+// only the blocks it owns and those it touches, and a generated wall of a
+// million blocks never exists in one place. Numbers do not depend on ranks.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "base/tensor.hpp"
+
+namespace voussoir {
+
+/// P1 or Q1 cell: `count` local node numbers, counter-clockwise in 2D
+/// (3 = triangle, 4 = quadrilateral; in 3D 4 = tetrahedron, 8 = hexahedron).
+struct Cell {
+  std::array<int, 8> node{};
+  int count = 0;
+};
+
+/// A facet (edge in 2D) on the surface of a block that belongs to a named set.
+struct TaggedFacet {
+  std::array<int, 4> node{};  ///< local node numbers
+  int count = 0;              ///< 2 in 2D
+  int set = 0;                ///< index into BlockSource::facet_sets()
+};
+
+/// Mesh of one block.
+template <int dim>
+struct Block {
+  BlockId id = -1;
+  std::string name;                    ///< for messages: "block 17 (course 3, stone 2)"
+  std::vector<Vector<dim>> position;   ///< [m] per node
+  std::vector<VertexId> vertex;        ///< per node; equal for coincident nodes of touching blocks
+  std::vector<Cell> cells;
+  std::vector<TaggedFacet> facets;     ///< only those in a named set
+  std::vector<int> sets;               ///< indices into BlockSource::block_sets(), ascending
+};
+
+/// Which blocks share vertices, in compressed rows: neighbours of block b are
+/// neighbour[start[b]] .. neighbour[start[b + 1] - 1], in ascending order.
+struct BlockGraph {
+  std::vector<int> start;
+  std::vector<BlockId> neighbour;
+  std::vector<int> shared_vertices;  ///< per neighbour entry: number of vertices the two blocks share
+};
+
+/// A structure made of blocks, the same on every rank.
+///
+/// Every function is local (no communication) and gives the same answer on every rank.
+template <int dim>
+class BlockSource {
+ public:
+  virtual ~BlockSource() = default;
+
+  virtual BlockId block_count() const = 0;
+  /// Number of nodes of a block, without building it.
+  virtual int node_count(BlockId) const = 0;
+  virtual Block<dim> block(BlockId) const = 0;
+  /// Blocks that share at least one vertex.
+  virtual const BlockGraph& graph() const = 0;
+  /// Names of sets of blocks ("ring west"). The set "all" is implied and not listed.
+  virtual const std::vector<std::string>& block_sets() const = 0;
+  /// Names of sets of boundary facets ("foundation pier west").
+  virtual const std::vector<std::string>& facet_sets() const = 0;
+};
+
+/// First node of each block in the global numbering of nodes, and the total at the end: [blocks + 1].
+template <int dim>
+std::vector<NodeId> first_nodes(const BlockSource<dim>&);
+
+}  // namespace voussoir

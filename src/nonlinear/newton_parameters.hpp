@@ -1,0 +1,14 @@
+// Accuracy and bounds of the nonlinear loop. None of them changes the solution beyond the tolerance.
+#pragma once
+
+namespace voussoir {
+
+class ParameterSection;
+
+struct NewtonParameters {
+  double tolerance = 1e-8;      ///< [-] Karush-Kuhn-Tucker residual, relative to the largest force
+  int largest_iterations = 400; ///< linear solves of one load step before it counts as not converged
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

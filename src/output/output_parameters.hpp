@@ -1,0 +1,17 @@
+// What a run leaves behind.
+#pragma once
+
+#include <string>
+
+namespace voussoir {
+
+class ParameterSection;
+
+struct OutputParameters {
+  bool fields = true;     ///< fields.h5 and fields.xdmf
+  int every = 1;          ///< write fields every so many load steps (the last one always)
+  bool report = true;     ///< report.html, drawn by drivers/run
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

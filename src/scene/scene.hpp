@@ -1,0 +1,46 @@
+// A scene: everything a run needs to know, as read from XML and validated.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "blocks/material_parameters.hpp"
+#include "blocks/support_parameters.hpp"
+#include "dynamics/load_step_parameters.hpp"
+#include "homogenisation/preconditioner_parameters.hpp"
+#include "joints/joint_law_parameters.hpp"
+#include "linalg/solver_parameters.hpp"
+#include "loads/load_parameters.hpp"
+#include "mesh/mesh_parameters.hpp"
+#include "nonlinear/newton_parameters.hpp"
+#include "output/output_parameters.hpp"
+#include "selection/selection_parameters.hpp"
+
+namespace voussoir {
+
+template <class Parameters>
+struct Named {
+  std::string name;
+  Parameters parameters;
+};
+
+struct Scene {
+  std::string file;   ///< path of the XML, as given
+  std::string name;   ///< file name without folder and ending
+  std::string title;  ///< one line for the report
+  MeshParameters mesh;
+  ModelParameters model;
+  std::vector<Named<MaterialParameters>> materials;  ///< in the order of the file
+  std::vector<Named<JointLawParameters>> joints;
+  std::vector<Named<SupportParameters>> supports;
+  std::vector<LoadParameters> loads;
+  std::vector<StageParameters> stages;
+  LoadStepParameters load_steps;
+  SelectionParameters selection;
+  NewtonParameters newton;
+  PreconditionerParameters preconditioner;
+  SolverParameters solver;
+  OutputParameters output;
+};
+
+}  // namespace voussoir
