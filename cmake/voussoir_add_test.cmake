@@ -1,0 +1,66 @@
+# voussoir_add_test(NAME name SOURCES a.cpp ... [RANKS 1 2 4] [LABELS ...] [TIMEOUT seconds] [ARGS ...])
+#
+# One executable test_<name>, made of Teuchos unit tests and the main program of tests/support, and one ctest per
+# number of ranks, called <folder>.<name>.np<ranks>. Defaults: RANKS 1, LABELS the folders below tests/ (tests/unit/mesh
+# has the labels unit and mesh), TIMEOUT 120.
+# A test runs in its own build folder; files of the repository are found through the macro VOUSSOIR_SOURCE_DIR.
+
+set(VOUSSOIR_TEST_ENVIRONMENT
+    OMP_NUM_THREADS=1 # one thread per rank, or ranks fight over the cores
+    OPENBLAS_NUM_THREADS=1
+    OMPI_ALLOW_RUN_AS_ROOT=1 # containers run as root
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    OMPI_MCA_btl_vader_single_copy_mechanism=none # containers forbid reading another process' memory
+    OMPI_MCA_mpi_yield_when_idle=1 # waiting ranks leave the core to others
+    OMPI_MCA_hwloc_base_binding_policy=none # tests that run side by side must not be bound to the same core
+    "ASAN_OPTIONS=detect_leaks=1:strict_init_order=1"
+    "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_LIST_DIR}/leaks.txt:print_suppressions=0"
+    "UBSAN_OPTIONS=print_stacktrace=1")
+
+# Every ctest goes through here, so that all see the same environment.
+function(voussoir_register_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "RANKS;TIMEOUT" "COMMAND;LABELS")
+  set(launch)
+  if(arg_RANKS)
+    set(launch ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${arg_RANKS})
+  else()
+    set(arg_RANKS 1)
+  endif()
+  add_test(NAME ${name} COMMAND ${launch} ${arg_COMMAND})
+  set_tests_properties(
+    ${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} PROCESSORS ${arg_RANKS}
+                       ENVIRONMENT "${VOUSSOIR_TEST_ENVIRONMENT}")
+endfunction()
+
+function(voussoir_add_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;TIMEOUT" "SOURCES;RANKS;LABELS;ARGS")
+  if(NOT arg_NAME OR NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "voussoir_add_test: needs NAME and SOURCES; not understood: '${arg_UNPARSED_ARGUMENTS}'")
+  endif()
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests OUTPUT_VARIABLE folder)
+  string(REPLACE "/" ";" folders "${folder}")
+  list(GET folders 0 kind)
+  if(NOT arg_RANKS)
+    set(arg_RANKS 1)
+  endif()
+  if(NOT arg_LABELS)
+    set(arg_LABELS ${folders})
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+
+  set(target test_${arg_NAME})
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE voussoir voussoir_test_main voussoir_warnings)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${target} PRIVATE VOUSSOIR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  foreach(ranks IN LISTS arg_RANKS)
+    voussoir_register_test(
+      ${kind}.${arg_NAME}.np${ranks}
+      RANKS ${ranks}
+      TIMEOUT ${arg_TIMEOUT}
+      LABELS ${arg_LABELS}
+      COMMAND $<TARGET_FILE:${target}> ${arg_ARGS})
+  endforeach()
+endfunction()

@@ -1,0 +1,28 @@
+# How our own code is compiled: warnings, sanitizers, ccache.
+#
+# voussoir_warnings is linked PRIVATE by every target of ours; it never reaches users of the library.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release or Debug" FORCE)
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+find_program(VOUSSOIR_CCACHE ccache)
+mark_as_advanced(VOUSSOIR_CCACHE)
+if(VOUSSOIR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${VOUSSOIR_CCACHE})
+endif()
+
+add_library(voussoir_warnings INTERFACE)
+target_compile_options(voussoir_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(VOUSSOIR_WARNINGS_AS_ERRORS)
+  target_compile_options(voussoir_warnings INTERFACE -Werror)
+endif()
+
+if(VOUSSOIR_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+# Trilinos names every library it can reach; record only those a program calls, or each start loads them all.
+add_link_options(-Wl,--as-needed)

@@ -1,0 +1,39 @@
+# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod.
+# Used by the build and, installed, by find_package(Voussoir).
+
+find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(nlohmann_json 3 REQUIRED)
+find_package(Trilinos 13 REQUIRED COMPONENTS MueLu Ifpack2 Zoltan2 Belos Xpetra Tpetra Sacado Kokkos Teuchos)
+
+# Makes an imported target from one header and one library; names what to install when they are missing.
+function(voussoir_find_library name header library package)
+  cmake_parse_arguments(PARSE_ARGV 4 arg "" "" "HEADER_PATHS")
+  if(TARGET Voussoir::${name})
+    return()
+  endif()
+  find_path(VOUSSOIR_${name}_INCLUDE_DIR ${header} HINTS ${arg_HEADER_PATHS})
+  find_library(VOUSSOIR_${name}_LIBRARY ${library})
+  mark_as_advanced(VOUSSOIR_${name}_INCLUDE_DIR VOUSSOIR_${name}_LIBRARY)
+  if(NOT VOUSSOIR_${name}_INCLUDE_DIR OR NOT VOUSSOIR_${name}_LIBRARY)
+    message(FATAL_ERROR "Voussoir needs ${header} and lib${library}, which were not found.\n"
+                        "On Debian: apt-get install ${package}")
+  endif()
+  add_library(Voussoir::${name} UNKNOWN IMPORTED)
+  set_target_properties(
+    Voussoir::${name} PROPERTIES IMPORTED_LOCATION ${VOUSSOIR_${name}_LIBRARY}
+                                 INTERFACE_INCLUDE_DIRECTORIES ${VOUSSOIR_${name}_INCLUDE_DIR})
+endfunction()
+
+voussoir_find_library(hdf5 hdf5.h hdf5_openmpi libhdf5-openmpi-dev HEADER_PATHS /usr/include/hdf5/openmpi)
+voussoir_find_library(metis metis.h metis libmetis-dev)
+voussoir_find_library(gmsh gmsh.h gmsh libgmsh-dev)
+voussoir_find_library(cholmod suitesparse/cholmod.h cholmod libsuitesparse-dev)
+
+# Trilinos' own targets carry no MPI and do not mark their headers as system headers.
+if(NOT TARGET Voussoir::trilinos)
+  add_library(Voussoir::trilinos INTERFACE IMPORTED)
+  target_include_directories(Voussoir::trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+  target_link_libraries(Voussoir::trilinos INTERFACE ${Trilinos_LIBRARIES} MPI::MPI_CXX)
+  # The C++ bindings of MPI were withdrawn in 2012; nobody here calls them.
+  target_compile_definitions(Voussoir::trilinos INTERFACE OMPI_SKIP_MPICXX=1)
+endif()
