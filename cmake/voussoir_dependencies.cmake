@@ -1,7 +1,7 @@
 # The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod.
 # Used by the build and, installed, by find_package(Voussoir).
 
-find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(nlohmann_json 3 REQUIRED)
 find_package(Trilinos 13 REQUIRED COMPONENTS MueLu Ifpack2 Zoltan2 Belos Xpetra Tpetra Sacado Kokkos Teuchos)
 
