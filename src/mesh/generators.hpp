@@ -1,0 +1,25 @@
+// Structures that need no file: walls in running bond and circular arches.
+//
+// Nodes lie on a lattice; the vertex of a node and its position both follow from
+// its lattice indices alone, so coincident nodes of two blocks have equal vertices
+// and bitwise equal coordinates, and any rank can build any block by itself.
+#pragma once
+
+#include <memory>
+
+#include "mesh/mesh.hpp"
+#include "mesh/mesh_parameters.hpp"
+
+namespace voussoir {
+
+/// A wall with its lower left corner at the origin. Blocks are numbered course by course from
+/// below, each course from left to right; blocks left out for openings leave no gap in the numbers.
+/// Throws InputError when the parameters describe no wall.
+std::unique_ptr<BlockSource<2>> make_wall(const WallParameters&);
+
+/// An arch with its centre of curvature at the origin: voussoirs 0, 1, ... counter-clockwise from the right
+/// springing (x > 0), then the blocks of the right pier from its foot upward, then those of the left pier.
+/// Piers stand on y = -pier_height. Throws InputError when the parameters describe no arch.
+std::unique_ptr<BlockSource<2>> make_arch(const ArchParameters&);
+
+}  // namespace voussoir

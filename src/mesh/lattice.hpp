@@ -1,0 +1,31 @@
+// A block that is the image of a rectangular lattice, and the words in which generators refuse parameters.
+#pragma once
+
+#include <string>
+
+#include "mesh/mesh.hpp"
+#include "mesh/mesh_parameters.hpp"
+
+namespace voussoir {
+
+/// Cells of a block of `across` x `up` lattice cells; node (i, j) has the local number j * (across + 1) + i.
+/// Triangles are halves of the lattice cells with alternating diagonals, so that no direction is preferred.
+std::vector<Cell> lattice_cells(int across, int up, CellType);
+
+enum class LatticeSide { bottom, right, top, left };
+
+/// Appends the facets of one side of the lattice, counter-clockwise, as members of a facet set.
+void add_lattice_facets(Block<2>&, int across, int up, LatticeSide, int set);
+
+/// Throws InputError "mesh > `key` = `value`\n  `why`\n  `advice`".
+[[noreturn]] void refuse_mesh(const std::string& key, const std::string& value, const std::string& why,
+                              const std::string& advice);
+
+/// Refuses a number that is not finite and positive; `unit` is for the message.
+void require_positive(const std::string& key, double value, const std::string& unit);
+void require_at_least(const std::string& key, int value, int least);
+
+/// A number as people write it: "0.25", not "0.250000".
+std::string in_words(double);
+
+}  // namespace voussoir
