@@ -4,6 +4,13 @@
 # number of ranks, called <folder>.<name>.np<ranks>. Defaults: RANKS 1, LABELS the folders below tests/ (tests/unit/mesh
 # has the labels unit and mesh), TIMEOUT 120.
 # A test runs in its own build folder; files of the repository are found through the macro VOUSSOIR_SOURCE_DIR.
+#
+# voussoir_add_script(NAME name SCRIPT a.py [ARGS ...] [LABELS ...] [TIMEOUT seconds] [PROCESSORS n])
+#
+# One ctest <folder>.<name> that runs a Python script; it fails when the script returns other than 0.
+
+# Debian's numpy and h5py belong to this Python, which need not be the first on PATH.
+set(VOUSSOIR_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy, h5py and matplotlib")
 
 set(VOUSSOIR_TEST_ENVIRONMENT
     OMP_NUM_THREADS=1 # one thread per rank, or ranks fight over the cores
@@ -19,35 +26,39 @@ set(VOUSSOIR_TEST_ENVIRONMENT
 
 # Every ctest goes through here, so that all see the same environment.
 function(voussoir_register_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "RANKS;TIMEOUT" "COMMAND;LABELS")
-  set(launch)
-  if(arg_RANKS)
-    set(launch ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${arg_RANKS})
-  else()
-    set(arg_RANKS 1)
-  endif()
-  add_test(NAME ${name} COMMAND ${launch} ${arg_COMMAND})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PROCESSORS;TIMEOUT" "COMMAND;LABELS")
+  add_test(NAME ${name} COMMAND ${arg_COMMAND})
   set_tests_properties(
-    ${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} PROCESSORS ${arg_RANKS}
+    ${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} PROCESSORS ${arg_PROCESSORS}
                        ENVIRONMENT "${VOUSSOIR_TEST_ENVIRONMENT}")
 endfunction()
 
-function(voussoir_add_test)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;TIMEOUT" "SOURCES;RANKS;LABELS;ARGS")
-  if(NOT arg_NAME OR NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "voussoir_add_test: needs NAME and SOURCES; not understood: '${arg_UNPARSED_ARGUMENTS}'")
-  endif()
+# The folders of the current list below tests/, such as unit;mesh.
+function(voussoir_test_folders result)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests OUTPUT_VARIABLE folder)
   string(REPLACE "/" ";" folders "${folder}")
-  list(GET folders 0 kind)
-  if(NOT arg_RANKS)
-    set(arg_RANKS 1)
+  set(${result} "${folders}" PARENT_SCOPE)
+endfunction()
+
+macro(voussoir_test_defaults)
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_NAME)
+    message(FATAL_ERROR "A test needs a NAME; not understood: '${arg_UNPARSED_ARGUMENTS}'")
   endif()
+  voussoir_test_folders(folders)
+  list(GET folders 0 kind)
   if(NOT arg_LABELS)
     set(arg_LABELS ${folders})
   endif()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
+  endif()
+endmacro()
+
+function(voussoir_add_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;TIMEOUT" "SOURCES;RANKS;LABELS;ARGS")
+  voussoir_test_defaults()
+  if(NOT arg_RANKS)
+    set(arg_RANKS 1)
   endif()
 
   set(target test_${arg_NAME})
@@ -58,9 +69,23 @@ function(voussoir_add_test)
   foreach(ranks IN LISTS arg_RANKS)
     voussoir_register_test(
       ${kind}.${arg_NAME}.np${ranks}
-      RANKS ${ranks}
+      PROCESSORS ${ranks}
       TIMEOUT ${arg_TIMEOUT}
       LABELS ${arg_LABELS}
-      COMMAND $<TARGET_FILE:${target}> ${arg_ARGS})
+      COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${ranks} $<TARGET_FILE:${target}> ${arg_ARGS})
   endforeach()
+endfunction()
+
+function(voussoir_add_script)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;SCRIPT;TIMEOUT;PROCESSORS" "LABELS;ARGS")
+  voussoir_test_defaults()
+  if(NOT arg_PROCESSORS)
+    set(arg_PROCESSORS 1)
+  endif()
+  voussoir_register_test(
+    ${kind}.${arg_NAME}
+    PROCESSORS ${arg_PROCESSORS}
+    TIMEOUT ${arg_TIMEOUT}
+    LABELS ${arg_LABELS}
+    COMMAND ${VOUSSOIR_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT} ${arg_ARGS})
 endfunction()

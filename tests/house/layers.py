@@ -1,0 +1,85 @@
+"""Includes point one way: from what uses to what is used, never back."""
+
+import house
+
+# folder: the folders it may include; what those may include is allowed with them.
+SEES = {
+    "base": [],
+    "linalg": ["base"],
+    "mesh": ["base"],
+    "blocks": ["mesh", "linalg"],
+    "joints": ["blocks", "linalg"],
+    "selection": ["linalg"],
+    "homogenisation": ["joints", "linalg"],
+    "nonlinear": ["linalg"],
+    "dynamics": ["nonlinear"],
+    "loads": ["blocks"],
+    "output": ["base"],
+    "scene": ["base"],
+    "simulation": ["scene", "homogenisation", "selection", "dynamics", "loads", "output"],
+    "drivers": ["simulation"],
+}
+
+# Libraries with one owner: each is included by at most one source file and by no header.
+ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5"}
+
+
+def reach(folder):
+    """The folder itself and all folders below it in the table."""
+    seen = {folder}
+    for below in SEES[folder]:
+        seen |= reach(below)
+    return seen
+
+
+def is_parameters(name):
+    return name.endswith("_parameters.hpp")
+
+
+def problem_of(path, name):
+    """What is wrong with the file `path` (such as src/mesh/mesh.hpp) including "name", or None."""
+    folder = path.parts[1] if path.parts[0] == "src" else "drivers"
+    if folder not in SEES:
+        return f"{path}: folder {folder} is not in the table of tests/house/layers.py."
+    if "/" not in name:
+        return f'{path}: #include "{name}" must start at src/, such as "{folder}/{name}".'
+    target = name.split("/")[0]
+    if target not in SEES:
+        return f'{path}: #include "{name}" is not below src/; libraries are included with <>.'
+    if is_parameters(path.name):
+        # A parameter struct is plain data: the scene reads it without seeing the module.
+        allowed = target == "base" or is_parameters(name)
+    elif folder == "scene" and is_parameters(name):
+        allowed = True
+    else:
+        allowed = target in reach(folder)
+    if allowed:
+        return None
+    return f'{path}: #include "{name}" points up; {folder} may see {", ".join(sorted(reach(folder)))}.'
+
+
+def problems_of_libraries(files):
+    """files: pairs of path and text."""
+    problems = []
+    for library, start in ONE_OWNER.items():
+        users = [path for path, text in files
+                 if any(quote == "<" and name.startswith(start) for quote, name in house.includes(text))]
+        problems += [f"{path}: a header must not include {library}." for path in users if path.suffix == ".hpp"]
+        if len(users) > 1:
+            problems.append(f"{library} belongs to one .cpp, but is included by {', '.join(map(str, users))}.")
+    return problems
+
+
+def main():
+    files = [(path, house.read(path)) for path in house.code_files(".hpp", ".cpp") if path.parts[0] in ("src", "drivers")]
+    problems = [problem_of(path, name) for path, text in files for quote, name in house.includes(text) if quote == '"']
+    problems = [problem for problem in problems if problem]
+    problems += [f"{path}: base knows nothing of Trilinos, but includes <{name}>." for path, text in files
+                 if path.parts[1] == "base" for quote, name in house.includes(text)
+                 if name.startswith(("Tpetra", "Kokkos", "Xpetra"))]
+    problems += problems_of_libraries([(path, text) for path, text in files if path.parts[0] == "src"])
+    house.finish("Includes point down", problems)
+
+
+if __name__ == "__main__":
+    main()
