@@ -1,0 +1,114 @@
+"""What all pictures share: colours, frame, scale bar, saving.
+
+Colours are those of Okabe and Ito, told apart by colour-blind readers; nothing is said by colour alone that the caption
+or the line weight does not say too.
+"""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.lines import Line2D
+
+from geometry import bounds, round_number
+
+RED, ORANGE, BLUE, GREEN, SKY = "#c8321e", "#e69f00", "#0072b2", "#009e73", "#56b4e9"
+INK, GREY, PALE = "#222222", "#8c8c8c", "#c9c9c9"
+STONE, STONE_EDGE, STONE_PALE = "#e5dcc8", "#6f6655", "#f3efe6"
+# Stones of different sets: muted, equally light, apart in hue; after the last they start again.
+SET_COLOURS = ("#e3c58f", "#a9c4dd", "#b9d3a8", "#dfae9b", "#c9b7d8", "#9fd0c7", "#efe1b4", "#c4c4c4", "#d9a9c4", "#b3b98a")
+
+WIDTH = 10.0  # inch: 1100 px of the page at 110 px per inch
+DPI = 160     # sharp on a printed page, and below 1 MB per picture
+
+plt.rcParams.update({
+    "font.family": "sans-serif", "font.size": 10, "axes.titlesize": 10, "axes.labelsize": 10, "legend.fontsize": 10,
+    "xtick.labelsize": 9, "ytick.labelsize": 9, "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK,
+    "xtick.color": INK, "ytick.color": INK, "axes.spines.top": False, "axes.spines.right": False,
+    "text.parse_math": False})  # names from the scene may hold dollar signs
+
+
+def visible(name):
+    """A name as matplotlib can draw it: no control characters, no endless lines."""
+    name = "".join(c if c.isprintable() else " " for c in str(name))
+    return name if len(name) <= 40 else name[:38] + "…"
+
+
+def limits(*shapes):
+    """x low, x high, y low, y high of several [n, 2] tables with a margin of 2 %."""
+    low, high, bottom, top = bounds(np.vstack(shapes))
+    margin = 0.02 * max(high - low, top - bottom, 1e-9)
+    return low - margin, high + margin, bottom - margin, top + margin
+
+
+def frame_size(box, width, highest):
+    """Width and height [inch] of a drawing with equal aspect."""
+    height = width * (box[3] - box[2]) / (box[1] - box[0])
+    return (width, height) if height <= highest else (width * highest / height, highest)
+
+
+def prepare(axes, box, bar=True):
+    axes.set_xlim(box[0], box[1])
+    axes.set_ylim(box[2], box[3])
+    axes.set_aspect("equal")
+    axes.axis("off")
+    if bar:
+        scale_bar(axes, box)
+
+
+def scale_bar(axes, box):
+    """A bar of round length below the drawing."""
+    length = round_number(0.15 * (box[1] - box[0]), (1, 2, 5, 10))
+    y, tick = box[2] - 0.012 * (box[1] - box[0]), 0.006 * (box[1] - box[0])
+    x0, x1 = box[0] + 0.02 * (box[1] - box[0]), box[0] + 0.02 * (box[1] - box[0]) + length
+    axes.plot([x0, x0, x0, x1, x1, x1], [y - tick, y + tick, y, y, y - tick, y + tick], color=INK, lw=1.2, clip_on=False)
+    label = f"{length:g} m" if length >= 0.01 else f"{length * 1000:g} mm"
+    axes.annotate(label, (x1, y), xytext=(5, 0), textcoords="offset points", va="center", ha="left", annotation_clip=False)
+
+
+def drawing(box, bottom=0.55, right=0.0, highest=7.5):
+    """Figure and axes for one drawing of the structure, with room [inch] below and at the right for legends."""
+    width, height = frame_size(box, WIDTH - right, highest)
+    total_width, total_height = max(width + right, 6.5), height + bottom + 0.1
+    figure = plt.figure(figsize=(total_width, total_height))
+    left = (total_width - right - width) / 2 / total_width
+    axes = figure.add_axes([left, bottom / total_height, width / total_width, height / total_height])
+    prepare(axes, box)
+    return figure, axes
+
+
+def legend(figure, entries, columns=None):
+    """Legend below the drawing, at the right of the scale bar."""
+    figure.legend(handles=entries, loc="lower right", bbox_to_anchor=(0.995, 0.0), ncol=columns or len(entries), frameon=False,
+                  handlelength=1.8, columnspacing=1.6, borderaxespad=0.2)
+
+
+def line_entry(label, colour, width=2.0):
+    return Line2D([], [], color=colour, lw=width, label=label)
+
+
+def dot_entry(label, colour, size=7, edge="white", marker="o"):
+    return Line2D([], [], color="none", marker=marker, markerfacecolor=colour, markeredgecolor=edge, markersize=size, label=label)
+
+
+def fill_cells(axes, x, mesh, colours):
+    """All cells in one call; no smoothing, so that no seams show between them."""
+    axes.add_collection(PolyCollection(x[mesh.cells], facecolors=colours, edgecolors="none", antialiased=False))
+
+
+def draw_lines(axes, lines, colour, width, **more):
+    axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, capstyle="round", **more))
+
+
+def outline_width(blocks):
+    """Thin lines for many stones, so that a bridge does not turn black."""
+    return float(np.clip(8.0 / np.sqrt(max(blocks, 1)), 0.35, 0.9))
+
+
+def save(figure, folder, name):
+    """Writes pictures/NAME.png and closes the figure; returns its path."""
+    path = folder / f"{name}.png"
+    figure.savefig(path, dpi=DPI, facecolor="white")
+    plt.close(figure)
+    return path

@@ -1,0 +1,91 @@
+"""One self-contained page: sections, figures with captions, tables. Every text that comes in is escaped here."""
+import base64
+import html
+
+STYLE = """
+:root { --ink: #222; --soft: #5c5c5c; --line: #d8d5ce; --paper: #fff; --accent: #0072b2; }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 1100px; background: var(--paper); color: var(--ink);
+       font: 16px/1.5 "Source Sans 3", "Helvetica Neue", Arial, sans-serif; }
+header { border-bottom: 3px solid var(--ink); padding-bottom: .8rem; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .3rem; overflow-wrap: anywhere; }
+h2 { font-size: 1.3rem; margin: 2.6rem 0 .6rem; padding-top: .5rem; border-top: 1px solid var(--line); }
+h3 { font-size: 1.05rem; margin: 1.6rem 0 .4rem; }
+p { max-width: 46rem; margin: .5rem 0; overflow-wrap: anywhere; }
+.outcome { display: inline-block; padding: .1rem .7rem; border-radius: 1rem; font-weight: 600; color: #fff; background: #5c5c5c; }
+.outcome.good { background: #00734f; } .outcome.warn { background: #a85b00; } .outcome.bad { background: #a3200f; }
+dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: .8rem 1.6rem; margin: 1.2rem 0; }
+dl div { border-left: 3px solid var(--line); padding-left: .7rem; }
+dt { color: var(--soft); font-size: .9rem; } dd { margin: 0; font-size: 1.2rem; font-weight: 600; overflow-wrap: anywhere; }
+dd small { display: block; font-weight: 400; font-size: .85rem; color: var(--soft); }
+figure { margin: 1rem 0 1.8rem; } figure img { max-width: 100%; height: auto; display: block; margin: 0 auto; }
+figcaption { color: var(--soft); font-size: .95rem; max-width: 52rem; margin-top: .5rem; overflow-wrap: anywhere; }
+.table { overflow-x: auto; margin: .6rem 0 1.2rem; }
+table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .22rem .7rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th { vertical-align: bottom; font-weight: 600; white-space: normal; border-bottom: 2px solid var(--ink); }
+th.words, td.words { text-align: left; white-space: normal; overflow-wrap: anywhere; }
+.remarks { background: #fdf3d8; border-left: 4px solid #e69f00; padding: .6rem 1rem; margin: 1rem 0; }
+.remarks ul { margin: .3rem 0; padding-left: 1.2rem; }
+footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .85rem; }
+@media print { @page { size: A4; margin: 15mm; } body { max-width: none; padding: 0; font-size: 10.5pt; }
+  figure, tr, dl div, .remarks { break-inside: avoid; } h2, h3 { break-after: avoid; } .table { overflow: visible; }
+  table { font-size: 7.5pt; } th, td { padding: .1rem .3rem; } * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
+"""
+
+
+def escape(value):
+    return html.escape(str(value), quote=True)
+
+
+class Page:
+    def __init__(self, title):
+        self.title = title
+        self.parts = []
+
+    def head(self, outcome, kind):
+        """Title and outcome; kind is good, warn, bad or empty and only chooses the colour."""
+        self.parts.append(f'<header><h1>{escape(self.title)}</h1>'
+                          f'<span class="outcome {escape(kind)}">{escape(outcome)}</span></header>')
+
+    def remarks(self, remarks):
+        if remarks:
+            items = "".join(f"<li>{escape(remark)}</li>" for remark in remarks)
+            self.parts.append(f'<div class="remarks">What this report lacks:<ul>{items}</ul></div>')
+
+    def figures_asked_first(self, facts):
+        """facts: rows (name, value, further words)."""
+        cells = "".join(f"<div><dt>{escape(name)}</dt><dd>{escape(value)}"
+                        + (f"<small>{escape(more)}</small>" if more else "") + "</dd></div>" for name, value, more in facts)
+        self.parts.append(f"<dl>{cells}</dl>")
+
+    def section(self, title):
+        self.parts.append(f"<h2>{escape(title)}</h2>")
+
+    def part(self, title):
+        self.parts.append(f"<h3>{escape(title)}</h3>")
+
+    def words(self, words):
+        self.parts.append(f"<p>{escape(words)}</p>")
+
+    def picture(self, path, caption):
+        """A PNG as data URI. It was drawn at 160 dots per inch and is shown at 110 pixels per inch."""
+        content = path.read_bytes()
+        width = round(int.from_bytes(content[16:20], "big") * 110 / 160)
+        data = base64.b64encode(content).decode("ascii")
+        self.parts.append(f'<figure><img width="{width}" alt="{escape(caption)}" src="data:image/png;base64,{data}">'
+                          f"<figcaption>{escape(caption)}</figcaption></figure>")
+
+    def table(self, columns, rows, words=()):
+        """columns: headings; words: numbers of the columns that hold text and are set flush left."""
+        cell = lambda tag, k, value: f"<{tag}{' class=words' if k in words else ''}>{escape(value)}</{tag}>"
+        head = "".join(cell("th", k, name) for k, name in enumerate(columns))
+        body = "".join("<tr>" + "".join(cell("td", k, value) for k, value in enumerate(row)) + "</tr>" for row in rows)
+        self.parts.append(f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>')
+
+    def write(self, path):
+        body = "\n".join(self.parts)
+        path.write_text(f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+                        f'<meta name="viewport" content="width=device-width, initial-scale=1"><title>{escape(self.title)}</title>'
+                        f"<style>{STYLE}</style></head>\n<body>\n{body}\n<footer><p>Voussoir. SI units; gap and opening &gt; 0 open, "
+                        "joint force &gt; 0 compression.</p></footer>\n</body></html>\n", encoding="utf-8")

@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+"""Draws the report of a run: make_report.py OUTDIR
+
+Reads result.json, history.csv, fields.h5 and scene.xml in OUTDIR; writes OUTDIR/report.html, which needs no other file,
+and its pictures as files in OUTDIR/pictures. What is missing or cannot be read is named in the report.
+"""
+import argparse
+import sys
+from pathlib import Path
+
+import draw_cost
+import draw_forces
+import draw_joints
+import draw_structure
+import tables
+from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
+from html_page import Page
+from read_results import OPEN, SLIP, find, read_results
+from statics import find_hinges, find_rings, ring_resultants
+
+# A result with holes (a table of the wrong length, say) must not take the rest of the report with it.
+DAMAGED = (ValueError, IndexError, KeyError, TypeError, AttributeError)
+
+
+def attempt(page, what, action, *arguments):
+    """Runs one part of the report; if the data do not allow it, says so in its place."""
+    try:
+        return action(*arguments)
+    except DAMAGED as problem:
+        page.words(f"{what} could not be drawn: {type(problem).__name__}: {problem}.")
+        return None
+
+
+def add_undeformed(page, results, edges, folder):
+    mesh = results.mesh
+    sets = "Stones are coloured by set" if mesh.sets else "The scene names no sets of stones"
+    page.picture(draw_structure.draw_undeformed(mesh, edges, folder),
+                 f"The structure as built: {mesh.blocks} stones, drawn by their outlines, to scale (bar in metres). {sets}.")
+
+
+def add_deformed(page, results, edges, scale, folder):
+    step = results.last
+    page.picture(draw_structure.draw_deformed(results.mesh, edges, step, scale, folder),
+                 f"Deformed shape at the end of step {step.number}, stage “{step.stage}”: displacements drawn {factor_text(scale)}, the largest is "
+                 f"{length_text(step.largest_displacement)}. Thin grey: the structure as built. Look for where the shape kinks: "
+                 "stones turn against each other there. Openings are magnified with the displacements.")
+
+
+def add_stages(page, results, edges, folder):
+    if len(results.stage_ends) < 2:
+        return
+    shown = draw_structure.chosen_stages(results.stage_ends)
+    left_out = len(results.stage_ends) - len(shown)
+    page.picture(draw_structure.draw_stages(results.mesh, edges, results.stage_ends, folder),
+                 "Deformed shape at the end of each stage"
+                 + (f" ({left_out} of {len(results.stage_ends)} stages left out)" if left_out else "")
+                 + ". Each has its own magnification, stated above it: compare the shapes by eye, the sizes by number.")
+
+
+def add_joints(page, results, pieces, edges, scale, rings, folder):
+    mesh, joints, step = results.mesh, results.joints, results.last
+    hinges = [h for ring, resultants in rings for h in find_hinges(ring, joints, step, resultants)]
+    page.picture(draw_joints.draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder),
+                 f"Joints at step {step.number}, on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
+                 f"{(step.status == OPEN).sum()} points; orange: slipping, {(step.status == SLIP).sum()} points; grey: closed. "
+                 "Black dots: hinges, at the compressed edge where the force passes; the joint gapes at the other edge.")
+    if hinges:
+        page.part("Hinges, from the left springing to the right")
+        tables.hinge_table(page, mesh, hinges)
+    elif rings:
+        page.words("No hinge: no joint of an arch is open at one edge with its force at the other.")
+
+
+def add_stress(page, results, edges, rings, folder):
+    mesh, joints, step = results.mesh, results.joints, results.last
+    path, top, largest = draw_forces.draw_stress(mesh, joints, edges, step, [ring for ring, _ in rings], folder)
+    line = "Red line: line of thrust, through the resultants of the joints of each arch; where it touches an edge a hinge can form. " if rings else ""
+    page.picture(path, f"Compression in the stones (the most compressive principal stress of each cell) at step {step.number}, in MPa; the scale "
+                 f"ends at {top / 1e6:.3g} MPa, which {100 - draw_forces.PERCENTILE} % of the cells exceed. {line}"
+                 f"Dots: resultant of each joint, sized by its force, largest {force_text(largest)}.")
+
+
+def add_selection(page, results, pieces, edges, folder):
+    step, points = results.last, len(results.joints.area)
+    share = 100 * step.selected.sum() / max(points, 1)
+    page.picture(draw_joints.draw_selection(results.mesh, results.joints, pieces, edges, step, folder),
+                 f"Where contact was computed at step {step.number}: {step.selected.sum()} of {points} candidate points ({share:.1f} %) are "
+                 "selected (dark blue); the others (light) carry their load without opening or slipping and stay bonded.")
+
+
+def add_structure_sections(page, results, folder):
+    """The pictures that need fields.h5. Returns rings with their resultants at the last step."""
+    mesh, joints, step = results.mesh, results.joints, results.last
+    edges = outline_edges(mesh)
+    page.section("The structure")
+    attempt(page, "The undeformed structure", add_undeformed, page, results, edges, folder)
+    if not step:
+        return []
+    scale = deformation_scale(mesh, step)
+    pieces = JointPieces(mesh, joints, edges)
+    rings = attempt(page, "The arches", lambda: [(ring, ring_resultants(ring, joints, step)) for ring in find_rings(mesh, joints)]) or []
+    attempt(page, "The deformed structure", add_deformed, page, results, edges, scale, folder)
+    attempt(page, "The stages", add_stages, page, results, edges, folder)
+    page.section("Joints")
+    attempt(page, "The joints", add_joints, page, results, pieces, edges, scale, rings, folder)
+    page.section("How the load is carried")
+    attempt(page, "The stress", add_stress, page, results, edges, rings, folder)
+    page.section("Which joints were computed as contact")
+    attempt(page, "The selection", add_selection, page, results, pieces, edges, folder)
+    return rings
+
+
+def add_cost(page, results, folder):
+    page.section("Convergence and cost")
+    history = results.history
+    path = draw_cost.draw_history(history, folder)
+    if path:
+        page.picture(path, "Load path and work, load step by load step; dotted lines part the stages.")
+    if history:
+        tables.step_table(page, history, tables.STEP_COLUMNS)
+    else:
+        page.words("There is no history.csv, hence no table per load step.")
+    seconds, phases = tables.seconds_of(results)
+    path = draw_cost.draw_phases(phases, folder) if phases else None
+    if path:
+        memory = find(results.result, "peak memory per rank", "peak memory mb per rank", "peak memory")
+        page.picture(path, f"Seconds per phase, longest first{'' if seconds is None else f'; {seconds:.3g} s in all'}."
+                     + (f" Peak memory per rank: {memory}." if memory else ""))
+    if history and "elastic_J" in history[0]:
+        page.part("Energy book")
+        page.words("External work is stored as elastic energy or spent in friction and fracture; the imbalance is what the book does not explain "
+                   "and should be as small as the tolerance of the solver.")
+        tables.step_table(page, history, tables.ENERGY_COLUMNS)
+
+
+def add_tables(page, results, rings):
+    page.section("Tables")
+    if results.last:
+        attempt(page, "The tables of joints", tables.joint_tables, page, results.mesh, results.joints, results.last)
+    attempt(page, "The support reactions", tables.reaction_table, page, results)
+    if results.last:
+        attempt(page, "The thrust", tables.thrust_table, page, [(ring.name, resultants) for ring, resultants in rings])
+
+
+def make_report(folder):
+    """Writes report.html and pictures/ in `folder`; returns the path of the page."""
+    results = read_results(folder)
+    pictures = results.folder / "pictures"
+    pictures.mkdir(exist_ok=True)
+    page = Page(results.title)
+    page.head(*tables.outcome(results))
+    page.figures_asked_first(tables.facts_asked_first(results))
+    page.remarks(results.remarks)
+    rings = add_structure_sections(page, results, pictures) if results.mesh else []
+    attempt(page, "Convergence and cost", add_cost, page, results, pictures)
+    add_tables(page, results, rings)
+    path = results.folder / "report.html"
+    page.write(path)
+    return path
+
+
+def main():
+    options = argparse.ArgumentParser(description="Draws the report of a run.")
+    options.add_argument("folder", type=Path, help="folder a run wrote: result.json, history.csv, fields.h5, scene.xml")
+    folder = options.parse_args().folder
+    if not folder.is_dir():
+        print(f"make_report.py: {folder} is not a folder.\n  Give the folder a run wrote, as out/arch.", file=sys.stderr)
+        return 2
+    print(make_report(folder))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,219 @@
+"""Reads what a run left behind: result.json, history.csv, fields.h5, scene.xml.
+
+Any of them may be missing or damaged; what could not be read is collected in `Results.remarks`, in words for the reader
+of the report. Units: m, N, Pa, J, s. Signs: gap > 0 open, normal force > 0 compression, stress > 0 tension.
+"""
+import csv
+import json
+import re
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+OPEN, STICK, SLIP, BONDED = 0, 1, 2, 3
+
+# Damaged files end in one of these; anything else is a mistake of ours and should be seen.
+UNREADABLE = (OSError, ValueError, KeyError, IndexError, csv.Error, ElementTree.ParseError)
+
+
+@dataclass
+class Mesh:
+    """Nodes and cells of all blocks; every block has its own copies of the nodes on its joints."""
+    coordinates: np.ndarray    # [nodes, 2] m
+    cells: np.ndarray          # [cells, 3 or 4] nodes; a triangle in a table of width 4 repeats its last node
+    block_of_cell: np.ndarray  # [cells]
+    blocks: int
+    rank_of_block: np.ndarray  # [blocks]
+    sets: dict                 # name -> ascending block numbers
+
+
+@dataclass
+class Joints:
+    """All candidate contact points."""
+    position: np.ndarray  # [points, 2] m
+    normal: np.ndarray    # [points, 2], unit, from block_i to block_j
+    block_i: np.ndarray
+    block_j: np.ndarray
+    node_i: np.ndarray
+    node_j: np.ndarray
+    area: np.ndarray      # [points] m2
+    joint: np.ndarray = field(init=False)  # [points] number of the joint = pair of blocks
+    pairs: np.ndarray = field(init=False)  # [joints, 2] blocks of a joint
+
+    def __post_init__(self):
+        pairs = np.stack([np.minimum(self.block_i, self.block_j), np.maximum(self.block_i, self.block_j)], 1)
+        self.pairs, joint = np.unique(pairs.reshape(-1, 2), axis=0, return_inverse=True)
+        self.joint = joint.reshape(-1)
+
+
+@dataclass
+class Step:
+    """State at the end of one load step."""
+    number: int
+    stage: str
+    load_factor: float
+    displacement: np.ndarray      # [nodes, 2] m
+    stress: np.ndarray            # [cells, 3] Pa: xx, yy, xy
+    gap: np.ndarray               # [points] m
+    slip: np.ndarray              # [points] m
+    normal_force: np.ndarray      # [points] N
+    tangential_force: np.ndarray  # [points] N
+    status: np.ndarray            # [points] OPEN, STICK, SLIP or BONDED
+    selected: np.ndarray          # [points] bool
+
+    @property
+    def largest_displacement(self):
+        return float(np.linalg.norm(self.displacement, axis=1).max(initial=0.0))
+
+
+@dataclass
+class Results:
+    folder: Path
+    result: dict = field(default_factory=dict)   # result.json as it is
+    history: list = field(default_factory=list)  # one dict of strings per step
+    title: str = ""
+    mesh: Mesh = None
+    joints: Joints = None
+    stage_ends: list = field(default_factory=list)  # last step of every stage, in the order of loading
+    remarks: list = field(default_factory=list)
+
+    @property
+    def last(self):
+        return self.stage_ends[-1] if self.stage_ends else None
+
+
+def plain(key):
+    """A key without units and punctuation: 'largest_displacement_m', 'Largest displacement [m]' -> 'largest displacement'."""
+    words = re.sub(r"\[.*?\]", " ", str(key)).replace("_", " ").replace("-", " ").split()
+    if len(words) > 1 and words[-1] in ("m", "J", "N", "Pa", "s", "MB", "bytes", "B"):
+        words = words[:-1]
+    return " ".join(words).lower()
+
+
+def find(tree, *names):
+    """First value in a nested dict whose plain key is one of `names`; outer levels and earlier names win."""
+    level = [tree] if isinstance(tree, dict) else []
+    while level:
+        for name in names:
+            for node in level:
+                for key, value in node.items():
+                    if plain(key) == name:
+                        return value
+        level = [v for node in level for v in node.values() if isinstance(v, dict)]
+    return None
+
+
+def number(value):
+    """A finite float, or None for anything else."""
+    try:
+        value = float(value)
+    except (TypeError, ValueError):
+        return None
+    return value if np.isfinite(value) else None
+
+
+def text(value):
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+def read_sets(mesh_group, blocks):
+    """Sets by name. `block_set` is one number per block (-1: none) or a table blocks x sets of 0 and 1."""
+    if "block_set" not in mesh_group or "block_set_names" not in mesh_group:
+        return {}
+    names = [text(n) for n in np.atleast_1d(mesh_group["block_set_names"][()])]
+    table = mesh_group["block_set"][()]
+    if table.ndim == 1:
+        members = [np.flatnonzero(table == k) for k in range(len(names))]
+    elif table.shape == (blocks, len(names)):
+        members = [np.flatnonzero(table[:, k]) for k in range(len(names))]
+    else:
+        raise ValueError(f"/mesh/block_set has shape {table.shape}, not [{blocks}] or [{blocks}, {len(names)}]")
+    return {name: blocks_of for name, blocks_of in zip(names, members) if len(blocks_of)}
+
+
+def read_mesh(file):
+    group = file["mesh"]
+    block_of_cell = group["block_of_cell"][()].astype(int).reshape(-1)
+    block_of_node = group["block_of_node"][()].astype(int).reshape(-1)
+    blocks = int(block_of_node.max()) + 1
+    rank = group["rank_of_block"][()].astype(int) if "rank_of_block" in group else np.zeros(blocks, int)
+    return Mesh(group["coordinates"][:, :2], group["cells"][()].astype(int), block_of_cell, blocks, rank,
+                read_sets(group, blocks))
+
+
+def read_joints(file):
+    group = file["joints"]
+    integer = lambda name: group[name][()].astype(int).reshape(-1)
+    return Joints(group["position"][()].reshape(-1, group["position"].shape[-1])[:, :2],
+                  group["normal"][()].reshape(-1, group["normal"].shape[-1])[:, :2],
+                  integer("block_i"), integer("block_j"), integer("node_i"), integer("node_j"),
+                  group["area"][()].reshape(-1))
+
+
+def read_step(name, group, points):
+    value = lambda key: group[key][()].reshape(-1) if key in group else np.zeros(points)
+    status = value("joint_status").astype(int) if "joint_status" in group else np.full(points, BONDED)
+    selected = value("joint_selected") > 0 if "joint_selected" in group else status != BONDED
+    return Step(int(group.attrs.get("step", name)), text(group.attrs.get("stage", "")),
+                float(group.attrs.get("load_factor", np.nan)), group["displacement"][:, :2], group["stress"][()],
+                value("joint_gap_m"), value("joint_slip_m"), value("joint_normal_force_N"),
+                value("joint_tangential_force_N"), status, selected)
+
+
+def last_of_each_stage(steps):
+    """Names of the step groups that end a stage, in order."""
+    names = sorted((name for name in steps if name.isdigit()), key=int)
+    stages = [text(steps[name].attrs.get("stage", "")) for name in names]
+    return [name for k, name in enumerate(names) if k + 1 == len(names) or stages[k] != stages[k + 1]]
+
+
+def read_fields(path, results):
+    with h5py.File(path, "r") as file:
+        results.mesh = read_mesh(file)
+        results.joints = read_joints(file)
+        steps = file.get("steps", {})
+        results.stage_ends = [read_step(name, steps[name], len(results.joints.area)) for name in last_of_each_stage(steps)]
+    if not results.stage_ends:
+        results.remarks.append("fields.h5 holds no load step; only the undeformed structure is drawn.")
+
+
+def read_title(path, results):
+    for parameter in ElementTree.parse(path).getroot().findall("Parameter"):
+        if parameter.get("name") == "title":
+            results.title = parameter.get("value", "")
+
+
+def read_result(path, results):
+    content = json.loads(path.read_text(encoding="utf-8", errors="replace"))
+    if not isinstance(content, dict):
+        raise ValueError("the top level is not an object")
+    results.result = content
+
+
+def read_history(path, results):
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
+        results.history = list(csv.DictReader(file))
+
+
+def read_results(folder):
+    """Everything that can be read in `folder`; the rest is named in `remarks`."""
+    results = Results(Path(folder))
+    for name, reader, loss in (
+            ("result.json", read_result, "the summary of the run is incomplete"),
+            ("history.csv", read_history, "there are no tables per load step"),
+            ("fields.h5", read_fields, "no picture of the structure can be drawn"),
+            ("scene.xml", read_title, "the title is taken from the name of the folder or of the scene")):
+        path = results.folder / name
+        if not path.exists():
+            results.remarks.append(f"{name} is missing: {loss}.")
+            continue
+        try:
+            reader(path, results)
+        except UNREADABLE as problem:
+            results.remarks.append(f"{name} could not be read ({problem}): {loss}.")
+    scene = find(results.result, "title", "scene", "name")
+    results.title = results.title or (str(scene) if scene else results.folder.resolve().name)
+    return results

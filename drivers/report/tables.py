@@ -1,0 +1,165 @@
+"""Numbers of the report: the figures asked first, tables per step, of joints, of forces."""
+import numpy as np
+
+from draw_cost import column
+from geometry import force_text, length_text
+from read_results import OPEN, SLIP, STICK, find, number
+from statics import horizontal_thrust
+
+LONG = 60  # steps: longer histories are shown with every so many steps, and always the last
+
+
+def count_text(value):
+    return "not given" if number(value) is None else f"{number(value):,.0f}".replace(",", " ")
+
+
+def short(value, digits=3):
+    value = number(value)
+    if value is None:
+        return ""
+    return f"{value:.0f}" if value == int(value) and abs(value) < 1e6 else f"{value:.{digits}g}"
+
+
+def last_row(results, name):
+    return number(results.history[-1].get(name)) if results.history else None
+
+
+def either(results, history_name, *names):
+    """From result.json, else from the last row of history.csv."""
+    value = number(find(results.result, *names))
+    return value if value is not None else last_row(results, history_name)
+
+
+def outcome(results):
+    """Words and the kind of outcome: good, warn, bad or ''."""
+    words = str(find(results.result, "outcome") or "outcome not recorded")
+    kind = next((kind for sign, kind in (("no convergence", "bad"), ("not converged", "bad"), ("failed", "bad"), ("collapse", "warn"),
+                                         ("done", "good"), ("converged", "good")) if sign in words.lower()), "")
+    return words, kind
+
+
+def seconds_of(results):
+    """Total seconds and the phases by name."""
+    phases = find(results.result, "seconds per phase", "seconds", "phases", "timings")
+    if not isinstance(phases, dict):
+        return number(phases) or number(np.nansum(column(results.history, "seconds"))), {}
+    total = number(find(phases, "total", "wall", "sum"))
+    return total or sum(v for v in map(number, phases.values()) if v is not None), phases
+
+
+def facts_asked_first(results):
+    step, tree = results.last, results.result
+    displacement = either(results, "largest_displacement_m", "largest displacement")
+    if displacement is None and step:
+        displacement = step.largest_displacement
+    candidates = number(find(tree, "candidate points")) or (len(results.joints.area) if results.joints else None)
+    selected = either(results, "selected_points", "selected points")
+    if selected is None and step:
+        selected = step.selected.sum()
+    points = []
+    for name, status in (("open", OPEN), ("slip", SLIP), ("stick", STICK)):
+        value = either(results, f"{name}_points", f"{name} points", f"{name} count", name)
+        points.append(value if value is not None else (int((step.status == status).sum()) if step else None))
+    load = either(results, "load_factor", "load factor", "load factor reached")
+    error = either(results, "error_estimate", "error estimate")
+    seconds, _ = seconds_of(results)
+    share = f"{100 * selected / candidates:.1f} %" if selected is not None and candidates else "not given"
+    stage = results.history[-1].get("stage", "") if results.history else (step.stage if step else "")
+    return [
+        ("Largest displacement", "not given" if displacement is None else length_text(displacement), ""),
+        ("Load factor reached", short(load) or "not given", f"in stage “{stage}”" if stage else ""),
+        ("Open / slipping / sticking points", " / ".join(count_text(p) for p in points), "of the selected contact points"),
+        ("Selected as contact", share, f"{count_text(selected)} of {count_text(candidates)} candidate points"),
+        ("Error estimate", "not given" if error is None else f"{100 * error:.2g} %", "energy norm, of what stays bonded"),
+        ("Time", "not given" if seconds is None else f"{seconds:.3g} s", f"{count_text(find(tree, 'ranks'))} ranks"),
+        ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
+        ("Unknowns", count_text(find(tree, "unknowns")), ""),
+    ]
+
+
+def shown_rows(history):
+    stride = -(-len(history) // LONG)
+    rows = history[::-1][::max(stride, 1)][::-1]
+    return rows, stride
+
+
+STEP_COLUMNS = (("step", "step"), ("stage", "stage"), ("load factor", "load_factor"), ("selected", "selected_points"), ("open", "open_points"),
+                ("stick", "stick_points"), ("slip", "slip_points"), ("selection rounds", "selection_rounds"), ("Newton", "newton_iterations"),
+                ("linear solves", "linear_solves"), ("Krylov", "krylov_iterations"), ("complementarity residual", "complementarity_residual"),
+                ("penetration [m]", "largest_penetration_m"), ("error estimate", "error_estimate"),
+                ("displacement [m]", "largest_displacement_m"), ("seconds", "seconds"))
+ENERGY_COLUMNS = (("step", "step"), ("stage", "stage"), ("elastic [J]", "elastic_J"), ("external work [J]", "external_work_J"),
+                  ("friction [J]", "friction_J"), ("fracture [J]", "fracture_J"), ("imbalance [J]", "imbalance_J"))
+
+
+def step_table(page, history, columns):
+    rows, stride = shown_rows(history)
+    digits = 4 if columns is ENERGY_COLUMNS else 3
+    page.table([heading for heading, _ in columns],
+               [[row.get(key, "") if key == "stage" else short(row.get(key), digits) for _, key in columns] for row in rows], words=(1,))
+    if stride > 1:
+        page.words(f"One row in {stride} of {len(history)}; all are in history.csv.")
+
+
+def block_name(mesh, block):
+    sets = [name for name, blocks in mesh.sets.items() if block in blocks]
+    return f"{block} ({', '.join(sets)})" if sets else str(block)
+
+
+def largest_of_joints(mesh, joints, values, how_many=10):
+    """Joints with the largest value at one of their points: rows for a table, largest first."""
+    order, seen, rows = np.argsort(-values, kind="stable"), set(), []
+    for point in order:
+        if len(rows) == how_many or not values[point] > 0:
+            break
+        if joints.joint[point] not in seen:
+            seen.add(joints.joint[point])
+            x, y = joints.position[point]
+            rows.append([len(rows) + 1, block_name(mesh, joints.block_i[point]), block_name(mesh, joints.block_j[point]),
+                         f"{1e3 * values[point]:.4g}", f"{x:.3f}", f"{y:.3f}"])
+    return rows
+
+
+def joint_tables(page, mesh, joints, step):
+    for title, unit, values in (("Ten most opened joints", "opening [mm]", np.where(step.status == OPEN, step.gap, 0)),
+                                ("Ten largest slips", "slip [mm]", np.where(step.selected, np.abs(step.slip), 0))):
+        rows = largest_of_joints(mesh, joints, values)
+        page.part(title)
+        if rows:
+            page.table(["", "block", "block", unit, "x [m]", "y [m]"], rows, words=(1, 2))
+        else:
+            page.words("None.")
+
+
+def hinge_table(page, mesh, hinges):
+    page.table(["arch", "blocks", "opens at", "hinge at", "opening [mm]", "x [m]", "y [m]"],
+               [[h.ring, " | ".join(block_name(mesh, b) for b in h.blocks), h.opens_at, h.turns_at, f"{1e3 * h.opening:.4g}",
+                 f"{h.place[0]:.3f}", f"{h.place[1]:.3f}"] for h in hinges], words=(0, 1, 2, 3))
+
+
+def thrust_table(page, thrusts):
+    """thrusts: rows (name of the arch, resultants)."""
+    page.part("Horizontal thrust of each arch")
+    if not thrusts:
+        page.words("No arch was found: neither a set of blocks whose name begins with “ring”, nor one row of blocks that rises.")
+        return
+    page.table(["arch", "voussoir joints", "thrust at the crown", "largest joint resultant"],
+               [[name, len(resultants), force_text(horizontal_thrust(resultants)), force_text(max(r.normal for r in resultants))]
+                for name, resultants in thrusts], words=(0,))
+
+
+def reaction_table(page, results):
+    """Support reactions in whatever grouping result.json has: name -> numbers, or a list of records."""
+    reactions = find(results.result, "support reactions", "reactions")
+    if isinstance(reactions, list):
+        reactions = {str(r.get("support", r.get("name", k))) if isinstance(r, dict) else str(k): r for k, r in enumerate(reactions)}
+    if not isinstance(reactions, dict) or not reactions:
+        return
+    page.part("Support reactions")
+    rows = []
+    for name, value in reactions.items():
+        if isinstance(value, list):
+            value = {f"component {'xyz'[k] if k < 3 else k}": v for k, v in enumerate(value)}
+        parts = value if isinstance(value, dict) else {"": value}
+        rows += [[name, key.replace("_", " "), short(v, 5)] for key, v in parts.items() if number(v) is not None]
+    page.table(["support", "component", "[N]"], rows, words=(0, 1))
