@@ -51,10 +51,13 @@ install_packages() {
   rm -f "$log"
 }
 
+# nproc alone would answer OMP_NUM_THREADS when that is set.
+usable_cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
+
 # The heaviest source file takes 0.7 GB to compile, so there is at most one job per GB of free memory.
 build_jobs() {
   local jobs free
-  jobs=$(nproc)
+  jobs=$(usable_cores)
   free=$(awk '/MemAvailable/ {print int($2 / 1048576)}' /proc/meminfo)
   [ "$free" -ge 1 ] || free=1
   [ "$jobs" -le "$free" ] || jobs=$free
@@ -92,7 +95,7 @@ configure_and_build() {
 physical_cores() {
   local cores allowed
   cores=$(lscpu -p=core,socket 2>/dev/null | grep -v '^#' | sort -u | wc -l)
-  allowed=$(nproc)
+  allowed=$(usable_cores)
   { [ "$cores" -ge 1 ] && [ "$cores" -le "$allowed" ]; } || cores=$allowed
   echo "$cores"
 }
