@@ -104,6 +104,7 @@ run_environment() {
   export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 # one thread per rank, or ranks fight over the cores
   # Containers forbid reading another process' memory, and Open MPI complains on every start.
   export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  export ASAN_OPTIONS=${ASAN_OPTIONS:-leak_check_at_exit=0} # debug build: plug-ins of MPI are gone by then
   if [ "$(id -u)" -eq 0 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   fi
