@@ -1,0 +1,30 @@
+// Blocks that are kept in memory, the same on every rank: what a file gives, and what tests put together by hand.
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+#include <memory>
+
+#include "mesh/mesh.hpp"
+
+namespace voussoir {
+
+/// Blocks and the names their sets refer to.
+template <int dim>
+struct BlockList {
+  std::vector<Block<dim>> blocks;  ///< block b has id b
+  std::vector<std::string> block_sets;
+  std::vector<std::string> facet_sets;
+};
+
+/// Gives every rank the list of rank 0. Collective.
+template <int dim>
+void broadcast_blocks(const Teuchos::Comm<int>&, BlockList<dim>&);
+
+/// A source that hands out the blocks of a list; finds its graph when first asked.
+template <int dim>
+std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim>);
+
+/// The graph of blocks that share vertices, from the vertices of each block.
+BlockGraph graph_of_shared_vertices(const std::vector<std::vector<VertexId>>& vertices_of_block);
+
+}  // namespace voussoir

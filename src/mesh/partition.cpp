@@ -1,0 +1,119 @@
+#include "mesh/partition.hpp"
+
+#include <metis.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "base/check.hpp"
+#include "mesh/on_rank_zero.hpp"
+
+namespace voussoir {
+namespace {
+
+bool is_connected(const BlockGraph& graph) {
+  std::vector<char> seen(graph.start.size() - 1, 0);
+  std::vector<BlockId> to_visit{0};
+  seen[0] = 1;
+  std::size_t count = 1;
+  while (!to_visit.empty()) {
+    const BlockId b = to_visit.back();
+    to_visit.pop_back();
+    for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) {
+      const BlockId other = graph.neighbour[k];
+      if (seen[other]) continue;
+      seen[other] = 1;
+      ++count;
+      to_visit.push_back(other);
+    }
+  }
+  return count == seen.size();
+}
+
+/// Blocks in the order of their numbers: each rank takes its share of what is left, and leaves one for each rank to come.
+std::vector<int> cut_by_number(const std::vector<double>& weights, int ranks) {
+  const int blocks = static_cast<int>(weights.size());
+  double left = std::accumulate(weights.begin(), weights.end(), 0.0), taken = 0, share = left / ranks;
+  std::vector<int> rank_of_block(weights.size());
+  int rank = 0;
+  for (int b = 0; b < blocks; ++b) {
+    const bool one_left_for_each = blocks - b <= ranks - 1 - rank;
+    if (taken > 0 && rank < ranks - 1 && (taken + weights[b] / 2 > share || one_left_for_each)) {
+      ++rank;
+      left -= taken;
+      taken = 0;
+      share = left / (ranks - rank);
+    }
+    rank_of_block[b] = rank;
+    taken += weights[b];
+  }
+  return rank_of_block;
+}
+
+bool every_rank_has_a_block(const std::vector<int>& rank_of_block, int ranks) {
+  std::vector<char> used(ranks, 0);
+  for (const int rank : rank_of_block) used[rank] = 1;
+  return std::find(used.begin(), used.end(), 0) == used.end();
+}
+
+/// METIS counts in integers: a total of 1e9 leaves room below 2^31 and resolves a block of one part in 1e9.
+std::vector<idx_t> whole_weights(const std::vector<double>& weights) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const double scale = std::min(1.0, 1e9 / total);
+  std::vector<idx_t> whole(weights.size());
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    VOUSSOIR_EXPECT(weights[b] > 0);
+    whole[b] = std::max<idx_t>(1, static_cast<idx_t>(weights[b] * scale));
+  }
+  return whole;
+}
+
+std::vector<int> metis(const BlockGraph& graph, const std::vector<double>& weights, int ranks) {
+  idx_t blocks = static_cast<idx_t>(weights.size()), constraints = 1, parts = ranks, cut = 0;
+  std::vector<idx_t> start(graph.start.begin(), graph.start.end());
+  std::vector<idx_t> neighbour(graph.neighbour.begin(), graph.neighbour.end());
+  std::vector<idx_t> edge_weight(graph.shared_vertices.begin(), graph.shared_vertices.end());
+  std::vector<idx_t> vertex_weight = whole_weights(weights), part(weights.size(), 0);
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 1;  // any fixed number: the same parts in every run
+  options[METIS_OPTION_NUMBERING] = 0;
+  options[METIS_OPTION_CONTIG] = ranks <= 4 && is_connected(graph) ? 1 : 0;
+  const int outcome =
+      METIS_PartGraphKway(&blocks, &constraints, start.data(), neighbour.data(), vertex_weight.data(), nullptr,
+                          edge_weight.data(), &parts, nullptr, nullptr, options, &cut, part.data());
+  if (outcome != METIS_OK)
+    throw std::runtime_error("METIS could not divide " + std::to_string(blocks) + " blocks among " +
+                             std::to_string(ranks) + " ranks (its code: " + std::to_string(outcome) + ").");
+  return std::vector<int>(part.begin(), part.end());
+}
+
+}  // namespace
+
+std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& vertex_weights, int ranks) {
+  VOUSSOIR_CHECK(ranks >= 1);
+  VOUSSOIR_CHECK(graph.start.size() == vertex_weights.size() + 1);
+  std::vector<int> rank_of_block(vertex_weights.size(), 0);
+  if (ranks == 1) return rank_of_block;
+  if (static_cast<std::size_t>(ranks) >= vertex_weights.size()) {
+    std::iota(rank_of_block.begin(), rank_of_block.end(), 0);
+    return rank_of_block;
+  }
+  if (!graph.neighbour.empty()) {
+    rank_of_block = metis(graph, vertex_weights, ranks);
+    if (every_rank_has_a_block(rank_of_block, ranks)) return rank_of_block;
+  }
+  return cut_by_number(vertex_weights, ranks);  // METIS leaves parts empty when there are hardly more blocks than ranks
+}
+
+std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& vertex_weights,
+                           const Teuchos::Comm<int>& comm) {
+  std::vector<int> rank_of_block;
+  on_rank_zero(comm, [&] { rank_of_block = partition(graph, vertex_weights, comm.getSize()); });
+  broadcast_values(comm, rank_of_block);
+  return rank_of_block;
+}
+
+}  // namespace voussoir
