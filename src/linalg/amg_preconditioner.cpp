@@ -1,0 +1,53 @@
+#include "linalg/amg_preconditioner.hpp"
+
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+
+namespace voussoir {
+namespace {
+
+using Coordinates = Tpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>;
+
+Teuchos::ParameterList parameters_for(int dim, int ranks) {
+  Teuchos::ParameterList list("MueLu");
+  list.set("verbosity", "none");
+  list.set("number of equations", dim);
+  list.set("problem: symmetric", true);
+  list.set("coarse: max size", 1000);
+  list.set("smoother: type", "RELAXATION");
+  auto& smoother = list.sublist("smoother: params");
+  smoother.set("relaxation: type", "Symmetric Gauss-Seidel");
+  if (ranks > 1) {
+    // Debian's direct coarse solver is wrong on more than one rank: bring the coarsest level onto one.
+    list.set("repartition: enable", true);
+    list.set("repartition: partitioner", "zoltan2");
+    list.set("repartition: start level", 1);
+    list.set("repartition: min rows per proc", 2000);
+  }
+  return list;
+}
+
+}  // namespace
+
+struct AmgPreconditioner::Data {
+  Teuchos::RCP<MueLu::TpetraOperator<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>> hierarchy;
+};
+
+AmgPreconditioner::AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a,
+                                     const Teuchos::RCP<TpetraMultiVector>& coordinates,
+                                     const Teuchos::RCP<TpetraMultiVector>& near_null, int dim,
+                                     const Teuchos::ParameterList& overrides)
+    : data_(std::make_unique<Data>()) {
+  auto list = parameters_for(dim, a->getComm()->getSize());
+  list.setParameters(overrides);
+  auto& user = list.sublist("user data");
+  user.set("Coordinates", Teuchos::RCP<Coordinates>(coordinates));
+  user.set("Nullspace", near_null);
+  Teuchos::RCP<TpetraOperator> op = a;
+  data_->hierarchy = MueLu::CreateTpetraPreconditioner(op, list);
+}
+
+AmgPreconditioner::~AmgPreconditioner() = default;
+
+void AmgPreconditioner::apply(const TpetraVector& r, TpetraVector& z) const { data_->hierarchy->apply(r, z); }
+
+}  // namespace voussoir

@@ -1,0 +1,28 @@
+// Algebraic multigrid for elasticity: MueLu behind a wall.
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+
+#include "linalg/preconditioner.hpp"
+
+namespace voussoir {
+
+/// One V-cycle of smoothed aggregation.
+class AmgPreconditioner : public Preconditioner {
+ public:
+  /// @param a            symmetric positive definite; rows dim * node + component, nodes contiguous on a rank
+  /// @param coordinates  one row per node [m], dim columns
+  /// @param near_null    rigid motions at the nodes, 3 (2D) or 6 (3D) columns, on the map of a
+  /// @param overrides    MueLu parameters of the user, put over the program's own
+  AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a, const Teuchos::RCP<TpetraMultiVector>& coordinates,
+                    const Teuchos::RCP<TpetraMultiVector>& near_null, int dim, const Teuchos::ParameterList& overrides);
+  ~AmgPreconditioner() override;
+  void apply(const TpetraVector& r, TpetraVector& z) const override;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,32 @@
+// Krylov solution of the block-level system: Belos behind a wall.
+#pragma once
+
+#include <memory>
+
+#include "linalg/preconditioner.hpp"
+#include "linalg/solver_parameters.hpp"
+
+namespace voussoir {
+
+struct LinearSolveResult {
+  int iterations = 0;
+  bool converged = false;
+};
+
+class LinearSolver {
+ public:
+  explicit LinearSolver(const SolverParameters&);
+  ~LinearSolver();
+
+  /// Solves A x = b from the given x until |b - A x| <= relative_tolerance |b|.
+  /// M may be null. Every rank calls it.
+  LinearSolveResult solve(const Teuchos::RCP<const TpetraOperator>& a, const std::shared_ptr<const Preconditioner>& m,
+                          const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
+                          double relative_tolerance);
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace voussoir

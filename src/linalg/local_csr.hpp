@@ -1,0 +1,26 @@
+// A sparse matrix of one rank in compressed rows: blocks' stiffness, rows of the system, small factors.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace voussoir {
+
+struct LocalCsr {
+  std::vector<std::size_t> start{0};  ///< [rows + 1]
+  std::vector<int> column;            ///< ascending in each row
+  std::vector<double> value;
+
+  int rows() const { return static_cast<int>(start.size()) - 1; }
+
+  /// y = A x
+  void multiply(const double* x, double* y) const {
+    for (int i = 0; i < rows(); ++i) {
+      double sum = 0;
+      for (std::size_t k = start[i]; k < start[i + 1]; ++k) sum += value[k] * x[column[k]];
+      y[i] = sum;
+    }
+  }
+};
+
+}  // namespace voussoir

@@ -1,0 +1,84 @@
+#include "linalg/sparse_cholesky.hpp"
+
+#include <suitesparse/cholmod.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.hpp"
+
+namespace voussoir {
+
+struct SparseCholesky::Data {
+  cholmod_common common;
+  cholmod_factor* factor = nullptr;
+  int size = 0;
+
+  Data() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.final_ll = 1;
+  }
+  ~Data() {
+    if (factor) cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Data(const Data&) = delete;
+  Data& operator=(const Data&) = delete;
+};
+
+SparseCholesky::SparseCholesky(const LocalCsr& a) : data_(std::make_unique<Data>()) {
+  auto& d = *data_;
+  d.size = a.rows();
+  std::size_t entries = 0;
+  for (int i = 0; i < a.rows(); ++i)
+    for (std::size_t k = a.start[i]; k < a.start[i + 1]; ++k) entries += a.column[k] >= i;
+  // The upper triangle by rows is the lower triangle by columns.
+  cholmod_sparse* lower = cholmod_allocate_sparse(d.size, d.size, entries, 1, 1, -1, CHOLMOD_REAL, &d.common);
+  auto* start = static_cast<int*>(lower->p);
+  auto* row = static_cast<int*>(lower->i);
+  auto* value = static_cast<double*>(lower->x);
+  std::vector<int> diagonal(a.rows());
+  int next = 0;
+  for (int i = 0; i < a.rows(); ++i) {
+    start[i] = next;
+    for (std::size_t k = a.start[i]; k < a.start[i + 1]; ++k) {
+      if (a.column[k] < i) continue;
+      if (a.column[k] == i) diagonal[i] = next;
+      row[next] = a.column[k];
+      value[next++] = a.value[k];
+    }
+  }
+  start[a.rows()] = next;
+  d.factor = cholmod_analyze(lower, &d.common);
+  cholmod_factorize(lower, d.factor, &d.common);
+  if (d.common.status == CHOLMOD_NOT_POSDEF) {
+    double largest = 0;
+    for (int i = 0; i < a.rows(); ++i) largest = std::max(largest, value[diagonal[i]]);
+    // 1e-10: above the round-off of a factorisation (1e-16 times growth), far below any stiffness that matters.
+    for (int i = 0; i < a.rows(); ++i) value[diagonal[i]] += 1e-10 * (largest > 0 ? largest : 1.0);
+    cholmod_factorize(lower, d.factor, &d.common);
+  }
+  cholmod_free_sparse(&lower, &d.common);
+  VOUSSOIR_CHECK(d.common.status == CHOLMOD_OK);
+}
+
+SparseCholesky::~SparseCholesky() = default;
+SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+
+int SparseCholesky::size() const { return data_->size; }
+
+void SparseCholesky::solve(const double* b, double* x) const {
+  auto& d = *data_;
+  if (d.size == 0) return;
+  cholmod_dense* right = cholmod_allocate_dense(d.size, 1, d.size, CHOLMOD_REAL, &d.common);
+  std::copy(b, b + d.size, static_cast<double*>(right->x));
+  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, d.factor, right, &d.common);
+  VOUSSOIR_CHECK(solution != nullptr);
+  std::copy(static_cast<double*>(solution->x), static_cast<double*>(solution->x) + d.size, x);
+  cholmod_free_dense(&solution, &d.common);
+  cholmod_free_dense(&right, &d.common);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,30 @@
+// Direct solution of symmetric positive definite systems on one rank: CHOLMOD behind a wall.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "linalg/local_csr.hpp"
+
+namespace voussoir {
+
+/// Supernodal Cholesky factors of a symmetric matrix of one rank.
+class SparseCholesky {
+ public:
+  /// Factors A (both triangles stored). A pivot that is not positive is repaired by adding
+  /// 1e-10 of the diagonal: A may be singular by rigid motions, never by more than round-off indefinite.
+  explicit SparseCholesky(const LocalCsr& a);
+  ~SparseCholesky();
+  SparseCholesky(SparseCholesky&&) noexcept;
+  SparseCholesky& operator=(SparseCholesky&&) noexcept;
+
+  int size() const;
+  /// x = A^-1 b, both [size]; x may be b.
+  void solve(const double* b, double* x) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace voussoir
