@@ -1,0 +1,81 @@
+#include "mesh/gmsh_numbers.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <regex>
+#include <set>
+
+#include "mesh/lattice.hpp"
+
+namespace voussoir {
+namespace {
+
+std::string without_comments(const std::string& text) {
+  std::string rest;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 2, "//") == 0) {
+      i = std::min(text.find('\n', i), text.size() - 1);
+      rest += '\n';
+    } else if (text.compare(i, 2, "/*") == 0) {
+      i = std::min(text.find("*/", i + 2), text.size() - 2) + 1;
+      rest += ' ';
+    } else {
+      rest += text[i];
+    }
+  }
+  return rest;
+}
+
+/// Names on the left of an equals sign inside DefineConstant[ ... ];
+std::set<std::string> defined_constants(const std::string& text) {
+  std::set<std::string> names;
+  static const std::regex assignment("([A-Za-z_][A-Za-z0-9_]*)\\s*=");
+  for (std::size_t at = text.find("DefineConstant"); at != std::string::npos; at = text.find("DefineConstant", at + 1)) {
+    const std::string statement = text.substr(at, text.find(';', at) - at);
+    for (std::sregex_iterator it(statement.begin(), statement.end(), assignment), end; it != end; ++it)
+      names.insert((*it)[1]);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std::string& text) {
+  std::map<std::string, double> numbers = p.geometry;
+  if (p.element_size > 0) numbers["element_size"] = p.element_size;
+  if (p.cells == CellType::quadrilateral) numbers["recombine"] = 1;
+
+  const std::string code = without_comments(text);
+  const std::set<std::string> defined = defined_constants(code);
+  const bool may_be_elsewhere = std::regex_search(code, std::regex("\\b(Include|Merge)\\b"));
+  std::string offered;
+  for (const std::string& name : defined) offered += (offered.empty() ? "" : ", ") + name;
+  for (const auto& [name, value] : numbers) {
+    const bool in_geometry = p.geometry.count(name) > 0;
+    const std::string key = in_geometry              ? "gmsh > geometry > " + name
+                            : name == "element_size" ? "gmsh > element size"
+                                                     : "gmsh > cells";
+    const std::string shown = name == "recombine" && !in_geometry ? "quadrilateral" : in_words(value);
+    if (!std::isfinite(value)) refuse_mesh(key, shown, "must be a finite number.", "Give the value in SI units.");
+    if (!std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")))
+      refuse_mesh(key, shown, "is no name a .geo file can have.", "Use letters, digits and _.");
+    if (!may_be_elsewhere && defined.count(name) == 0)
+      refuse_mesh(key, shown,
+                  "cannot be set: " + p.file + " has no DefineConstant for " + name +
+                      (offered.empty() ? "." : " (it has: " + offered + ")."),
+                  "Write DefineConstant[ " + name + " = ... ]; in the file and use the number there, or remove the key.");
+  }
+  return numbers;
+}
+
+std::string geo_with_numbers(const std::map<std::string, double>& numbers, const std::string& absolute_path) {
+  std::string text;
+  for (const auto& [name, value] : numbers) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    text += name + " = " + digits + ";\n";
+  }
+  return text + "Include \"" + absolute_path + "\";\n";
+}
+
+}  // namespace voussoir
