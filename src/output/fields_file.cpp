@@ -1,0 +1,127 @@
+#include "output/fields_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include "base/check.hpp"
+#include "output/safe_file.hpp"
+
+namespace voussoir {
+namespace {
+
+/// "/steps/0007": four digits keep the groups in order up to 9999 steps; readers sort by number.
+std::string step_group(int number) {
+  char name[32];
+  std::snprintf(name, sizeof name, "/steps/%04d", number);
+  return name;
+}
+
+/// Cells of `width` corners: a cell with fewer repeats its last node.
+std::vector<long long> padded_corners(const MeshRows& mesh, int width) {
+  std::vector<long long> table;
+  table.reserve(mesh.cell.size() * width);
+  auto corner = mesh.corners.begin();
+  for (const int count : mesh.corner_count) {
+    table.insert(table.end(), corner, corner + count);
+    table.insert(table.end(), width - count, corner[count - 1]);
+    corner += count;
+  }
+  VOUSSOIR_ENSURE(corner == mesh.corners.end());
+  return table;
+}
+
+}  // namespace
+
+FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim)
+    : comm_(std::move(comm)), dim_(dim), file_(path, comm_, Hdf5File::Mode::create) {
+  VOUSSOIR_EXPECT(dim == 2 || dim == 3);
+  const std::filesystem::path fields(path);
+  xdmf_path_ = std::filesystem::path(fields).replace_extension(".xdmf").string();
+  xdmf_.fields = fields.filename().string();
+  xdmf_.dim = dim;
+}
+
+FieldsFile::Rows FieldsFile::counted(const std::vector<long long>& ids) const {
+  const auto here = static_cast<long long>(ids.size());
+  Rows rows{ids, 0};
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, here, Teuchos::outArg(rows.total));
+  return rows;
+}
+
+template <class T>
+void FieldsFile::write(const std::string& path, const Rows& rows, const std::vector<T>& values, int columns,
+                       const std::string& unit, const std::string& text) {
+  file_.write_rows(path, rows.ids, values, Table{rows.total, columns, unit, text});
+}
+
+void FieldsFile::write_vectors(const std::string& path, const Rows& rows, const std::vector<double>& values,
+                               const std::string& unit) {
+  write(path, rows, values, dim_, unit);
+  if (dim_ < 3 && rows.total > 0) file_.write_padded_view(vectors_for_viewers(path, dim_), path, 3);
+}
+
+void FieldsFile::write_mesh(const MeshRows& mesh) {
+  nodes_ = counted(mesh.node);
+  write("/mesh/coordinates", nodes_, mesh.coordinates, dim_, "m");
+  write("/mesh/block_of_node", nodes_, mesh.block_of_node, 1, "-");
+
+  int width = dim_ + 1;
+  const auto& count = mesh.corner_count;
+  if (!count.empty()) width = std::max(width, *std::max_element(count.begin(), count.end()));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, width, Teuchos::outArg(xdmf_.corners));
+  cells_ = counted(mesh.cell);
+  write("/mesh/cells", cells_, padded_corners(mesh, xdmf_.corners), xdmf_.corners, "-",
+        "nodes of each cell; a cell with fewer corners repeats its last node");
+  write("/mesh/block_of_cell", cells_, mesh.block_of_cell, 1, "-");
+  write("/mesh/rank_of_cell", cells_, std::vector<int>(mesh.cell.size(), comm_->getRank()), 1, "-");
+
+  const Rows blocks = counted(mesh.block);
+  write("/mesh/rank_of_block", blocks, std::vector<int>(mesh.block.size(), comm_->getRank()), 1, "-");
+  write("/mesh/block_set", blocks, mesh.block_set, 1, "-", "index into block_set_names, -1 for none");
+  file_.write_texts("/mesh/block_set_names", mesh.block_set_names);
+  xdmf_.nodes = nodes_.total;
+  xdmf_.cells = cells_.total;
+}
+
+void FieldsFile::write_joints(const JointRows& joints) {
+  points_ = counted(joints.point);
+  write("/joints/point", points_, joints.point, 1, "-", "number of the contact point");
+  write("/joints/position", points_, joints.position, dim_, "m");
+  write_vectors("/joints/normal", points_, joints.normal, "-");
+  write("/joints/area", points_, joints.area, 1, "m2");
+  write("/joints/block_i", points_, joints.block_i, 1, "-");
+  write("/joints/block_j", points_, joints.block_j, 1, "-");
+  write("/joints/node_i", points_, joints.node_i, 1, "-");
+  write("/joints/node_j", points_, joints.node_j, 1, "-");
+  xdmf_.points = points_.total;
+  file_.flush();
+}
+
+void FieldsFile::write_step(const StepRows& step) {
+  VOUSSOIR_EXPECT(nodes_.total > 0);
+  const std::string group = step_group(step.number);
+  file_.write_attribute(group, "step", static_cast<long long>(step.number));
+  file_.write_attribute(group, "stage", step.stage);
+  file_.write_attribute(group, "load_factor", step.load_factor);
+  if (step.time) file_.write_attribute(group, "time_s", *step.time);
+
+  write_vectors(group + "/displacement", nodes_, step.displacement, "m");
+  write(group + "/stress", cells_, step.stress, dim_ == 2 ? 3 : 6, "Pa",
+        dim_ == 2 ? "xx, yy, xy; tension > 0" : "xx, xy, xz, yy, yz, zz; tension > 0");
+  write(group + "/joint_gap_m", points_, step.gap, 1, "m", "> 0 open");
+  write(group + "/joint_slip_m", points_, step.slip, 1, "m");
+  write(group + "/joint_normal_force_N", points_, step.normal_force, 1, "N", "compression > 0");
+  write(group + "/joint_tangential_force_N", points_, step.tangential_force, 1, "N");
+  write(group + "/joint_status", points_, step.status, 1, "-", "0 open, 1 stick, 2 slip, 3 bonded");
+  write(group + "/joint_selected", points_, step.selected, 1, "-", "1 treated as contact, 0 not");
+  file_.flush();
+
+  xdmf_.steps.push_back({group, step.time.value_or(static_cast<double>(step.number))});
+  on_first_rank(*comm_, [this] { replace_file(xdmf_path_, xdmf_text(xdmf_)); });
+}
+
+}  // namespace voussoir

@@ -1,0 +1,92 @@
+// fields.h5: the structure and its state at every written load step, and fields.xdmf beside it for viewers.
+// The layout (names, shapes, units) is the table "fields.h5" in src/output/README.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include "base/ids.hpp"
+#include "output/hdf5_file.hpp"
+#include "output/xdmf.hpp"
+
+namespace voussoir {
+
+/// This rank's share of the undeformed structure. Numbers are global and strictly ascending; any share may be empty.
+struct MeshRows {
+  std::vector<NodeId> node;
+  std::vector<double> coordinates;  ///< [m] nodes x dim
+  std::vector<int> block_of_node;
+
+  std::vector<long long> cell;
+  std::vector<int> corner_count;  ///< per cell: 3 or 4 in 2D, 4 or 8 in 3D
+  std::vector<NodeId> corners;    ///< corner_count[0] nodes of the first cell, then the next; counter-clockwise
+  std::vector<int> block_of_cell;
+
+  std::vector<long long> block;              ///< owned blocks
+  std::vector<int> block_set;                ///< per owned block: index into block_set_names, -1 for none
+  std::vector<std::string> block_set_names;  ///< the same on every rank
+};
+
+/// This rank's share of the candidate contact points.
+struct JointRows {
+  std::vector<PointId> point;
+  std::vector<double> position;  ///< [m] points x dim
+  std::vector<double> normal;    ///< [-] points x dim, unit, from block i to block j
+  std::vector<double> area;      ///< [m2]
+  std::vector<int> block_i, block_j;
+  std::vector<NodeId> node_i, node_j;
+};
+
+/// State at the end of a load step; rows in the order of the MeshRows and JointRows written before.
+struct StepRows {
+  int number = 0;
+  std::string stage;
+  double load_factor = 0.0;
+  std::optional<double> time;  ///< [s] in dynamics; load steps have none, and viewers show their number instead
+
+  std::vector<double> displacement;      ///< [m] nodes x dim
+  std::vector<double> stress;            ///< [Pa] cells x 3: xx, yy, xy (3D: x 6: xx, xy, xz, yy, yz, zz); tension > 0
+  std::vector<double> gap;               ///< [m] > 0 open
+  std::vector<double> slip;              ///< [m]
+  std::vector<double> normal_force;      ///< [N] compression > 0
+  std::vector<double> tangential_force;  ///< [N]
+  std::vector<int> status;               ///< 0 open, 1 stick, 2 slip, 3 bonded
+  std::vector<int> selected;             ///< 1 treated as contact, 0 not
+};
+
+/// Writes in the order mesh, joints, steps. Every function is collective and throws ResourceError on all ranks.
+class FieldsFile {
+ public:
+  /// @param path  "out/wall/fields.h5"; fields.xdmf goes beside it
+  FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim);
+
+  void write_mesh(const MeshRows&);
+  void write_joints(const JointRows&);
+  /// On return the step is on disk: a run that is killed later leaves it readable.
+  void write_step(const StepRows&);
+
+ private:
+  struct Rows {  ///< what a step needs to know of the tables before it
+    std::vector<long long> ids;
+    long long total = 0;
+  };
+  Rows counted(const std::vector<long long>& ids) const;
+  template <class T>
+  void write(const std::string& path, const Rows&, const std::vector<T>& values, int columns, const std::string& unit,
+             const std::string& text = "");
+  /// A vector field, with a view of three components beside it in 2D.
+  void write_vectors(const std::string& path, const Rows&, const std::vector<double>& values, const std::string& unit);
+
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  int dim_;
+  Hdf5File file_;
+  std::string xdmf_path_;
+  XdmfContent xdmf_;
+  Rows nodes_, cells_, points_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,97 @@
+#include "output/history.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "base/error.hpp"
+#include "output/safe_file.hpp"
+
+namespace voussoir {
+namespace {
+
+std::string field(long long number) { return std::to_string(number); }
+std::string field(int number) { return std::to_string(number); }
+
+/// The shortest text that reads back as the same number; nothing for one that is not finite.
+std::string field(double number) {
+  if (!std::isfinite(number)) return "";
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+/// Quoted when it has to be (RFC 4180).
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+struct Column {
+  const char* name;
+  std::string (*value)(const HistoryRow&);
+};
+
+/// A column whose text is that of one member.
+template <auto member>
+constexpr Column column(const char* name) {
+  return {name, [](const HistoryRow& row) { return field(row.*member); }};
+}
+
+constexpr Column columns[] = {
+    column<&HistoryRow::step>("step"),
+    column<&HistoryRow::stage>("stage"),
+    column<&HistoryRow::load_factor>("load_factor"),
+    column<&HistoryRow::selected_points>("selected_points"),
+    column<&HistoryRow::open_points>("open_points"),
+    column<&HistoryRow::stick_points>("stick_points"),
+    column<&HistoryRow::slip_points>("slip_points"),
+    column<&HistoryRow::selection_rounds>("selection_rounds"),
+    column<&HistoryRow::newton_iterations>("newton_iterations"),
+    column<&HistoryRow::linear_solves>("linear_solves"),
+    column<&HistoryRow::krylov_iterations>("krylov_iterations"),
+    column<&HistoryRow::complementarity_residual>("complementarity_residual"),
+    column<&HistoryRow::largest_penetration>("largest_penetration_m"),
+    column<&HistoryRow::error_estimate>("error_estimate"),
+    column<&HistoryRow::elastic>("elastic_J"),
+    column<&HistoryRow::external_work>("external_work_J"),
+    column<&HistoryRow::friction>("friction_J"),
+    column<&HistoryRow::fracture>("fracture_J"),
+    column<&HistoryRow::imbalance>("imbalance_J"),
+    column<&HistoryRow::largest_displacement>("largest_displacement_m"),
+    column<&HistoryRow::seconds>("seconds"),
+};
+
+}  // namespace
+
+std::string History::heading() {
+  std::string line;
+  for (const Column& c : columns) line += (line.empty() ? "" : ",") + std::string(c.name);
+  return line;
+}
+
+History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm)
+    : path_(std::move(path)), comm_(std::move(comm)) {
+  on_first_rank(*comm_, [this] {
+    file_.open(path_, std::ios::trunc);
+    put(heading());
+  });
+}
+
+void History::append(const HistoryRow& row) {
+  on_first_rank(*comm_, [this, &row] {
+    std::string line;
+    for (const Column& c : columns) line += (&c == columns ? "" : ",") + c.value(row);
+    put(line);
+  });
+}
+
+void History::put(const std::string& line) {
+  if (file_ << line << '\n' << std::flush) return;
+  throw ResourceError(cannot_write(path_, std::strerror(errno)));
+}
+
+}  // namespace voussoir

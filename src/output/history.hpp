@@ -1,0 +1,48 @@
+// history.csv: one row per load step, written as the run goes.
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
+namespace voussoir {
+
+/// What a load step found and what it cost; numbers are those of the whole structure, counts those of this step alone.
+struct HistoryRow {
+  int step = 0;
+  std::string stage;
+  double load_factor = 0.0;  ///< of the stage, 0..1
+  long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;
+  int selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
+  double complementarity_residual = 0.0;  ///< [-]
+  double largest_penetration = 0.0;       ///< [m]
+  double error_estimate = 0.0;            ///< [-] relative, energy norm
+  double elastic = 0.0;                   ///< [J] stored at the end of the step
+  double external_work = 0.0;             ///< [J] since the start, like friction, fracture and imbalance
+  double friction = 0.0, fracture = 0.0;  ///< [J]
+  double imbalance = 0.0;                 ///< [J] what the energy book cannot explain
+  double largest_displacement = 0.0;      ///< [m]
+  double seconds = 0.0;
+};
+
+class History {
+ public:
+  /// Makes the file with its heading. Collective; rank 0 writes. Throws ResourceError on all ranks.
+  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm);
+  /// On return the row is in the file. Collective; the row of rank 0 counts.
+  void append(const HistoryRow&);
+
+  /// First line of the file: the names of the columns, with units.
+  static std::string heading();
+
+ private:
+  void put(const std::string& line);
+
+  std::string path_;
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  std::ofstream file_;
+};
+
+}  // namespace voussoir

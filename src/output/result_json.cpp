@@ -1,0 +1,86 @@
+#include "output/result_json.hpp"
+
+#include <algorithm>
+
+#include <sys/resource.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <nlohmann/json.hpp>
+
+#include "output/safe_file.hpp"
+
+namespace voussoir {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::equilibrium:
+      return "equilibrium";
+    case Outcome::collapse:
+      return "collapse";
+    case Outcome::not_converged:
+      break;
+  }
+  return "not_converged";
+}
+
+Json energy_book(const EnergySummary& energy) {
+  return {{"elastic_J", energy.elastic},   {"kinetic_J", energy.kinetic},   {"external_work_J", energy.external_work},
+          {"friction_J", energy.friction}, {"fracture_J", energy.fracture}, {"imbalance_J", energy.imbalance}};
+}
+
+}  // namespace
+
+std::string result_json(const RunSummary& run) {
+  Json json;
+  json["scene"] = run.scene;
+  json["outcome"] = word(run.outcome);
+  json["load_factor"] = run.load_factor;
+  if (!run.message.empty()) json["message"] = run.message;
+  if (run.mechanism)
+    json["mechanism"] = {{"largest_mover_block", run.mechanism->largest_mover},
+                         {"largest_mover_name", run.mechanism->name},
+                         {"largest_displacement_m", run.mechanism->largest_displacement}};
+  json["ranks"] = run.ranks;
+  json["blocks"] = run.blocks;
+  json["joints"] = run.joints;
+  json["nodes"] = run.nodes;
+  json["unknowns"] = run.unknowns;
+  json["candidate_points"] = run.candidate_points;
+  json["selected_points"] = run.selected_points;
+  json["open_points"] = run.open_points;
+  json["stick_points"] = run.stick_points;
+  json["slip_points"] = run.slip_points;
+  json["steps"] = run.steps;
+  json["selection_rounds"] = run.selection_rounds;
+  json["newton_iterations"] = run.newton_iterations;
+  json["linear_solves"] = run.linear_solves;
+  json["krylov_iterations"] = run.krylov_iterations;
+  json["largest_penetration_m"] = run.largest_penetration;
+  json["complementarity_residual"] = run.complementarity_residual;
+  json["error_estimate"] = run.error_estimate;
+  json["largest_displacement_m"] = run.largest_displacement;
+  json["energy"] = energy_book(run.energy);
+  json["seconds"] = run.seconds;
+  const auto& memory = run.peak_memory;
+  json["peak_memory_MB"] = memory.empty() ? 0.0 : *std::max_element(memory.begin(), memory.end());
+  json["peak_memory_MB_per_rank"] = memory;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_result_json(const std::string& path, const RunSummary& run, const Teuchos::Comm<int>& comm) {
+  on_first_rank(comm, [&] { replace_file(path, result_json(run)); });
+}
+
+std::vector<double> peak_memory_per_rank(const Teuchos::Comm<int>& comm) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double here = static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;  // Linux counts in KiB
+  std::vector<double> all(static_cast<std::size_t>(comm.getSize()));
+  Teuchos::gatherAll(comm, 1, &here, comm.getSize(), all.data());
+  return all;
+}
+
+}  // namespace voussoir

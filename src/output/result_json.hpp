@@ -1,0 +1,60 @@
+// result.json: what a run found and what it cost, for programs.
+// Every key is explained in the table "result.json" of src/output/README.md; a test compares the two.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Teuchos_Comm.hpp>
+
+namespace voussoir {
+
+enum class Outcome { equilibrium, collapse, not_converged };
+
+/// Energy book at the end of the run. [J]
+struct EnergySummary {
+  double elastic = 0.0, kinetic = 0.0, external_work = 0.0, friction = 0.0, fracture = 0.0, imbalance = 0.0;
+};
+
+/// The motion a collapse begins with.
+struct MechanismSummary {
+  int largest_mover = -1;           ///< block
+  std::string name;                 ///< of that block
+  double largest_displacement = 0;  ///< [m]
+};
+
+/// The same numbers on every rank, those of the whole structure; counts are sums over all steps unless a word says so.
+struct RunSummary {
+  std::string scene;
+  int ranks = 1;
+  int blocks = 0;
+  long long joints = 0, nodes = 0, unknowns = 0;
+  long long candidate_points = 0;
+  long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;  ///< at the end
+  int steps = 0;
+  long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
+  double largest_penetration = 0.0;       ///< [m] largest of all steps
+  double complementarity_residual = 0.0;  ///< [-] largest of all steps
+  double error_estimate = 0.0;            ///< [-] relative, energy norm, at the end
+  double largest_displacement = 0.0;      ///< [m] at the end
+  EnergySummary energy;
+  std::map<std::string, double> seconds;  ///< per phase; the key "total" is the whole run
+  std::vector<double> peak_memory;        ///< [MB] per rank
+  Outcome outcome = Outcome::not_converged;
+  double load_factor = 0.0;  ///< of the last stage, reached
+  std::string message;       ///< why the run ended as it did; not written when empty
+  std::optional<MechanismSummary> mechanism;
+};
+
+/// Text of the file; a number that is not finite becomes null.
+std::string result_json(const RunSummary&);
+
+/// Writes the file whole or not at all. Collective; rank 0 writes. Throws ResourceError on all ranks.
+void write_result_json(const std::string& path, const RunSummary&, const Teuchos::Comm<int>&);
+
+/// [MB = 1e6 bytes] Largest resident memory so far of every rank, the same list on all. Collective.
+std::vector<double> peak_memory_per_rank(const Teuchos::Comm<int>&);
+
+}  // namespace voussoir

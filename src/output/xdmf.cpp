@@ -1,0 +1,111 @@
+#include "output/xdmf.hpp"
+
+#include <sstream>
+
+#include "base/check.hpp"
+
+namespace voussoir {
+namespace {
+
+enum class Number { real, integer, long_integer };
+
+class Writer {
+ public:
+  explicit Writer(const XdmfContent& content) : content_(content) { text_.precision(15); }
+
+  std::string whole() {
+    text_ << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
+    collection("blocks", &Writer::blocks);
+    if (content_.points > 0) collection("joints", &Writer::joints);
+    text_ << "</Domain>\n</Xdmf>\n";
+    return text_.str();
+  }
+
+ private:
+  void collection(const char* name, void (Writer::*grid)(const std::string&)) {
+    text_ << "<Grid Name=\"" << name << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+    for (const auto& step : content_.steps) {
+      text_ << "<Grid Name=\"" << name << "\" GridType=\"Uniform\">\n<Time Value=\"" << step.time << "\"/>\n";
+      (this->*grid)(step.group);
+      text_ << "</Grid>\n";
+    }
+    text_ << "</Grid>\n";
+  }
+
+  void blocks(const std::string& group) {
+    topology(cell_name(), content_.cells, content_.corners, "/mesh/cells");
+    geometry("/mesh/coordinates", content_.nodes);
+    attribute("displacement [m]", "Vector", "Node", Number::real, content_.nodes, 3,
+              vectors_for_viewers(group + "/displacement", content_.dim));
+    if (content_.dim == 2)
+      attribute("stress xx, yy, xy [Pa]", "Vector", "Cell", Number::real, content_.cells, 3, group + "/stress");
+    else
+      attribute("stress [Pa]", "Tensor6", "Cell", Number::real, content_.cells, 6, group + "/stress");
+    attribute("block", "Scalar", "Cell", Number::integer, content_.cells, 1, "/mesh/block_of_cell");
+    attribute("rank", "Scalar", "Cell", Number::integer, content_.cells, 1, "/mesh/rank_of_cell");
+  }
+
+  void joints(const std::string& group) {
+    const long long points = content_.points;
+    topology("Polyvertex", points, 1, "/joints/point");
+    geometry("/joints/position", points);
+    attribute("normal", "Vector", "Node", Number::real, points, 3, vectors_for_viewers("/joints/normal", content_.dim));
+    const auto scalar = [&](const char* name, Number number, const char* table) {
+      attribute(name, "Scalar", "Node", number, points, 1, group + "/" + table);
+    };
+    scalar("gap [m]", Number::real, "joint_gap_m");
+    scalar("slip [m]", Number::real, "joint_slip_m");
+    scalar("normal force [N]", Number::real, "joint_normal_force_N");
+    scalar("tangential force [N]", Number::real, "joint_tangential_force_N");
+    scalar("status", Number::integer, "joint_status");
+    scalar("selected", Number::integer, "joint_selected");
+  }
+
+  const char* cell_name() const {
+    if (content_.dim == 2) return content_.corners == 3 ? "Triangle" : "Quadrilateral";
+    return content_.corners == 4 ? "Tetrahedron" : "Hexahedron";
+  }
+
+  void topology(const char* type, long long count, int corners, const std::string& table) {
+    text_ << "<Topology TopologyType=\"" << type << "\" NumberOfElements=\"" << count << '"';
+    if (corners == 1) text_ << " NodesPerElement=\"1\"";
+    text_ << ">\n";
+    item(Number::long_integer, count, corners, table);
+    text_ << "</Topology>\n";
+  }
+
+  void geometry(const char* table, long long count) {
+    text_ << "<Geometry GeometryType=\"" << (content_.dim == 2 ? "XY" : "XYZ") << "\">\n";
+    item(Number::real, count, content_.dim, table);
+    text_ << "</Geometry>\n";
+  }
+
+  void attribute(const char* name, const char* type, const char* center, Number number, long long rows, int columns,
+                 const std::string& table) {
+    text_ << "<Attribute Name=\"" << name << "\" AttributeType=\"" << type << "\" Center=\"" << center << "\">\n";
+    item(number, rows, columns, table);
+    text_ << "</Attribute>\n";
+  }
+
+  void item(Number number, long long rows, int columns, const std::string& table) {
+    text_ << "<DataItem Dimensions=\"" << rows;
+    if (columns > 1) text_ << ' ' << columns;
+    text_ << "\" NumberType=\"" << (number == Number::real ? "Float" : "Int") << "\" Precision=\""
+          << (number == Number::integer ? 4 : 8) << "\" Format=\"HDF\">" << content_.fields << ':' << table
+          << "</DataItem>\n";
+  }
+
+  const XdmfContent& content_;
+  std::ostringstream text_;
+};
+
+}  // namespace
+
+std::string xdmf_text(const XdmfContent& content) {
+  VOUSSOIR_EXPECT(content.dim == 2 || content.dim == 3);
+  return Writer(content).whole();
+}
+
+std::string vectors_for_viewers(const std::string& table, int dim) { return dim == 2 ? table + "_xyz" : table; }
+
+}  // namespace voussoir

@@ -1,0 +1,32 @@
+// fields.xdmf: tells ParaView and other viewers how to read fields.h5.
+//
+// Format: https://www.xdmf.org/index.php/XDMF_Model_and_Format, version 3. Two temporal collections: "blocks" (cells
+// with displacement, stress, block, rank) and "joints" (contact points with gap, slip, forces, status, selected).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace voussoir {
+
+struct XdmfContent {
+  struct Step {
+    std::string group;  ///< "/steps/0007"
+    double time = 0.0;
+  };
+  std::string fields;  ///< name of the HDF5 file, seen from the folder of the XDMF file
+  int dim = 2;
+  long long nodes = 0;
+  long long cells = 0;
+  int corners = 3;       ///< columns of /mesh/cells
+  long long points = 0;  ///< without contact points there is no collection "joints"
+  std::vector<Step> steps;
+};
+
+/// The whole file.
+std::string xdmf_text(const XdmfContent&);
+
+/// Name of the view of a table of vectors that viewers need: "displacement" -> "displacement_xyz" in 2D.
+std::string vectors_for_viewers(const std::string& table, int dim);
+
+}  // namespace voussoir
