@@ -27,18 +27,18 @@ struct SparseCholesky::Data {
   Data& operator=(const Data&) = delete;
 };
 
-SparseCholesky::SparseCholesky(const LocalCsr& a) : data_(std::make_unique<Data>()) {
-  auto& d = *data_;
-  d.size = a.rows();
+namespace {
+
+/// The upper triangle by rows, which CHOLMOD reads as the lower triangle by columns.
+cholmod_sparse* lower_triangle(const LocalCsr& a, std::vector<int>& diagonal, cholmod_common& common) {
   std::size_t entries = 0;
   for (int i = 0; i < a.rows(); ++i)
     for (std::size_t k = a.start[i]; k < a.start[i + 1]; ++k) entries += a.column[k] >= i;
-  // The upper triangle by rows is the lower triangle by columns.
-  cholmod_sparse* lower = cholmod_allocate_sparse(d.size, d.size, entries, 1, 1, -1, CHOLMOD_REAL, &d.common);
+  cholmod_sparse* lower = cholmod_allocate_sparse(a.rows(), a.rows(), entries, 1, 1, -1, CHOLMOD_REAL, &common);
   auto* start = static_cast<int*>(lower->p);
   auto* row = static_cast<int*>(lower->i);
   auto* value = static_cast<double*>(lower->x);
-  std::vector<int> diagonal(a.rows());
+  diagonal.assign(a.rows(), 0);
   int next = 0;
   for (int i = 0; i < a.rows(); ++i) {
     start[i] = next;
@@ -50,13 +50,29 @@ SparseCholesky::SparseCholesky(const LocalCsr& a) : data_(std::make_unique<Data>
     }
   }
   start[a.rows()] = next;
-  d.factor = cholmod_analyze(lower, &d.common);
+  return lower;
+}
+
+}  // namespace
+
+SparseCholesky::SparseCholesky(const LocalCsr& a) : data_(std::make_unique<Data>()) {
+  data_->size = a.rows();
+  refactor(a);
+}
+
+void SparseCholesky::refactor(const LocalCsr& a) {
+  auto& d = *data_;
+  VOUSSOIR_EXPECT(a.rows() == d.size);
+  std::vector<int> diagonal;
+  cholmod_sparse* lower = lower_triangle(a, diagonal, d.common);
+  if (!d.factor) d.factor = cholmod_analyze(lower, &d.common);
   cholmod_factorize(lower, d.factor, &d.common);
   if (d.common.status == CHOLMOD_NOT_POSDEF) {
+    auto* value = static_cast<double*>(lower->x);
     double largest = 0;
-    for (int i = 0; i < a.rows(); ++i) largest = std::max(largest, value[diagonal[i]]);
+    for (int k : diagonal) largest = std::max(largest, value[k]);
     // 1e-10: above the round-off of a factorisation (1e-16 times growth), far below any stiffness that matters.
-    for (int i = 0; i < a.rows(); ++i) value[diagonal[i]] += 1e-10 * (largest > 0 ? largest : 1.0);
+    for (int k : diagonal) value[k] += 1e-10 * (largest > 0 ? largest : 1.0);
     cholmod_factorize(lower, d.factor, &d.common);
   }
   cholmod_free_sparse(&lower, &d.common);

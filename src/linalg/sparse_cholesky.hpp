@@ -18,6 +18,9 @@ class SparseCholesky {
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
+  /// Factors another matrix of the same pattern, without ordering it again.
+  void refactor(const LocalCsr& a);
+
   int size() const;
   /// x = A^-1 b, both [size]; x may be b.
   void solve(const double* b, double* x) const;

@@ -1,0 +1,111 @@
+#include "blocks/structure.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/check.hpp"
+#include "blocks/assembly.hpp"
+
+namespace voussoir {
+
+template <int dim>
+Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner_of_block, const ModelParameters& model,
+                          const std::function<Material(const Block<dim>&)>& material_of,
+                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+    : owner_(std::move(owner_of_block)), model_(model), comm_(comm) {
+  const auto first = first_nodes(source);
+  total_nodes_ = first.back();
+  const auto& graph = source.graph();
+  const int me = comm->getRank();
+  std::vector<BlockId> halo;
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    if (owner_[b] == me) {
+      add_block(source, b, first, material_of);
+      for (int k = graph.start[b]; k < graph.start[b + 1]; ++k)
+        if (owner_[graph.neighbour[k]] != me) halo.push_back(graph.neighbour[k]);
+    }
+  }
+  owned_blocks_ = static_cast<int>(blocks_.size());
+  owned_nodes_ = nodes();
+  std::sort(halo.begin(), halo.end());
+  halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
+  for (BlockId b : halo) add_block(source, b, first, material_of);
+  group_copies();
+  node_exchange_ = std::make_unique<Exchange>(node_id_, owned_nodes_, comm);
+
+  Vector<dim> low, high, all_low, all_high;
+  low.fill(std::numeric_limits<double>::max());
+  high.fill(std::numeric_limits<double>::lowest());
+  for (const auto& x : position_)
+    for (int c = 0; c < dim; ++c) {
+      low[c] = std::min(low[c], x[c]);
+      high[c] = std::max(high[c], x[c]);
+    }
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MIN, dim, low.data(), all_low.data());
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, dim, high.data(), all_high.data());
+  size_ = norm(all_high - all_low);
+}
+
+template <int dim>
+void Structure<dim>::add_block(const BlockSource<dim>& source, BlockId id, const std::vector<NodeId>& first,
+                               const std::function<Material(const Block<dim>&)>& material_of) {
+  LocalBlock<dim> b;
+  b.mesh = source.block(id);
+  b.first_node = first[id];
+  b.first_local = nodes();
+  b.material = material_of(b.mesh);
+  b.stiffness = block_stiffness(b.mesh, b.material, model_.plane, model_.thickness);
+  const int local = static_cast<int>(blocks_.size());
+  for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
+    node_id_.push_back(b.first_node + static_cast<NodeId>(i));
+    position_.push_back(b.mesh.position[i]);
+    vertex_.push_back(b.mesh.vertex[i]);
+    block_of_node_.push_back(local);
+  }
+  blocks_.push_back(std::move(b));
+}
+
+template <int dim>
+void Structure<dim>::group_copies() {
+  std::vector<int> order(nodes());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [this](int a, int b) {
+    return std::make_pair(vertex_[a], node_id_[a]) < std::make_pair(vertex_[b], node_id_[b]);
+  });
+  copies_start_ = {0};
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i;
+    bool owned = false;
+    while (end < order.size() && vertex_[order[end]] == vertex_[order[i]]) owned |= order[end++] < owned_nodes_;
+    if (owned) {
+      copy_.insert(copy_.end(), order.begin() + static_cast<long>(i), order.begin() + static_cast<long>(end));
+      copies_start_.push_back(static_cast<int>(copy_.size()));
+    }
+    i = end;
+  }
+}
+
+template <int dim>
+int Structure<dim>::local_block(BlockId id) const {
+  const auto less = [](const LocalBlock<dim>& b, BlockId wanted) { return b.mesh.id < wanted; };
+  const auto middle = blocks_.begin() + owned_blocks_;
+  const auto search = [&](auto from, auto to) {
+    const auto it = std::lower_bound(from, to, id, less);
+    return it != to && it->mesh.id == id ? static_cast<int>(it - blocks_.begin()) : -1;
+  };
+  const int owned = search(blocks_.begin(), middle);
+  return owned >= 0 ? owned : search(middle, blocks_.end());
+}
+
+template <int dim>
+void Structure<dim>::apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const {
+  y.resize(u.size());
+  for (const auto& b : blocks_) b.stiffness.multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
+}
+
+template class Structure<2>;
+
+}  // namespace voussoir

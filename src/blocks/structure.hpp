@@ -1,0 +1,83 @@
+// The part of the structure a rank works on: the blocks it owns, and the halo of
+// blocks that share a vertex with them, so that whatever happens at a vertex of an
+// owned block can be computed without asking anybody.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "blocks/material.hpp"
+#include "linalg/exchange.hpp"
+#include "linalg/local_csr.hpp"
+#include "mesh/mesh.hpp"
+
+namespace voussoir {
+
+template <int dim>
+struct LocalBlock {
+  Block<dim> mesh;
+  NodeId first_node = 0;  ///< number of its first node in the whole structure
+  int first_local = 0;    ///< number of its first node on this rank
+  Material material;
+  LocalCsr stiffness;     ///< [dim nodes x dim nodes] of the block alone, singular by its rigid motions [N/m]
+};
+
+template <int dim>
+class Structure {
+ public:
+  /// @param owner_of_block  rank of every block
+  /// @param material_of     material of a block, called for blocks of this rank and its halo
+  Structure(const BlockSource<dim>&, std::vector<int> owner_of_block, const ModelParameters&,
+            const std::function<Material(const Block<dim>&)>& material_of,
+            const Teuchos::RCP<const Teuchos::Comm<int>>&);
+
+  /// Owned blocks in ascending order, then the halo in ascending order.
+  const std::vector<LocalBlock<dim>>& blocks() const { return blocks_; }
+  int owned_blocks() const { return owned_blocks_; }
+  /// Local number of a block, -1 when it is neither owned nor in the halo.
+  int local_block(BlockId) const;
+
+  int nodes() const { return static_cast<int>(node_id_.size()); }
+  int owned_nodes() const { return owned_nodes_; }
+  NodeId total_nodes() const { return total_nodes_; }
+  const std::vector<NodeId>& node_id() const { return node_id_; }
+  const std::vector<Vector<dim>>& position() const { return position_; }
+  const std::vector<int>& block_of_node() const { return block_of_node_; }
+
+  /// Nodes grouped by vertex: copies of group g are copy[copies_start[g]] .. copy[copies_start[g + 1] - 1],
+  /// ascending by node id. Only vertices with an owned node, where the group is complete.
+  const std::vector<int>& copies_start() const { return copies_start_; }
+  const std::vector<int>& copy() const { return copy_; }
+
+  const Exchange& node_exchange() const { return *node_exchange_; }
+  const std::vector<int>& owner_of_block() const { return owner_; }
+  const ModelParameters& model() const { return model_; }
+  const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
+
+  /// y = K u on local node copies [dim nodes], owned and halo; no communication.
+  void apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const;
+  /// Diagonal of the bounding box of the whole structure [m].
+  double size() const { return size_; }
+
+ private:
+  void add_block(const BlockSource<dim>&, BlockId, const std::vector<NodeId>& first,
+                 const std::function<Material(const Block<dim>&)>&);
+  void group_copies();
+
+  std::vector<int> owner_;
+  ModelParameters model_;
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  std::vector<LocalBlock<dim>> blocks_;
+  int owned_blocks_ = 0, owned_nodes_ = 0;
+  NodeId total_nodes_ = 0;
+  std::vector<NodeId> node_id_;
+  std::vector<Vector<dim>> position_;
+  std::vector<VertexId> vertex_;
+  std::vector<int> block_of_node_, copies_start_, copy_;
+  std::unique_ptr<Exchange> node_exchange_;
+  double size_ = 0;
+};
+
+extern template class Structure<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,60 @@
+// The rigid-block operator: what is left of a structure when its stones only move and strain as wholes.
+//
+// Coarse unknowns are, for every block with a selected point, its rigid motions and uniform strains
+// (an affine displacement: 6 in 2D, 12 in 3D). Where nodes are tied the motion is the mean of the blocks'.
+// Every rank holds and factors the whole coarse matrix.
+#pragma once
+
+#include <memory>
+
+#include "homogenisation/system_matrix.hpp"
+#include "linalg/sparse_cholesky.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class BlockMotions {
+ public:
+  /// @param active  per block of the whole structure: 1 if a point of it is selected
+  BlockMotions(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+               const MergedSpace<dim>&, const std::vector<int>& active);
+
+  /// Assembles Z^T H Z for new statuses and factors it. Collective.
+  void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
+  /// z += Z (Z^T H Z)^-1 Z^T r. Collective.
+  void add(const TpetraVector& r, TpetraVector& z) const;
+  int size() const { return size_; }
+
+ private:
+  static constexpr int modes = dim * (dim + 1);
+  /// One column's value at an unknown.
+  struct Entry {
+    int column;
+    double value;
+  };
+  struct Triplet {
+    int row, column;
+    double value;
+  };
+  std::vector<Entry> entries_at(int node, int component) const;
+  void add_product(const std::vector<Entry>& a, const std::vector<Entry>& b, double factor,
+                   std::vector<Triplet>&) const;
+  void assemble_elastic();
+  LocalCsr gathered(const std::vector<Triplet>&) const;
+
+  const Structure<dim>& structure_;
+  const ContactPoints<dim>& points_;
+  const std::vector<char>& selected_;
+  const MergedSpace<dim>& space_;
+  std::vector<int> first_column_;                ///< per block of the structure, -1 when not active
+  std::vector<std::vector<int>> copies_;         ///< node copies of each owned-vertex cluster
+  std::vector<std::size_t> row_start_;
+  std::vector<Entry> row_;                       ///< Z at owned unknowns, compressed rows
+  std::vector<Triplet> elastic_;                 ///< this rank's part of Z^T K Z
+  int size_ = 0;
+  std::unique_ptr<SparseCholesky> factor_;
+};
+
+extern template class BlockMotions<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,68 @@
+#include "homogenisation/block_solves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/local_view.hpp"
+
+namespace voussoir {
+
+template <int dim>
+BlockSolves<dim>::BlockSolves(const Structure<dim>& s, const MergedSpace<dim>& space, const std::vector<int>& active) {
+  std::vector<int> count(static_cast<std::size_t>(dim) * space.owned_clusters(), 0);
+  block_start_.push_back(0);
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    if (!active[block.mesh.id]) continue;
+    std::vector<int> rows;
+    for (int i = 0; i < static_cast<int>(block.mesh.position.size()); ++i) {
+      const int k = space.cluster()[block.first_local + i];
+      if (k >= space.owned_clusters()) continue;
+      for (int c = 0; c < dim; ++c)
+        if (!space.held()[dim * k + c]) rows.push_back(dim * k + c);
+    }
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    for (int row : rows) ++count[row];
+    unknown_.insert(unknown_.end(), rows.begin(), rows.end());
+    block_start_.push_back(static_cast<int>(unknown_.size()));
+  }
+  for (int k : unknown_) weight_.push_back(1 / std::sqrt(static_cast<double>(count[k])));
+  work_.resize(unknown_.size());
+}
+
+template <int dim>
+void BlockSolves<dim>::update(const LocalCsr& h) {
+  LocalCsr blocks;
+  for (std::size_t b = 0; b + 1 < block_start_.size(); ++b) {
+    const auto first = unknown_.begin() + block_start_[b], last = unknown_.begin() + block_start_[b + 1];
+    for (auto row = first; row != last; ++row) {
+      auto next = first;
+      for (std::size_t k = h.start[*row]; k < h.start[*row + 1]; ++k) {
+        next = std::lower_bound(next, last, h.column[k]);
+        if (next == last) break;
+        if (*next != h.column[k]) continue;
+        blocks.column.push_back(static_cast<int>(next - unknown_.begin()));
+        blocks.value.push_back(h.value[k]);
+      }
+      blocks.start.push_back(blocks.column.size());
+    }
+  }
+  if (factor_)
+    factor_->refactor(blocks);
+  else
+    factor_ = std::make_unique<SparseCholesky>(blocks);
+}
+
+template <int dim>
+void BlockSolves<dim>::add(const TpetraVector& r, TpetraVector& z, double factor) const {
+  const double* right = local_view(r);
+  for (std::size_t k = 0; k < unknown_.size(); ++k) work_[k] = weight_[k] * right[unknown_[k]];
+  factor_->solve(work_.data(), work_.data());
+  double* value = local_view_to_write(z);
+  for (std::size_t k = 0; k < unknown_.size(); ++k) value[unknown_[k]] += factor * weight_[k] * work_[k];
+}
+
+template class BlockSolves<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,32 @@
+// Exact solves on single blocks, each with its share of the contact stiffness around it.
+#pragma once
+
+#include <memory>
+
+#include "homogenisation/system_matrix.hpp"
+#include "linalg/sparse_cholesky.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class BlockSolves {
+ public:
+  /// @param active  per block of the whole structure: 1 if a point of it is selected
+  BlockSolves(const Structure<dim>&, const MergedSpace<dim>&, const std::vector<int>& active);
+
+  /// Factors the blocks' parts of H.
+  void update(const LocalCsr& h);
+  /// z += factor * sum over blocks of E_b W (H_bb)^-1 W E_b^T r, the weights W sharing unknowns of several blocks.
+  void add(const TpetraVector& r, TpetraVector& z, double factor) const;
+
+ private:
+  std::vector<int> unknown_;        ///< owned unknown of each row of the block-diagonal matrix
+  std::vector<int> block_start_;
+  std::vector<double> weight_;      ///< per row: 1 / sqrt(number of blocks with this unknown)
+  std::unique_ptr<SparseCholesky> factor_;
+  mutable std::vector<double> work_;
+};
+
+extern template class BlockSolves<2>;
+
+}  // namespace voussoir

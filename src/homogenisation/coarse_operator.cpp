@@ -1,0 +1,92 @@
+#include "homogenisation/coarse_operator.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+namespace voussoir {
+namespace {
+
+constexpr double block_weight = 0.5;  // see the head of the header
+
+/// Blocks with a selected point, over the whole structure.
+template <int dim>
+std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints<dim>& points,
+                               const std::vector<char>& selected) {
+  std::vector<int> mine(s.owner_of_block().size(), 0), all(mine.size(), 0);
+  for (int k = 0; k < points.owned(); ++k)
+    if (selected[k]) {
+      const auto& joint = points.joints()[points.points()[k].joint];
+      mine[joint.block_i] = mine[joint.block_j] = 1;
+    }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
+}  // namespace
+
+template <int dim>
+CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints<dim>& points,
+                                    const std::vector<char>& selected, const MergedSpace<dim>& space,
+                                    const Continuum<dim>& continuum, const PreconditionerParameters& parameters)
+    : residual_(space.map()), product_(space.map()), inner_(space.map()), inner_residual_(space.map()) {
+  const auto active = active_blocks(s, points, selected);
+  const bool any = std::find(active.begin(), active.end(), 1) != active.end();
+  if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
+  if (parameters.rigid_blocks && any)
+    motions_ = std::make_unique<BlockMotions<dim>>(s, points, selected, space, active);
+  if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves<dim>>(s, space, active);
+}
+
+template <int dim>
+void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>& stiffness,
+                                 const std::vector<double>& proximal) {
+  h_ = h.matrix();
+  if (motions_) motions_->update(stiffness, proximal);
+  if (blocks_) blocks_->update(h.local());
+}
+
+template <int dim>
+void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) const {
+  z.putScalar(0);
+  if (blocks_) blocks_->add(r, z, block_weight);
+  if (!continuum_) return;
+  if (!blocks_) {
+    continuum_->add(r, z);
+    return;
+  }
+  const auto remaining = [&] {
+    h_->apply(z, inner_residual_);
+    inner_residual_.update(1.0, r, -1.0);
+  };
+  remaining();
+  continuum_->add(inner_residual_, z);
+  remaining();
+  blocks_->add(inner_residual_, z, block_weight);
+}
+
+template <int dim>
+void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
+  if (!motions_) {
+    if (blocks_ || continuum_)
+      apply_inner(r, z);
+    else
+      Tpetra::deep_copy(z, r);
+    return;
+  }
+  z.putScalar(0);
+  motions_->add(r, z);
+  h_->apply(z, residual_);
+  residual_.update(1.0, r, -1.0);
+  if (!blocks_ && !continuum_) {
+    z.update(1.0, r, 1.0);
+    return;
+  }
+  apply_inner(residual_, inner_);
+  z.update(1.0, inner_, 1.0);
+  h_->apply(inner_, product_);
+  product_.scale(-1.0);
+  motions_->add(product_, z);
+}
+
+template class CoarseOperator<2>;
+
+}  // namespace voussoir

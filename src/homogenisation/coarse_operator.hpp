@@ -1,0 +1,41 @@
+// The preconditioner of the block-level system: block-local solves, the homogenised continuum, block motions.
+//
+//   M r = Q r + (I - Q H) N (I - H Q) r,   Q = Z (Z^T H Z)^-1 Z^T                  (block motions, exact)
+//   I - N H = (I - w S H) (I - C H) (I - w S H)                                   (blocks, continuum, blocks)
+//
+// Symmetric, so conjugate gradients stay conjugate gradients. w = 1/2: every contact couples two blocks, so no
+// eigenvalue of S H exceeds 2. Parts that are switched off, or that a selection does not need, are left out.
+#pragma once
+
+#include <memory>
+
+#include "homogenisation/block_motions.hpp"
+#include "homogenisation/block_solves.hpp"
+#include "homogenisation/continuum.hpp"
+#include "homogenisation/preconditioner_parameters.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class CoarseOperator : public Preconditioner {
+ public:
+  CoarseOperator(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+                 const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&);
+
+  /// Takes over new statuses; H is the system they belong to. Collective.
+  void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
+  void apply(const TpetraVector& r, TpetraVector& z) const override;
+
+ private:
+  void apply_inner(const TpetraVector& r, TpetraVector& z) const;
+
+  std::unique_ptr<BlockMotions<dim>> motions_;
+  std::unique_ptr<BlockSolves<dim>> blocks_;
+  std::unique_ptr<ContinuumCorrection<dim>> continuum_;
+  Teuchos::RCP<const TpetraMatrix> h_;
+  mutable TpetraVector residual_, product_, inner_, inner_residual_;
+};
+
+extern template class CoarseOperator<2>;
+
+}  // namespace voussoir

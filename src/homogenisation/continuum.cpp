@@ -1,0 +1,82 @@
+#include "homogenisation/continuum.hpp"
+
+#include "homogenisation/system_matrix.hpp"
+#include "linalg/local_view.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Rigid motions at owned clusters, 3 columns in 2D; 0 where held. Lengths are scaled so that columns are alike.
+Teuchos::RCP<TpetraMultiVector> rigid_motions(const Structure<2>& s, const MergedSpace<2>& space) {
+  auto modes = Teuchos::rcp(new TpetraMultiVector(space.map(), 3));
+  auto view = modes->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (int k = 0; k < space.owned_clusters(); ++k) {
+    const auto& x = s.position()[space.representative()[k]];
+    const double value[2][3] = {{1, 0, -x[1] / s.size()}, {0, 1, x[0] / s.size()}};
+    for (int c = 0; c < 2; ++c)
+      for (int m = 0; m < 3; ++m) view(2 * k + c, m) = space.held()[2 * k + c] ? 0.0 : value[c][m];
+  }
+  return modes;
+}
+
+}  // namespace
+
+template <int dim>
+Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<char>& held,
+                          const Teuchos::ParameterList& muelu) {
+  const std::vector<char> nothing(points.size(), 0);
+  space_ = std::make_unique<MergedSpace<dim>>(s, points, nothing, held);
+  matrix_ = SystemMatrix<dim>(s, points, nothing, *space_).matrix();
+
+  std::vector<GlobalOrdinal> nodes;
+  const auto dofs = space_->map()->getNodeElementList();
+  for (int k = 0; k < space_->owned_clusters(); ++k) nodes.push_back(dofs[dim * k] / dim);
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const auto node_map = Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(nodes), 0, s.comm()));
+  auto coordinates = Teuchos::rcp(new TpetraMultiVector(node_map, dim));
+  {
+    auto view = coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int k = 0; k < space_->owned_clusters(); ++k)
+      for (int c = 0; c < dim; ++c) view(k, c) = s.position()[space_->representative()[k]][c];
+  }
+  amg_ = std::make_shared<AmgPreconditioner>(matrix_, coordinates, rigid_motions(s, *space_), dim, muelu);
+}
+
+template <int dim>
+ContinuumCorrection<dim>::ContinuumCorrection(const Continuum<dim>& continuum, const MergedSpace<dim>& selection)
+    : continuum_(continuum),
+      ghosted_(Teuchos::rcp(new TpetraVector(continuum.space().column_map()))),
+      coarse_r_(Teuchos::rcp(new TpetraVector(continuum.space().map()))),
+      coarse_z_(Teuchos::rcp(new TpetraVector(continuum.space().map()))) {
+  const auto& full = continuum.space();
+  for (int k = 0; k < selection.owned_clusters(); ++k)
+    for (int c = 0; c < dim; ++c) {
+      const int unknown = dim * full.cluster()[selection.representative()[k]] + c;
+      const bool held = selection.held()[dim * k + c] || full.held()[unknown];
+      from_.push_back(held ? -1 : unknown);
+    }
+}
+
+template <int dim>
+void ContinuumCorrection<dim>::add(const TpetraVector& r, TpetraVector& z) const {
+  ghosted_->putScalar(0);
+  {
+    const double* fine = local_view(r);
+    double* coarse = local_view_to_write(*ghosted_);
+    for (std::size_t k = 0; k < from_.size(); ++k)
+      if (from_[k] >= 0) coarse[from_[k]] += fine[k];
+  }
+  coarse_r_->putScalar(0);
+  coarse_r_->doExport(*ghosted_, continuum_.space().import(), Tpetra::ADD);
+  continuum_.preconditioner()->apply(*coarse_r_, *coarse_z_);
+  ghosted_->doImport(*coarse_z_, continuum_.space().import(), Tpetra::INSERT);
+  const double* coarse = local_view(*ghosted_);
+  double* fine = local_view_to_write(z);
+  for (std::size_t k = 0; k < from_.size(); ++k)
+    if (from_[k] >= 0) fine[k] += coarse[from_[k]];
+}
+
+template class Continuum<2>;
+template class ContinuumCorrection<2>;
+
+}  // namespace voussoir

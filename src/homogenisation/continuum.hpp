@@ -1,0 +1,46 @@
+// The bonded continuum: the structure with every joint tied, preconditioned once by MueLu.
+//
+// For joints that are infinitely stiff while closed, the homogenised structure is the structure without joints.
+#pragma once
+
+#include <memory>
+
+#include "homogenisation/merged_space.hpp"
+#include "linalg/amg_preconditioner.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class Continuum {
+ public:
+  Continuum(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& held,
+            const Teuchos::ParameterList& muelu);
+
+  const MergedSpace<dim>& space() const { return *space_; }
+  const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
+  const std::shared_ptr<const AmgPreconditioner>& preconditioner() const { return amg_; }
+
+ private:
+  std::unique_ptr<MergedSpace<dim>> space_;
+  Teuchos::RCP<TpetraMatrix> matrix_;
+  std::shared_ptr<const AmgPreconditioner> amg_;
+};
+
+/// The continuum seen from a selection: every unknown follows the continuum's at its place.
+/// Adds P A^-1 P^T r, A^-1 being one V-cycle.
+template <int dim>
+class ContinuumCorrection {
+ public:
+  ContinuumCorrection(const Continuum<dim>&, const MergedSpace<dim>& selection);
+  void add(const TpetraVector& r, TpetraVector& z) const;
+
+ private:
+  const Continuum<dim>& continuum_;
+  std::vector<int> from_;  ///< per owned unknown: unknown of the continuum's column map, -1 where either is held
+  Teuchos::RCP<TpetraVector> ghosted_, coarse_r_, coarse_z_;
+};
+
+extern template class Continuum<2>;
+extern template class ContinuumCorrection<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,142 @@
+#include "homogenisation/merged_space.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_OrdinalTraits.hpp>
+#include <algorithm>
+#include <numeric>
+
+#include "base/check.hpp"
+#include "linalg/local_view.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Root of each local node copy at owned vertices: the copies joined by bonded points have one root,
+/// the one with the lowest node number.
+template <int dim>
+std::vector<int> roots(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<char>& selected) {
+  std::vector<int> parent(s.nodes());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (int k = 0; k < points.size(); ++k) {
+    if (selected[k]) continue;
+    int a = root(points.points()[k].node_i), b = root(points.points()[k].node_j);
+    if (s.node_id()[a] > s.node_id()[b]) std::swap(a, b);
+    parent[b] = a;
+  }
+  for (int i = 0; i < s.nodes(); ++i) parent[i] = root(i);
+  return parent;
+}
+
+}  // namespace
+
+template <int dim>
+MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints<dim>& points,
+                              const std::vector<char>& selected, const std::vector<char>& held)
+    : held_copy_(held), nodes_(s.nodes()) {
+  const auto root = roots(s, points, selected);
+  // Owned clusters are those whose root this rank owns; numbers run rank by rank.
+  std::vector<long long> number(nodes_, -1);
+  for (int i = 0; i < s.owned_nodes(); ++i)
+    if (root[i] == i) {
+      number[i] = owned_clusters_++;
+      representative_.push_back(i);
+    }
+  long long until = 0;
+  Teuchos::scan(*s.comm(), Teuchos::REDUCE_SUM, static_cast<long long>(owned_clusters_), Teuchos::outArg(until));
+  for (int i : representative_) number[i] += until - owned_clusters_;
+  // Roots of owned nodes lie at owned vertices, so they are local; then halo nodes ask their owners.
+  s.node_exchange().update(number);
+  for (int i = 0; i < s.owned_nodes(); ++i) number[i] = number[root[i]];
+  s.node_exchange().update(number);
+
+  std::vector<long long> ghosts;
+  const long long first = until - owned_clusters_;
+  const auto owned = [&](long long n) { return n >= first && n < until; };
+  for (long long n : number)
+    if (!owned(n)) ghosts.push_back(n);
+  std::sort(ghosts.begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  cluster_.resize(nodes_);
+  for (int i = 0; i < nodes_; ++i)
+    cluster_[i] = owned(number[i]) ? static_cast<int>(number[i] - first)
+                                   : owned_clusters_ + static_cast<int>(std::lower_bound(ghosts.begin(), ghosts.end(),
+                                                                                         number[i]) -
+                                                                        ghosts.begin());
+
+  std::vector<GlobalOrdinal> ids;
+  for (int k = 0; k < owned_clusters_; ++k)
+    for (int c = 0; c < dim; ++c) ids.push_back(dim * (first + k) + c);
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  map_ = Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(ids), 0, s.comm()));
+  for (long long n : ghosts)
+    for (int c = 0; c < dim; ++c) ids.push_back(dim * n + c);
+  column_map_ = Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(ids), 0, s.comm()));
+  import_ = Teuchos::rcp(new TpetraImport(map_, column_map_));
+  column_vector_ = Teuchos::rcp(new TpetraVector(column_map_));
+
+  // All copies of an owned cluster are local: count them and see which components are held, then tell the ghosts.
+  const int all = owned_clusters_ + static_cast<int>(ghosts.size());
+  multiplicity_.assign(all, 0.0);
+  held_.assign(static_cast<std::size_t>(dim) * all, 0);
+  for (int i = 0; i < nodes_; ++i)
+    if (cluster_[i] < owned_clusters_) {
+      multiplicity_[cluster_[i]] += 1;
+      for (int c = 0; c < dim; ++c) held_[dim * cluster_[i] + c] |= held[dim * i + c];
+    }
+  TpetraMultiVector source(map_, 2), target(column_map_, 2);
+  {
+    auto view = source.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (int k = 0; k < dim * owned_clusters_; ++k) {
+      view(k, 0) = multiplicity_[k / dim];
+      view(k, 1) = held_[k];
+    }
+  }
+  target.doImport(source, *import_, Tpetra::INSERT);
+  const auto view = target.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int k = dim * owned_clusters_; k < dim * all; ++k) {
+    multiplicity_[k / dim] = view(k, 0);
+    held_[k] = view(k, 1) != 0;
+  }
+}
+
+template <int dim>
+void MergedSpace<dim>::scatter(const TpetraVector& x, std::vector<double>& u) const {
+  column_vector_->doImport(x, *import_, Tpetra::INSERT);
+  const double* value = local_view(*column_vector_);
+  u.resize(static_cast<std::size_t>(dim) * nodes_);
+  for (int i = 0; i < nodes_; ++i)
+    for (int c = 0; c < dim; ++c) u[dim * i + c] = value[dim * cluster_[i] + c];
+}
+
+template <int dim>
+void MergedSpace<dim>::sum(const std::vector<double>& r, TpetraVector& x) const {
+  x.putScalar(0);
+  double* value = local_view_to_write(x);
+  for (int i = 0; i < nodes_; ++i)
+    if (cluster_[i] < owned_clusters_)
+      for (int c = 0; c < dim; ++c) value[dim * cluster_[i] + c] += r[dim * i + c];
+  for (int k = 0; k < dim * owned_clusters_; ++k)
+    if (held_[k]) value[k] = 0;
+}
+
+template <int dim>
+void MergedSpace<dim>::average(const std::vector<double>& u, TpetraVector& x) const {
+  x.putScalar(0);
+  double* value = local_view_to_write(x);
+  for (int i = 0; i < nodes_; ++i) {
+    const int k = cluster_[i];
+    if (k < owned_clusters_)
+      for (int c = 0; c < dim; ++c) value[dim * k + c] += u[dim * i + c] / multiplicity_[k];
+  }
+  for (int i = 0; i < nodes_; ++i)
+    for (int c = 0; c < dim; ++c)
+      if (cluster_[i] < owned_clusters_ && held_copy_[dim * i + c]) value[dim * cluster_[i] + c] = u[dim * i + c];
+}
+
+template class MergedSpace<2>;
+
+}  // namespace voussoir

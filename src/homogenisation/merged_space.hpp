@@ -1,0 +1,57 @@
+// The unknowns of a selection: nodes tied by bonded points share their displacement.
+//
+// Block-level displacements u and unknowns x are related by u = R x, where R copies an unknown to every
+// node of its cluster. With nothing selected x is the bonded continuum; with everything selected R is the identity.
+#pragma once
+
+#include <vector>
+
+#include "joints/contact_points.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class MergedSpace {
+ public:
+  /// @param selected  per local contact point, ghosts up to date; the others are bonded
+  /// @param held      per local node copy and component [dim nodes]: 1 where a support prescribes the displacement
+  MergedSpace(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+              const std::vector<char>& held);
+
+  /// Unknowns, numbered without gaps rank by rank: dim * node + component.
+  const Teuchos::RCP<const TpetraMap>& map() const { return map_; }
+  /// Unknowns this rank reads: the owned ones first, then ghosts.
+  const Teuchos::RCP<const TpetraMap>& column_map() const { return column_map_; }
+  const TpetraImport& import() const { return *import_; }
+  int owned_clusters() const { return owned_clusters_; }
+  int clusters() const { return static_cast<int>(multiplicity_.size()); }
+
+  /// Cluster (local number of the column map's nodes) of each local node copy.
+  const std::vector<int>& cluster() const { return cluster_; }
+  /// Number of node copies in each cluster.
+  const std::vector<double>& multiplicity() const { return multiplicity_; }
+  /// 1 where the unknown of the column map is prescribed [dim clusters].
+  const std::vector<char>& held() const { return held_; }
+  /// A node copy of each owned cluster.
+  const std::vector<int>& representative() const { return representative_; }
+
+  /// u = R x on all local node copies.
+  void scatter(const TpetraVector& x, std::vector<double>& u) const;
+  /// x = R^T r on owned unknowns, from all local node copies; held rows become 0.
+  void sum(const std::vector<double>& r, TpetraVector& x) const;
+  /// x = mean of the node copies of each cluster; prescribed components take that of a held copy.
+  void average(const std::vector<double>& u, TpetraVector& x) const;
+
+ private:
+  std::vector<int> cluster_, representative_;
+  std::vector<double> multiplicity_;
+  std::vector<char> held_, held_copy_;
+  int owned_clusters_ = 0, nodes_ = 0;
+  Teuchos::RCP<const TpetraMap> map_, column_map_;
+  Teuchos::RCP<const TpetraImport> import_;
+  Teuchos::RCP<TpetraVector> column_vector_;
+};
+
+extern template class MergedSpace<2>;
+
+}  // namespace voussoir

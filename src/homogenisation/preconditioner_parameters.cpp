@@ -1,0 +1,13 @@
+#include "homogenisation/preconditioner_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void PreconditionerParameters::declare(ParameterSection& section) {
+  section.add("homogenised", homogenised, "the bonded continuum, by algebraic multigrid");
+  section.add("rigid blocks", rigid_blocks, "rigid motions of the blocks, solved directly");
+  section.add("block local", block_local, "exact solves on single blocks");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,52 @@
+// The block-level system of one selection.
+//
+//   H = R^T K R + sum over closed points  sigma_N n n^T + sum over sticking points  sigma_T t t^T + proximal diagonal
+//
+// K never changes; every rank builds the complete rows it owns from its blocks and halo, so neither assembly nor
+// a change of status communicates. Held unknowns are unit rows scaled like the rest.
+#pragma once
+
+#include <vector>
+
+#include "homogenisation/merged_space.hpp"
+
+namespace voussoir {
+
+/// How stiff a contact point is in each of its directions [N/m], 0 where it does not resist.
+/// In 3D the tangential part is the same in all directions of the plane.
+struct PointStiffness {
+  double normal = 0;
+  double tangential = 0;
+};
+
+template <int dim>
+class SystemMatrix {
+ public:
+  SystemMatrix(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+               const MergedSpace<dim>&);
+
+  /// Sets H from statuses and the proximal diagonal [N/m per owned unknown].
+  /// @param stiffness  per local contact point; only selected points count
+  void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
+
+  const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
+  /// Rows this rank owns, columns of the column map.
+  const LocalCsr& local() const { return local_; }
+
+ private:
+  void add_point(int k, const PointStiffness&);
+  double& entry(int row, int column);
+
+  const Structure<dim>& structure_;
+  const ContactPoints<dim>& points_;
+  const std::vector<char>& selected_;
+  const MergedSpace<dim>& space_;
+  LocalCsr local_;
+  std::vector<double> stiffness_values_;
+  std::vector<std::size_t> diagonal_;
+  Teuchos::RCP<TpetraMatrix> matrix_;
+};
+
+extern template class SystemMatrix<2>;
+
+}  // namespace voussoir

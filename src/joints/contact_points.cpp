@@ -1,0 +1,82 @@
+#include "joints/contact_points.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <map>
+
+#include "joints/joint_finder.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Borders of blocks, made when first asked for.
+class Borders {
+ public:
+  explicit Borders(const BlockSource<2>& source) : source_(source) {}
+  const std::vector<BorderEdge>& of(BlockId b) {
+    const auto it = known_.find(b);
+    return it != known_.end() ? it->second : known_.emplace(b, border_edges(source_.block(b))).first->second;
+  }
+
+ private:
+  const BlockSource<2>& source_;
+  std::map<BlockId, std::vector<BorderEdge>> known_;
+};
+
+}  // namespace
+
+template <int dim>
+ContactPoints<dim>::ContactPoints(const BlockSource<dim>& source, const Structure<dim>& structure) {
+  Borders borders(source);
+  const auto& graph = source.graph();
+  const auto& blocks = structure.blocks();
+  // Points of block i = those with blocks of a higher number. Their count over all i gives every point its number.
+  std::vector<long long> mine(source.block_count(), 0), count(source.block_count(), 0);
+  std::vector<PointId> index;  // of each point within those of its block i
+  long long joints = 0;
+  for (int local = 0; local < static_cast<int>(blocks.size()); ++local) {
+    const auto& bi = blocks[local];
+    const BlockId i = bi.mesh.id;
+    PointId next = 0;
+    for (int k = graph.start[i]; k < graph.start[i + 1]; ++k) {
+      const BlockId j = graph.neighbour[k];
+      if (j < i) continue;
+      const auto found = points_of_joint(borders.of(i), borders.of(j));
+      const int other = structure.local_block(j);
+      if (found.empty()) continue;
+      joints += local < structure.owned_blocks();
+      if (other >= 0) joints_.push_back({i, j, 0});
+      for (const auto& p : found) {
+        const PointId number = next++;
+        if (other < 0) continue;
+        ContactPoint<dim> point;
+        point.node_i = bi.first_local + p.node_i;
+        point.node_j = blocks[other].first_local + p.node_j;
+        point.joint = static_cast<int>(joints_.size()) - 1;
+        point.area = p.length * structure.model().thickness;
+        point.axis = {p.normal, {-p.normal[1], p.normal[0]}};
+        points_.push_back(point);
+        index.push_back(number);
+      }
+    }
+    if (local < structure.owned_blocks()) {
+      mine[i] = next;
+      owned_ = static_cast<int>(points_.size());
+    }
+  }
+  Teuchos::reduceAll(*structure.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), count.data());
+  Teuchos::reduceAll(*structure.comm(), Teuchos::REDUCE_SUM, joints, Teuchos::outArg(total_joints_));
+  std::vector<PointId> first(count.size() + 1, 0);
+  for (std::size_t b = 0; b < count.size(); ++b) first[b + 1] = first[b] + count[b];
+  total_ = first.back();
+  std::vector<long long> ids;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    points_[k].id = first[joints_[points_[k].joint].block_i] + index[k];
+    ids.push_back(points_[k].id);
+  }
+  exchange_ = std::make_unique<Exchange>(ids, owned_, structure.comm());
+}
+
+template class ContactPoints<2>;
+
+}  // namespace voussoir

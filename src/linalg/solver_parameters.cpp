@@ -1,0 +1,20 @@
+#include "linalg/solver_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void SolverParameters::declare(ParameterSection& section) {
+  section.add_choice<std::string>(
+      "method", method,
+      {{"CG", "CG"}, {"Pseudoblock CG", "Pseudoblock CG"}, {"MINRES", "MINRES"}, {"Flexible GMRES", "Flexible GMRES"}},
+      "Krylov method of Belos; the systems are symmetric positive definite, so CG is the cheapest");
+  section.add("tolerance", tolerance, "-", between(1e-15, 1e-2), "of a linear solve, relative to its right-hand side",
+              "1e-15 is round-off, beyond 1e-2 Newton cannot converge", "1e-10 is usual.");
+  section.add("largest iterations", largest_iterations, "-", between(1, 1e6), "of a linear solve",
+              "none would solve nothing");
+  section.add_list("Belos", belos, "parameters for Belos, going before those Voussoir sets; its manual applies");
+  section.add_list("MueLu", muelu, "parameters for MueLu, going before those Voussoir sets; its manual applies");
+}
+
+}  // namespace voussoir
