@@ -63,6 +63,7 @@ struct MeshParameters {
   GmshParameters gmsh;
   WallParameters wall;
   ArchParameters arch;
+  void declare(ParameterSection&);
 };
 
 }  // namespace voussoir

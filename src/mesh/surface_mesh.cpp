@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
 #include "base/error.hpp"
+#include "mesh/border.hpp"
 
 namespace voussoir {
 namespace {
@@ -101,40 +102,11 @@ Block<2> block_of(const SurfaceMesh& mesh, const SurfaceMesh::Surface& surface, 
   return block;
 }
 
-/// An edge of a cell, known by its vertices in ascending order.
-struct Edge {
-  std::array<VertexId, 2> vertices;
-  BlockId block;
-  std::array<int, 2> node;
-  bool operator<(const Edge& other) const {
-    return std::tie(vertices, block) < std::tie(other.vertices, other.block);
-  }
-};
-
-std::array<VertexId, 2> ascending(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
-
-/// Edges that belong to one cell of their block only, sorted.
-std::vector<Edge> border_edges(const std::vector<Block<2>>& blocks) {
-  std::vector<Edge> all, border;
-  for (const Block<2>& block : blocks)
-    for (const Cell& cell : block.cells)
-      for (int k = 0; k < cell.count; ++k) {
-        const int a = cell.node[k], b = cell.node[(k + 1) % cell.count];
-        all.push_back({ascending(block.vertex[a], block.vertex[b]), block.id, {a, b}});
-      }
-  std::sort(all.begin(), all.end());
-  for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
-    while (to < all.size() && !(all[from] < all[to])) ++to;
-    if (to == from + 1) border.push_back(all[from]);
-  }
-  return border;
-}
-
 void tag_facets(const SurfaceMesh& mesh, const std::vector<VertexId>& vertex, std::vector<Block<2>>& blocks) {
-  const std::vector<Edge> border = border_edges(blocks);
+  const std::vector<BorderEdge> border = border_edges(blocks);
   std::vector<char> found(mesh.facet_sets.size(), 0);
   for (const SurfaceMesh::Line& line : mesh.lines) {
-    const Edge key{ascending(vertex[line.node[0]], vertex[line.node[1]]), -1, {}};
+    const BorderEdge key{ascending(vertex[line.node[0]], vertex[line.node[1]]), -1, {}};
     for (auto edge = std::lower_bound(border.begin(), border.end(), key);
          edge != border.end() && edge->vertices == key.vertices; ++edge) {
       TaggedFacet facet;

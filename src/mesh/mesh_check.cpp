@@ -1,0 +1,92 @@
+#include "mesh/mesh_check.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "mesh/on_rank_zero.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Number of the group each block belongs to: the smallest block reached from it over joints.
+template <int dim>
+std::vector<BlockId> groups_of_joined_blocks(const BlockGraph& graph) {
+  std::vector<BlockId> group(graph.start.size() - 1, -1);
+  std::vector<BlockId> to_visit;
+  for (BlockId seed = 0; seed < static_cast<BlockId>(group.size()); ++seed) {
+    if (group[seed] >= 0) continue;
+    group[seed] = seed;
+    to_visit.push_back(seed);
+    while (!to_visit.empty()) {
+      const BlockId b = to_visit.back();
+      to_visit.pop_back();
+      for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) {
+        const BlockId other = graph.neighbour[k];
+        if (graph.shared_vertices[k] < dim || group[other] >= 0) continue;
+        group[other] = seed;
+        to_visit.push_back(other);
+      }
+    }
+  }
+  return group;
+}
+
+}  // namespace
+
+template <int dim>
+void check_supports(const BlockSource<dim>& source, const std::vector<std::string>& supported_facet_sets) {
+  if (supported_facet_sets.empty()) return;
+  std::vector<char> is_supported_set;
+  for (const std::string& name : source.facet_sets())
+    is_supported_set.push_back(
+        std::find(supported_facet_sets.begin(), supported_facet_sets.end(), name) != supported_facet_sets.end());
+  const BlockGraph& graph = source.graph();
+  const std::vector<BlockId> group = groups_of_joined_blocks<dim>(graph);
+  std::vector<char> held(group.size(), 0);
+  std::vector<int> size(group.size(), 0);
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    ++size[group[b]];
+    if (held[group[b]]) continue;
+    for (const TaggedFacet& facet : source.block(b).facets)
+      if (is_supported_set[facet.set]) held[group[b]] = 1;
+  }
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    if (group[b] != b || held[b]) continue;
+    const bool meets_in_a_point = graph.start[b + 1] > graph.start[b];
+    std::string message = "mesh: " + source.block(b).name;
+    if (size[b] > 1)
+      message += " and " + std::to_string(size[b] - 1) + " more blocks joined to it have no support";
+    else
+      message += " has neither support nor joint";
+    message += "\n  (nothing holds ";
+    message += size[b] > 1 ? "them" : meets_in_a_point ? "it; it touches other blocks in single points only" : "it";
+    message += ", so there is no equilibrium).\n  Add one of its curves to a supported set (now: ";
+    for (const std::string& name : supported_facet_sets) message += (name == supported_facet_sets[0] ? "" : ", ") + name;
+    throw InputError(message + "), or let it share a curve with a neighbour.");
+  }
+}
+
+template <int dim>
+void check_blocks(const BlockSource<dim>& source, const std::vector<std::string>& supported_facet_sets) {
+  static_assert(dim == 2, "borders of spatial blocks are not checked yet");
+  std::vector<Block<dim>> blocks;
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    blocks.push_back(source.block(b));
+    check_block(blocks.back());
+  }
+  check_borders(blocks);
+  check_supports(source, supported_facet_sets);
+}
+
+template <int dim>
+void check_blocks(const BlockSource<dim>& source, const std::vector<std::string>& supported_facet_sets,
+                  const Teuchos::Comm<int>& comm) {
+  on_rank_zero(comm, [&] { check_blocks(source, supported_facet_sets); });
+}
+
+template void check_supports(const BlockSource<2>&, const std::vector<std::string>&);
+template void check_supports(const BlockSource<3>&, const std::vector<std::string>&);
+template void check_blocks(const BlockSource<2>&, const std::vector<std::string>&);
+template void check_blocks(const BlockSource<2>&, const std::vector<std::string>&, const Teuchos::Comm<int>&);
+
+}  // namespace voussoir
