@@ -45,6 +45,7 @@ struct LoadParameters {
   AccelerationParameters acceleration;
   TractionParameters traction;
   SettlementParameters settlement;
+  void declare(ParameterSection&);
 };
 
 }  // namespace voussoir

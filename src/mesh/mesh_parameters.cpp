@@ -87,10 +87,10 @@ void ArchParameters::declare(ParameterSection& section) {
   add_cells(section, cells);
   section.add("pier height", pier_height, "m", at_least(0.0), "height of the piers below the springings; 0 = none",
               "a length", "Give 0 for an arch without piers.");
-  section.check(pier_height == 0 || embrace == 180, "pier height", in_metres(pier_height),
-                "needs an embrace of 180 degrees, not " + number_text(embrace) +
-                    " (vertical piers continue a semicircle)",
-                "Give embrace 180 or pier height 0");
+  section.check(
+      pier_height == 0 || embrace == 180, "pier height", in_metres(pier_height),
+      "needs an embrace of 180 degrees, not " + number_text(embrace) + " (vertical piers continue a semicircle)",
+      "Give embrace 180 or pier height 0");
   section.add("pier courses", pier_courses, "-", between(1, 1e6), "blocks a pier is made of", "a pier needs one");
 }
 

@@ -41,6 +41,7 @@ struct Scene {
   PreconditionerParameters preconditioner;
   SolverParameters solver;
   OutputParameters output;
+  std::vector<std::string> warnings;  ///< what is legal but probably not meant
 };
 
 }  // namespace voussoir

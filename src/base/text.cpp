@@ -1,0 +1,163 @@
+#include "base/text.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace voussoir {
+namespace {
+
+std::string lower(std::string s) {
+  for (char& c : s) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c == '_' || c == '-') c = ' ';
+  }
+  return s;
+}
+
+/// Edits that turn a into b: letters inserted, left out, replaced, or two neighbours exchanged.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+template <class Number>
+std::optional<Number> parsed(std::string text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stopped != end) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  char buffer[40];
+  std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+  const auto e = text.find('e');
+  if (e == std::string::npos) return text;
+  std::string exponent = text.substr(e + 1);
+  const bool negative = exponent[0] == '-';
+  exponent.erase(0, exponent.find_first_not_of("+-0"));
+  return text.substr(0, e) + (negative ? "e-" : "e") + exponent;
+}
+
+std::optional<double> number_in(const std::string& text) { return parsed<double>(text); }
+std::optional<int> whole_number_in(const std::string& text) { return parsed<int>(text); }
+
+std::optional<bool> truth_in(const std::string& text) {
+  const std::string word = lower(trimmed(text));
+  if (word == "true" || word == "yes" || word == "1") return true;
+  if (word == "false" || word == "no" || word == "0") return false;
+  return std::nullopt;
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest = 200;  // letters; a longer word is no mistyped key, and comparing costs its square
+  if (word.empty() || word.size() > longest) return "";
+  const std::string wanted = lower(word);
+  std::string best;
+  std::size_t least = std::max<std::size_t>(2, wanted.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > longest) continue;
+    const std::string known = lower(candidate);
+    std::size_t distance = edit_distance(wanted, known);
+    if (wanted.size() >= 3 && known.find(wanted) != std::string::npos) distance = std::min<std::size_t>(distance, 2);
+    if (known.size() >= 3 && wanted.find(known) != std::string::npos) distance = std::min<std::size_t>(distance, 2);
+    if (distance >= least || distance >= std::max(wanted.size(), known.size())) continue;
+    least = distance;
+    best = candidate;
+  }
+  return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string best = nearest(word, candidates);
+  return best.empty() ? "" : " (did you mean " + in_quotes(best) + "?)";
+}
+
+std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
+
+std::string list_of(const std::vector<std::string>& words, std::size_t most) {
+  if (words.empty()) return "none";
+  std::string text = words.front();
+  for (std::size_t i = 1; i < std::min(most, words.size()); ++i) text += ", " + words[i];
+  if (words.size() > most) text += " and " + std::to_string(words.size() - most) + " more";
+  return text;
+}
+
+std::string trimmed(const std::string& text) {
+  const char* blanks = " \t\r\n";
+  const auto first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string> split(const std::string& text, const std::string& separator) {
+  std::vector<std::string> pieces;
+  std::size_t from = 0;
+  for (std::size_t to; (to = text.find(separator, from)) != std::string::npos; from = to + separator.size())
+    pieces.push_back(text.substr(from, to - from));
+  pieces.push_back(text.substr(from));
+  return pieces;
+}
+
+bool is_plain_text(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    if (lead < 0x20 || lead == 0x7f) return false;
+    if (lead < 0x80) continue;
+    const std::size_t follow = lead >= 0xc2 && lead < 0xe0   ? 1
+                               : lead >= 0xe0 && lead < 0xf0 ? 2
+                               : lead >= 0xf0 && lead < 0xf5 ? 3
+                                                             : 0;
+    if (follow == 0 || i + follow >= text.size()) return false;
+    unsigned code = lead & (0x3fu >> follow);
+    for (std::size_t k = 1; k <= follow; ++k) {
+      const auto next = static_cast<unsigned char>(text[i + k]);
+      if ((next & 0xc0u) != 0x80u) return false;
+      code = code << 6 | (next & 0x3fu);
+    }
+    const unsigned least = follow == 1 ? 0x80 : follow == 2 ? 0x800 : 0x10000;
+    if (code < least || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
+    i += follow;
+  }
+  return true;
+}
+
+std::string xml_escaped(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  return escaped;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,35 @@
+// Words and numbers as people write and read them, the same for messages, scenes and the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace voussoir {
+
+/// The shortest text that reads back as exactly the same double: "0.1", "2e10", "inf".
+std::string number_text(double);
+
+/// The whole text as a number; nothing when any part of it is not. Infinities and NaN are numbers here.
+std::optional<double> number_in(const std::string&);
+std::optional<int> whole_number_in(const std::string&);
+/// true, yes, 1 or false, no, 0 in any case of letters.
+std::optional<bool> truth_in(const std::string&);
+
+/// The candidate a mistyped word most likely stands for, or "" when none resembles it.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+/// ` (did you mean "density"?)`, or "" when no candidate resembles the word.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+
+std::string in_quotes(const std::string&);
+/// `a, b, c`, cut after `most` words; "none" when there are none.
+std::string list_of(const std::vector<std::string>& words, std::size_t most = 20);
+std::string trimmed(const std::string&);
+std::vector<std::string> split(const std::string&, const std::string& separator);
+
+/// Valid UTF-8 without control characters, so that every program that reads our files can show it.
+bool is_plain_text(const std::string&);
+/// Text as the value of an XML attribute.
+std::string xml_escaped(const std::string&);
+
+}  // namespace voussoir

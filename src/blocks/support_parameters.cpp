@@ -1,0 +1,14 @@
+#include "blocks/support_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void SupportParameters::declare(ParameterSection& section) {
+  section.add("on", on, "set of facets that is held", Presence::required,
+              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  section.add_choice<std::string>("components", components, {{"xy", "xy"}, {"x", "x"}, {"y", "y"}},
+                                  "components of the displacement that are held; the others are free");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,23 @@
+#include "joints/joint_law_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void JointLawParameters::declare(ParameterSection& section) {
+  const std::string set_advice = "Give \"all\" or a set of the mesh.";
+  section.add("between", between, "set of blocks on one side; a later family of joints goes before an earlier one",
+              Presence::optional, set_advice);
+  section.add("and", and_, "set of blocks on the other side", Presence::optional, set_advice);
+  section.add("friction coefficient", friction_coefficient, "-", at_least(0.0).or_infinite(),
+              "Coulomb's coefficient; inf forbids slip", "a negative coefficient would create energy in sliding",
+              "Give mu = tan(friction angle); dry stone is 0.5 to 0.8.");
+  section.add("cohesion", cohesion, "Pa", at_least(0.0).or_infinite(),
+              "shear strength without compression, lost for good once a point has opened or slipped", "a strength",
+              "Dry joints have 0, lime mortar 0.05e6 to 0.3e6.");
+  section.add("tension strength", tension_strength, "Pa", at_least(0.0).or_infinite(),
+              "tension a joint bears, lost for good once a point has opened or slipped", "a strength",
+              "Dry joints have 0, lime mortar 0.02e6 to 0.2e6.");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,133 @@
+// What no single section of a scene can see.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/text.hpp"
+#include "scene/scene_reader.hpp"
+
+namespace voussoir {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Members>
+std::vector<std::string> names_of(const Members& members) {
+  std::vector<std::string> names;
+  for (const auto& m : members) names.push_back(m.name);
+  return names;
+}
+
+void require_members(std::size_t count, const std::string& path, const std::string& what, const std::string& advice,
+                     InputProblems& problems) {
+  if (count == 0 && !problems.concern(path))
+    problems.add(path, " has no members\n  but a scene needs at least one" + what + ".\n  " + advice);
+}
+
+/// Makes the path of the mesh absolute, so that a scene written elsewhere finds it again.
+void find_mesh_file(Scene& scene, InputProblems& problems) {
+  std::string& file = scene.mesh.gmsh.file;
+  const std::string path = "scene > mesh > gmsh > file";
+  if (scene.mesh.type != MeshType::gmsh || file.empty() || problems.concern(path)) return;
+  const std::string ending = fs::path(file).extension().string();
+  if (ending != ".geo" && ending != ".msh")
+    problems.add(path,
+                 " = " + in_quotes(file) +
+                     "\n  must end in .geo (a geometry) or .msh (a mesh).\n  Export the mesh from gmsh as .msh 4.1.");
+  std::error_code error;
+  const fs::path folder = fs::absolute(scene.file, error).parent_path();
+  std::vector<fs::path> places{folder / file, folder.parent_path() / file, folder.parent_path() / "meshes" / file};
+  if (fs::path(file).is_absolute()) places = {file};
+  std::vector<std::string> sought;
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place, error)) {
+      file = place.lexically_normal().string();
+      return;
+    }
+    sought.push_back(place.lexically_normal().string());
+  }
+  problems.add(path, " = " + in_quotes(file) + "\n  cannot be found. Sought: " + list_of(sought) +
+                         ".\n  Put the file there, or give its path.");
+}
+
+void check_stages(Scene& scene, InputProblems& problems) {
+  const std::vector<std::string> loads = names_of(scene.loads);
+  std::set<std::string> used;
+  for (const StageParameters& stage : scene.stages) {
+    if (stage.factors.empty())
+      scene.warnings.push_back("stage " + in_quotes(stage.name) + " names no load, so nothing changes in it.");
+    for (const auto& [load, factor] : stage.factors) {
+      used.insert(load);
+      if (std::find(loads.begin(), loads.end(), load) != loads.end()) continue;
+      problems.add("scene > steps > stages > " + stage.name + " > loads > " + load,
+                   " = " + number_text(factor) + " [-]\n  names no load of this scene" + did_you_mean(load, loads) +
+                       ".\n  Loads: " + list_of(loads) + ".");
+    }
+  }
+  for (const std::string& load : loads)
+    if (!used.count(load)) scene.warnings.push_back("load " + in_quotes(load) + " never acts: no stage names it.");
+}
+
+void check_supports(Scene& scene, InputProblems& problems) {
+  const std::vector<std::string> supports = names_of(scene.supports);
+  for (const LoadParameters& load : scene.loads) {
+    const std::string path = "scene > loads > " + load.name + " > support", &name = load.settlement.support;
+    if (load.type != LoadType::settlement || name.empty() || problems.concern(path)) continue;
+    if (std::find(supports.begin(), supports.end(), name) == supports.end())
+      problems.add(path, " = " + in_quotes(name) + "\n  is no support of this scene" + did_you_mean(name, supports) +
+                             ".\n  Supports: " + list_of(supports) + ".");
+  }
+  std::set<std::string> held;
+  for (const auto& support : scene.supports)
+    if (!held.insert(support.parameters.on).second)
+      scene.warnings.push_back("support " + in_quotes(support.name) + " holds " + in_quotes(support.parameters.on) +
+                               ", which another support holds already.");
+}
+
+/// Reports a name that is no set of the mesh.
+void check_set(const std::string& path, const std::string& name, const std::string& kind,
+               const std::vector<std::string>& sets, InputProblems& problems) {
+  if (std::find(sets.begin(), sets.end(), name) != sets.end()) return;
+  problems.add(path, " = " + in_quotes(name) + "\n  is no set of " + kind + " of this mesh" + did_you_mean(name, sets) +
+                         ".\n  Sets of " + kind + ": " + list_of(sets) + ".");
+}
+
+}  // namespace
+
+void check_scene(Scene& scene, InputProblems& problems) {
+  require_members(scene.materials.size(), "scene > materials", " material",
+                  "Add <ParameterList name=\"stone\"> with Young modulus, Poisson ratio and density.", problems);
+  require_members(scene.joints.size(), "scene > joints", " law for the joints",
+                  "Add <ParameterList name=\"dry\"> with a friction coefficient.", problems);
+  require_members(scene.supports.size(), "scene > supports", " support (without one the structure falls)",
+                  "Add <ParameterList name=\"ground\"> with the set of facets it is \"on\".", problems);
+  require_members(scene.loads.size(), "scene > loads", " load",
+                  "Add <ParameterList name=\"weight\"> with type = self weight.", problems);
+  require_members(scene.stages.size(), "scene > steps > stages", " stage",
+                  "Add <ParameterList name=\"own weight\"> with a sublist \"loads\" that gives weight the factor 1.",
+                  problems);
+  find_mesh_file(scene, problems);
+  check_stages(scene, problems);
+  check_supports(scene, problems);
+}
+
+void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
+                 const std::vector<std::string>& facet_sets) {
+  InputProblems problems(scene.file);
+  std::vector<std::string> blocks{"all"};
+  blocks.insert(blocks.end(), block_sets.begin(), block_sets.end());
+  for (const auto& m : scene.materials)
+    check_set("scene > materials > " + m.name + " > blocks", m.parameters.blocks, "blocks", blocks, problems);
+  for (const auto& j : scene.joints) {
+    check_set("scene > joints > " + j.name + " > between", j.parameters.between, "blocks", blocks, problems);
+    check_set("scene > joints > " + j.name + " > and", j.parameters.and_, "blocks", blocks, problems);
+  }
+  for (const auto& s : scene.supports)
+    check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
+  for (const LoadParameters& load : scene.loads)
+    if (load.type == LoadType::traction)
+      check_set("scene > loads > " + load.name + " > on", load.traction.on, "facets", facet_sets, problems);
+  problems.throw_if_any();
+}
+
+}  // namespace voussoir

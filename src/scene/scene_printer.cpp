@@ -1,0 +1,119 @@
+#include "scene/scene_printer.hpp"
+
+#include <iomanip>
+
+#include "base/text.hpp"
+#include "scene/scene_sections.hpp"
+#include "scene/scene_xml.hpp"
+#include "scene/xml_printer.hpp"
+
+namespace voussoir {
+namespace {
+
+std::string counted(int n, const std::string& thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
+
+std::string cells_text(CellType cells) { return cells == CellType::triangle ? "triangles" : "quadrilaterals"; }
+
+std::string mesh_text(const MeshParameters& mesh) {
+  if (mesh.type == MeshType::wall) {
+    const WallParameters& w = mesh.wall;
+    return "wall in running bond, " + counted(w.courses, "course") + " of " + counted(w.blocks_per_course, "block") +
+           ' ' + number_text(w.block_length) + " x " + number_text(w.block_height) + " m, " +
+           std::to_string(w.cells_along) + " x " + std::to_string(w.cells_up) + ' ' + cells_text(w.cells) +
+           (w.openings.empty() ? "" : ", " + counted(static_cast<int>(w.openings.size()), "opening"));
+  }
+  if (mesh.type == MeshType::arch) {
+    const ArchParameters& a = mesh.arch;
+    return "arch of radius " + number_text(a.radius) + " m, thickness " + number_text(a.thickness) + " m, " +
+           number_text(a.embrace) + " degrees, " + counted(a.voussoirs, "voussoir") + ", " +
+           std::to_string(a.cells_radial) + " x " + std::to_string(a.cells_along) + ' ' + cells_text(a.cells) +
+           (a.pier_height > 0 ? ", piers of " + number_text(a.pier_height) + " m" : "");
+  }
+  const GmshParameters& g = mesh.gmsh;
+  std::string text = g.file + ", " + cells_text(g.cells);
+  if (g.element_size > 0) text += ", element size " + number_text(g.element_size) + " m";
+  for (const auto& [name, value] : g.geometry) text += ", " + name + " = " + number_text(value);
+  return text;
+}
+
+std::string load_text(const LoadParameters& load) {
+  const TractionParameters& t = load.traction;
+  const SettlementParameters& s = load.settlement;
+  switch (load.type) {
+    case LoadType::self_weight:
+      return "self weight, gravity " + number_text(load.self_weight.gravity) + " m/s2";
+    case LoadType::acceleration:
+      return "acceleration (" + number_text(load.acceleration.ax) + ", " + number_text(load.acceleration.ay) + ") m/s2";
+    case LoadType::traction:
+      return "traction (" + number_text(t.tx) + ", " + number_text(t.ty) + ") Pa, pressure " + number_text(t.pressure) +
+             " Pa on " + in_quotes(t.on);
+    case LoadType::settlement:
+      break;
+  }
+  return "settlement of " + in_quotes(s.support) + " by (" + number_text(s.ux) + ", " + number_text(s.uy) + ") m" +
+         (s.rotation == 0 ? ""
+                          : ", turned by " + number_text(s.rotation) + " rad about (" + number_text(s.about_x) + ", " +
+                                number_text(s.about_y) + ") m");
+}
+
+std::string stage_text(const StageParameters& stage) {
+  std::string text = counted(stage.increments, "increment");
+  const char* separator = " to ";
+  for (const auto& [load, factor] : stage.factors) {
+    text += separator + number_text(factor) + " x " + load;
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string selection_text(const SelectionParameters& s) {
+  if (s.mode == SelectionMode::all) return "all contact points";
+  if (s.mode == SelectionMode::bonded) return "none: all joints bonded";
+  return "adaptive, error tolerance " + number_text(s.error_tolerance) + ", bulk " + number_text(s.bulk) +
+         (s.whole_joints ? ", whole joints" : ", single points") + ", at most " + counted(s.largest_rounds, "round");
+}
+
+}  // namespace
+
+void print_scene(std::ostream& os, const Scene& scene) {
+  const auto row = [&os](const std::string& kind, const std::string& name, const std::string& text) {
+    os << "  " << std::left << std::setw(11) << kind << std::setw(14) << name << ' ' << text << '\n';
+  };
+  os << scene.name << (scene.title.empty() ? "" : ": " + scene.title) << "  (" << scene.file << ")\n";
+  row("mesh", "", mesh_text(scene.mesh));
+  row("model", "",
+      std::string("plane ") + (scene.model.plane == Plane::stress ? "stress" : "strain") + ", thickness " +
+          number_text(scene.model.thickness) + " m");
+  for (const auto& [name, m] : scene.materials)
+    row("material", name,
+        in_quotes(m.blocks) + ": E " + number_text(m.young_modulus) + " Pa, nu " + number_text(m.poisson_ratio) +
+            ", density " + number_text(m.density) + " kg/m3");
+  for (const auto& [name, j] : scene.joints)
+    row("joints", name,
+        in_quotes(j.between) + " and " + in_quotes(j.and_) + ": mu " + number_text(j.friction_coefficient) +
+            ", cohesion " + number_text(j.cohesion) + " Pa, tension strength " + number_text(j.tension_strength) +
+            " Pa");
+  for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");
+  for (const LoadParameters& load : scene.loads) row("load", load.name, load_text(load));
+  for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
+  row("selection", "", selection_text(scene.selection));
+  row("newton", "",
+      "tolerance " + number_text(scene.newton.tolerance) + ", at most " +
+          counted(scene.newton.largest_iterations, "linear solve") + " per step, " +
+          counted(scene.load_steps.largest_halvings, "halving") +
+          (scene.load_steps.expect_collapse ? ", collapse expected" : ""));
+  row("solver", "",
+      scene.solver.method + ", tolerance " + number_text(scene.solver.tolerance) + ", at most " +
+          counted(scene.solver.largest_iterations, "iteration"));
+  for (const std::string& warning : scene.warnings) os << "  warning: " << warning << '\n';
+}
+
+void write_scene(std::ostream& os, const Scene& scene) {
+  Scene copy = scene;
+  XmlPrinter printer(os);
+  os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ParameterList name=\"" << xml_escaped(scene.name) << "\">\n";
+  declare(copy, printer);
+  os << "</ParameterList>\n";
+}
+
+}  // namespace voussoir

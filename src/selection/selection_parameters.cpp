@@ -1,0 +1,22 @@
+#include "selection/selection_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void SelectionParameters::declare(ParameterSection& section) {
+  section.add_choice<SelectionMode>(
+      "mode", mode,
+      {{"adaptive", SelectionMode::adaptive}, {"all", SelectionMode::all}, {"bonded", SelectionMode::bonded}},
+      "contact points resolved as contact: those that matter, all, or none");
+  section.add("error tolerance", error_tolerance, "-", from_below(0.0, 1.0),
+              "wanted relative error in the energy norm; 0 resolves every point that violates the law",
+              "1 would accept anything", "0.01 is usual.");
+  section.add("bulk", bulk, "-", above_up_to(0.0, 1.0), "share of the predicted decrease of energy a round releases",
+              "a round that releases nothing makes no progress", "0.9 is usual, 1 releases all that violate.");
+  section.add("whole joints", whole_joints, "release all points of the joint of a marked point");
+  section.add("largest rounds", largest_rounds, "-", between(1, 1e6), "rounds of release in one load step",
+              "the first round is the solution itself");
+}
+
+}  // namespace voussoir
