@@ -9,15 +9,9 @@
 #include <vector>
 
 #include "homogenisation/merged_space.hpp"
+#include "joints/contact_law.hpp"
 
 namespace voussoir {
-
-/// How stiff a contact point is in each of its directions [N/m], 0 where it does not resist.
-/// In 3D the tangential part is the same in all directions of the plane.
-struct PointStiffness {
-  double normal = 0;
-  double tangential = 0;
-};
 
 template <int dim>
 class SystemMatrix {

@@ -1,0 +1,61 @@
+// Unilateral contact with Coulomb friction, cohesion and a tension cut-off at one contact point.
+//
+// Theory       P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375.
+// Conventions  Component 0 is normal, the others tangential. Compression positive. A force is the
+//              traction times the point's share of the joint.
+#pragma once
+
+#include <cmath>
+
+#include "base/tensor.hpp"
+
+namespace voussoir {
+
+/// Strength of one point, integrated over its share of the joint.
+struct PointLaw {
+  double friction = 0;  ///< [-] Coulomb's coefficient, may be infinite
+  double cohesion = 0;  ///< [N] shear force borne without compression, may be infinite; 0 once broken
+  double tension = 0;   ///< [N] tensile force borne, may be infinite; 0 once broken
+};
+
+/// Stiffness with which a point resists in a linear system [N/m], 0 where it gives way.
+struct PointStiffness {
+  double normal = 0;
+  double tangential = 0;  ///< the same in all tangential directions
+};
+
+/// Largest tangential force under a normal force: cohesion + mu p, never negative.
+template <class T>
+T friction_bound(const PointLaw& law, const T& normal) {
+  T bound(law.cohesion);
+  if (normal > 0) bound += law.friction * normal;
+  if (normal < 0 && std::isfinite(law.friction)) bound += law.friction * normal;
+  return bound > 0 ? bound : T(0);
+}
+
+/// Nearest admissible normal force: not below the tensile strength.
+template <class T>
+T project_normal(const PointLaw& law, const T& normal) {
+  return normal > -law.tension ? normal : T(-law.tension);
+}
+
+/// Nearest tangential force with |q| <= bound.
+template <std::size_t n, class T>
+std::array<T, n> project_tangential(const std::array<T, n>& q, double bound) {
+  const T size = norm(q);
+  if (size <= bound) return q;
+  return T(bound / size) * q;
+}
+
+/// Distance of a force from the admissible set, normal part first (as the projection of the contact law).
+template <std::size_t n>
+double violation(const PointLaw& law, const std::array<double, n>& force) {
+  const double normal = project_normal(law, force[0]);
+  std::array<double, n - 1> q;
+  for (std::size_t c = 1; c < n; ++c) q[c - 1] = force[c];
+  const double bound = friction_bound(law, normal);
+  const double excess = norm(q) > bound ? norm(q) - bound : 0.0;
+  return std::sqrt((normal - force[0]) * (normal - force[0]) + excess * excess);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,209 @@
+#include "nonlinear/augmented_lagrangian.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "linalg/local_view.hpp"
+#include "nonlinear/line_search.hpp"
+#include "nonlinear/point_update.hpp"
+
+namespace voussoir {
+namespace {
+
+// Bounds of the augmentation relative to the local stiffness. 1 converges in the fewest solves and keeps the
+// preconditioner at its best; up to 1000 is used only where forces creep (README.md, table).
+constexpr double largest_augmentation = 1000;
+// Proximal scale relative to the weights of the problem; falls while forces creep, rises when Newton labours.
+constexpr double largest_proximal = 1, smallest_proximal = 1e-6;
+// A step of Newton that gained less than this factor in the outer change is creeping.
+constexpr double creeping = 0.5;
+// More Newton steps than this for one update: the update asked too much.
+constexpr int labouring = 4;
+// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
+constexpr double run_away = 0.2;
+
+}  // namespace
+
+struct AugmentedLagrangian::State {
+  TpetraVector& x;
+  PointField& lambda;
+  Teuchos::RCP<TpetraVector> x_old, gradient, direction, stiffness_direction, linear;
+  PointField gap, gap_direction, trial, forces;
+  std::vector<double> bound;
+  std::vector<PointStiffness> resistance;
+  double augmentation = 1, proximal = largest_proximal;
+  double scale = 1;  // [N]
+  int krylov_last = 0;
+  double inner_residual = 0;
+};
+
+AugmentedLagrangian::AugmentedLagrangian(NonlinearProblem& problem, const NewtonParameters& parameters)
+    : problem_(problem), parameters_(parameters), mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
+
+double AugmentedLagrangian::largest(double local) const {
+  double global = 0;
+  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_MAX, local, Teuchos::outArg(global));
+  return global;
+}
+
+/// Semismooth Newton on the augmented function with contact forces held; returns the number of linear solves.
+int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& report) {
+  const int n = problem_.components();
+  const auto& weight = problem_.proximal_weight();
+  const int unknowns = static_cast<int>(weight.size());
+  for (int solves = 0;; ++solves) {
+    problem_.evaluate(s.x, *s.linear, s.gap);
+    {
+      const double* x = local_view(s.x);
+      const double* old = local_view(*s.x_old);
+      double* r = local_view_to_write(*s.linear);
+      for (int i = 0; i < unknowns; ++i) r[i] += s.proximal * weight[i] * (x[i] - old[i]);
+    }
+    trial_forces(problem_, s.lambda, s.gap, s.augmentation, s.trial);
+    friction_bounds(problem_, s.trial, s.bound);
+    project(problem_, s.trial, s.bound, s.forces);
+    Tpetra::deep_copy(*s.gradient, *s.linear);
+    problem_.subtract_contact_forces(s.forces, *s.gradient);
+    s.inner_residual = s.gradient->normInf();
+    if (s.inner_residual < tolerance || report.newton_iterations >= parameters_.largest_iterations) return solves;
+
+    resistances(problem_, s.trial, s.bound, s.augmentation, s.resistance);
+    s.gradient->scale(-1.0);
+    s.direction->putScalar(0);
+    // No more accurate than Newton can use: a tenth of what this minimisation aims at.
+    const double wanted = std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2);
+    s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, wanted);
+    report.newton_iterations += 1;
+    report.krylov_iterations += s.krylov_last;
+    report.largest_krylov = std::max(report.largest_krylov, s.krylov_last);
+
+    problem_.evaluate_direction(*s.direction, *s.stiffness_direction, s.gap_direction);
+    double curvature = s.direction->dot(*s.stiffness_direction), slope_linear = s.direction->dot(*s.linear);
+    double proximal = 0, proximal_all = 0;
+    const double* d = local_view(*s.direction);
+    for (int i = 0; i < unknowns; ++i) proximal += s.proximal * weight[i] * d[i] * d[i];
+    const auto& comm = *problem_.map()->getComm();
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, proximal, Teuchos::outArg(proximal_all));
+    curvature += proximal_all;
+    PointField moved(s.trial.size()), forces;
+    const double step = exact_step([&](double alpha) {
+      for (int k = 0; k < problem_.owned_points(); ++k) {
+        const double sigma = s.augmentation * problem_.local_stiffness()[k];
+        for (int c = k * n; c < (k + 1) * n; ++c) moved[c] = s.trial[c] - alpha * sigma * s.gap_direction[c];
+      }
+      project(problem_, moved, s.bound, forces);
+      double work = 0, all = 0;
+      for (int k = 0; k < problem_.owned_points(); ++k)
+        if (problem_.selected()[k])
+          for (int c = k * n; c < (k + 1) * n; ++c) work += s.gap_direction[c] * forces[c];
+      Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, work, Teuchos::outArg(all));
+      return slope_linear + alpha * curvature - all;
+    });
+    s.x.update(step, *s.direction, 1.0);
+
+    if (narrate) {
+      long long mine[2] = {0, 0}, all[2];
+      for (int k = 0; k < problem_.owned_points(); ++k)
+        if (problem_.selected()[k] && s.resistance[k].normal > 0) {
+          ++mine[0];
+          mine[1] += s.resistance[k].tangential == 0;
+        }
+      Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, mine, all);
+      narrate({report.newton_iterations, s.inner_residual, report.complementarity * s.scale, all[0], all[1],
+               s.krylov_last, step, s.augmentation});
+    }
+  }
+}
+
+/// Takes the projected trial forces as the new contact forces; returns the largest change [N].
+double AugmentedLagrangian::update_forces(State& s) const {
+  double change = 0;
+  const int n = problem_.components();
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    for (int c = k * n; c < (k + 1) * n; ++c) {
+      if (k < problem_.owned_points()) change = std::max(change, std::abs(s.forces[c] - s.lambda[c]));
+      s.lambda[c] = s.forces[c];
+    }
+  }
+  return largest(change);
+}
+
+/// Karush-Kuhn-Tucker residuals of the true problem: no proximal term, augmentation 1.
+void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
+  const int n = problem_.components();
+  problem_.evaluate(s.x, *s.gradient, s.gap);
+  problem_.subtract_contact_forces(s.lambda, *s.gradient);
+  report.residual = s.gradient->normInf() / s.scale;
+  trial_forces(problem_, s.lambda, s.gap, 1.0, s.trial);
+  friction_bounds(problem_, s.lambda, s.bound);
+  PointField admissible;
+  project(problem_, s.trial, s.bound, admissible);
+  double worst = 0, penetration = 0;
+  for (int k = 0; k < problem_.owned_points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    penetration = std::max(penetration, -s.gap[k * n]);
+    for (int c = k * n; c < (k + 1) * n; ++c) worst = std::max(worst, std::abs(admissible[c] - s.lambda[c]));
+  }
+  report.complementarity = largest(worst) / s.scale;
+  report.penetration = largest(penetration);
+}
+
+bool AugmentedLagrangian::runs_away(State& s) const {
+  mechanism_->update(1.0, s.x, -1.0, *s.x_old, 0.0);
+  const double size = mechanism_->normInf();
+  if (!(size > run_away * problem_.length_scale())) return false;
+  mechanism_->scale(1 / size);
+  return true;
+}
+
+NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, double tolerance) {
+  NewtonReport report;
+  State s{x, lambda, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  for (auto* v : {&s.x_old, &s.gradient, &s.direction, &s.stiffness_direction, &s.linear})
+    *v = Teuchos::rcp(new TpetraVector(problem_.map()));
+  double previous = std::numeric_limits<double>::infinity();
+  double change = 0;
+  for (report.outer_iterations = 1;; ++report.outer_iterations) {
+    s.scale = problem_.force_scale();
+    for (int k = 0; k < problem_.points(); ++k)
+      if (problem_.selected()[k]) s.scale = std::max(s.scale, std::abs(lambda[k * problem_.components()]));
+    s.scale = largest(s.scale);
+    if (s.scale == 0) s.scale = std::numeric_limits<double>::min();
+    Tpetra::deep_copy(*s.x_old, x);
+    const bool first = report.outer_iterations == 1;
+    if (first) {
+      measure(s, report);
+      change = std::max(report.residual, report.complementarity) * s.scale;
+      if (report.residual <= tolerance && report.complementarity <= tolerance) break;
+    }
+    const int solves = minimise(s, std::max(0.1 * tolerance * s.scale, 0.1 * change), report);
+    change = update_forces(s);
+    measure(s, report);
+    if (report.residual <= tolerance && report.complementarity <= tolerance) break;
+    if (runs_away(s)) {
+      report.outcome = NewtonOutcome::collapse;
+      report.reason = "the structure moves without end: no equilibrium exists under this load";
+      return report;
+    }
+    if (report.newton_iterations >= parameters_.largest_iterations || report.outer_iterations >= parameters_.largest_iterations) {
+      report.reason = "the largest number of linear solves was reached";
+      return report;
+    }
+    const bool creeps = solves <= 1 && change > creeping * previous;
+    previous = change;
+    if (creeps) {
+      s.augmentation = std::min(10 * s.augmentation, largest_augmentation);
+      s.proximal = std::max(s.proximal / 10, smallest_proximal);
+    } else if (solves > labouring) {
+      s.augmentation = std::max(s.augmentation / 10, 1.0);
+      s.proximal = std::min(s.proximal * 10, largest_proximal);
+    }
+  }
+  report.outcome = NewtonOutcome::converged;
+  return report;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,58 @@
+// Closing the contact conditions: proximal augmented Lagrangian outside, semismooth Newton with exact line
+// search inside. It cannot cycle where plain active sets do.
+//
+//   minimise over x   1/2 x.K x - f.x + sum 1/(2 sigma) |[p - sigma g_N]_+|^2 + friction term + prox/2 |x - x_k|^2
+//   then              p <- [p - sigma g_N]_+,   q <- projection of q - sigma g_T on the disc of radius mu p
+//
+// Theory   R. T. Rockafellar, Math. Oper. Res. 1 (1976) 97-116 (proximal multipliers);
+//          P. Alart, A. Curnier (1991) for the friction cone. Decisions: README.md of this folder.
+#pragma once
+
+#include <functional>
+
+#include "nonlinear/newton_parameters.hpp"
+#include "nonlinear/newton_report.hpp"
+#include "nonlinear/nonlinear_problem.hpp"
+
+namespace voussoir {
+
+/// One line of the solver's narration.
+struct NewtonProgress {
+  int iteration = 0;
+  double residual = 0;         ///< [N] largest imbalance
+  double complementarity = 0;  ///< [N]
+  long long closed = 0, slipping = 0;
+  int krylov = 0;
+  double damping = 1;
+  double augmentation = 1;  ///< relative to the local stiffness
+};
+
+class AugmentedLagrangian {
+ public:
+  AugmentedLagrangian(NonlinearProblem&, const NewtonParameters&);
+
+  /// Called after each linear solve; may be empty.
+  std::function<void(const NewtonProgress&)> narrate;
+
+  /// Solves from x (held unknowns already at their prescribed values) and contact forces lambda [N].
+  /// @param tolerance  Karush-Kuhn-Tucker residual relative to the largest force; may be looser than the parameters'
+  /// On collapse x holds the run-away state and mechanism() its direction.
+  NewtonReport solve(TpetraVector& x, PointField& lambda, double tolerance);
+
+  /// Displacement of the last outer iteration, scaled to a largest component of 1.
+  const TpetraVector& mechanism() const { return *mechanism_; }
+
+ private:
+  struct State;
+  int minimise(State&, double tolerance, NewtonReport&);
+  double update_forces(State&) const;
+  void measure(State&, NewtonReport&) const;
+  bool runs_away(State&) const;
+  double largest(double local) const;
+
+  NonlinearProblem& problem_;
+  NewtonParameters parameters_;
+  Teuchos::RCP<TpetraVector> mechanism_;
+};
+
+}  // namespace voussoir

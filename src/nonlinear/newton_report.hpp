@@ -1,0 +1,34 @@
+// What a nonlinear solve did, for history, narration and tests.
+#pragma once
+
+#include <string>
+
+namespace voussoir {
+
+enum class NewtonOutcome { converged, not_converged, collapse };
+
+struct NewtonReport {
+  NewtonOutcome outcome = NewtonOutcome::not_converged;
+  int outer_iterations = 0;    ///< updates of the contact forces
+  int newton_iterations = 0;   ///< linear solves
+  long long krylov_iterations = 0;
+  int largest_krylov = 0;      ///< of one solve
+  double residual = 0;         ///< [-] equilibrium, relative to the largest force
+  double complementarity = 0;  ///< [-] contact law, relative to the largest force
+  double penetration = 0;      ///< [m]
+  std::string reason;          ///< why it stopped, when it did not converge
+
+  void add(const NewtonReport& other) {
+    outer_iterations += other.outer_iterations;
+    newton_iterations += other.newton_iterations;
+    krylov_iterations += other.krylov_iterations;
+    largest_krylov = largest_krylov > other.largest_krylov ? largest_krylov : other.largest_krylov;
+    outcome = other.outcome;
+    residual = other.residual;
+    complementarity = other.complementarity;
+    penetration = other.penetration;
+    reason = other.reason;
+  }
+};
+
+}  // namespace voussoir

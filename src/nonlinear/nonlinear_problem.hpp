@@ -1,0 +1,51 @@
+// What the nonlinear solver sees. Here the dimension of space ends: above are vectors, points and numbers.
+#pragma once
+
+#include <vector>
+
+#include "joints/contact_law.hpp"
+#include "linalg/types.hpp"
+
+namespace voussoir {
+
+/// One number per contact point and direction, row-major [points x components]; component 0 is normal.
+using PointField = std::vector<double>;
+
+/// Equilibrium K u - f = B^T lambda of one load step with the contact law at its selected points.
+///
+/// Point fields cover this rank's points and ghosts; each owner and its ghosts compute the same bits,
+/// so contact forces are never communicated. Sums over points run over owned points.
+class NonlinearProblem {
+ public:
+  virtual ~NonlinearProblem() = default;
+
+  virtual Teuchos::RCP<const TpetraMap> map() const = 0;
+  virtual int components() const = 0;
+  virtual int points() const = 0;
+  virtual int owned_points() const = 0;
+  /// 1 where the point is resolved as contact; the others are tied and skipped.
+  virtual const std::vector<char>& selected() const = 0;
+  virtual const std::vector<PointLaw>& law() const = 0;
+  /// Stiffness of the blocks as a point sees it [N/m]: the natural augmentation.
+  virtual const std::vector<double>& local_stiffness() const = 0;
+  /// Slip at the start of the load step [m], normal component 0.
+  virtual const PointField& slip_origin() const = 0;
+
+  /// r = K R x - f, on unknowns; held rows 0. Also the gaps g [m] of x.
+  virtual void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) = 0;
+  /// y = K R d and the gaps of a direction d (no loads, no initial gaps).
+  virtual void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) = 0;
+  /// r -= B^T lambda.
+  virtual void subtract_contact_forces(const PointField& lambda, TpetraVector& r) = 0;
+  /// Proximal weight of each owned unknown [N/m], the size at which it matters as much as the structure's stiffness.
+  virtual const std::vector<double>& proximal_weight() const = 0;
+  /// Solves (K + resistance + scale x proximal) d = b; returns Krylov iterations. Collective.
+  virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
+                    const Teuchos::RCP<TpetraVector>& d, double relative_tolerance) = 0;
+  /// Largest force in play [N]: what residuals are measured against.
+  virtual double force_scale() const = 0;
+  /// Size of the structure [m]: what run-away displacements are measured against.
+  virtual double length_scale() const = 0;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,61 @@
+#include "nonlinear/point_update.hpp"
+
+#include <cmath>
+
+namespace voussoir {
+namespace {
+
+double tangential_size(const PointField& f, int point, int components) {
+  double sum = 0;
+  for (int c = 1; c < components; ++c) sum += f[point * components + c] * f[point * components + c];
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+void trial_forces(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap, double augmentation,
+                  PointField& trial) {
+  const int n = problem.components();
+  trial.resize(lambda.size());
+  for (int k = 0; k < problem.points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    const double sigma = augmentation * problem.local_stiffness()[k];
+    for (int c = k * n; c < (k + 1) * n; ++c) trial[c] = lambda[c] - sigma * (gap[c] - problem.slip_origin()[c]);
+  }
+}
+
+void friction_bounds(const NonlinearProblem& problem, const PointField& forces, std::vector<double>& bound) {
+  bound.resize(problem.points());
+  for (int k = 0; k < problem.points(); ++k)
+    if (problem.selected()[k]) {
+      const auto& law = problem.law()[k];
+      bound[k] = friction_bound(law, project_normal(law, forces[k * problem.components()]));
+    }
+}
+
+void project(const NonlinearProblem& problem, const PointField& trial, const std::vector<double>& bound,
+             PointField& forces) {
+  const int n = problem.components();
+  forces.resize(trial.size());
+  for (int k = 0; k < problem.points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    forces[k * n] = project_normal(problem.law()[k], trial[k * n]);
+    const double size = tangential_size(trial, k, n);
+    const double factor = size > bound[k] ? bound[k] / size : 1.0;
+    for (int c = 1; c < n; ++c) forces[k * n + c] = factor * trial[k * n + c];
+  }
+}
+
+void resistances(const NonlinearProblem& problem, const PointField& trial, const std::vector<double>& bound,
+                 double augmentation, std::vector<PointStiffness>& resistance) {
+  const int n = problem.components();
+  resistance.assign(problem.points(), {});
+  for (int k = 0; k < problem.points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    const double sigma = augmentation * problem.local_stiffness()[k];
+    if (trial[k * n] > -problem.law()[k].tension) resistance[k].normal = sigma;
+    if (tangential_size(trial, k, n) < bound[k]) resistance[k].tangential = sigma;
+  }
+}
+
+}  // namespace voussoir

@@ -1,0 +1,38 @@
+#include "selection/marking.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+
+namespace voussoir {
+
+std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>& comm) {
+  VOUSSOIR_EXPECT(share > 0 && share <= 1);
+  const auto sum_from = [&](double cut) {
+    double mine = 0, all = 0;
+    for (double e : eta)
+      if (e >= cut) mine += e;
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+    return all;
+  };
+  double mine = 0, largest = 0;
+  for (double e : eta) mine = std::max(mine, e);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  std::vector<char> marked(eta.size(), 0);
+  if (largest == 0) return marked;
+  // The largest cut that still holds the share, by bisection over the 60 octaves below the largest value.
+  const double wanted = share * sum_from(0.0);
+  double low = -60, high = 0;
+  if (share < 1)
+    for (int k = 0; k < 40; ++k) {
+      const double middle = (low + high) / 2;
+      (sum_from(largest * std::exp2(middle)) >= wanted ? low : high) = middle;
+    }
+  const double cut = share < 1 ? largest * std::exp2(low) : 0.0;
+  for (std::size_t k = 0; k < eta.size(); ++k) marked[k] = eta[k] > 0 && eta[k] >= cut;
+  return marked;
+}
+
+}  // namespace voussoir

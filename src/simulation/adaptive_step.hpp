@@ -1,0 +1,59 @@
+// One load step: solve with the points selected so far, look at what the tied points carry, release those that
+// matter, repeat until the error estimate of what stays bonded is small enough.
+#pragma once
+
+#include <functional>
+
+#include "nonlinear/augmented_lagrangian.hpp"
+#include "simulation/contact_problem.hpp"
+#include "simulation/model.hpp"
+
+namespace voussoir {
+
+struct StepReport {
+  NewtonReport newton;
+  int selection_rounds = 0;
+  double error_estimate = 0;  ///< [-] relative, energy norm
+  long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
+};
+
+template <int dim>
+class AdaptiveStep {
+ public:
+  explicit AdaptiveStep(const Model<dim>&);
+
+  std::function<void(const NewtonProgress&)> narrate;
+  std::function<void(int round, long long selected, double error_estimate)> narrate_round;
+
+  /// State before the first load step: nothing has moved; everything or nothing is selected, as the scene asks.
+  ContactState initial_state() const;
+
+  /// Carries the state through one load step. On anything but convergence the state is meaningless but for
+  /// displacement() of a collapse; keep a copy.
+  StepReport solve(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
+
+  /// Nodal residual K u - f - B^T lambda of each block alone [N]: reactions at held nodes, else zero to tolerance.
+  std::vector<double> residual(const ContactState&, const std::vector<double>& load) const;
+  /// Motion of a collapse on node copies, largest component 1.
+  const std::vector<double>& mechanism() const { return mechanism_; }
+  /// Gap and slip of every point [m].
+  PointField gaps(const std::vector<double>& displacement) const;
+
+ private:
+  StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
+  bool break_points(ContactState&) const;
+  std::vector<PointLaw> current_law(const ContactState&) const;
+  double estimate(const ContactState&, const std::vector<int>& cluster, std::vector<double>& eta) const;
+  bool release(ContactState&, const std::vector<int>& cluster, const std::vector<double>& eta) const;
+  double elastic_energy(const std::vector<double>& u) const;
+  double largest_violation(const ContactState&, const std::vector<double>& eta) const;
+
+  const Model<dim>& model_;
+  LinearSolver solver_;
+  std::vector<PointLaw> law_;
+  std::vector<double> mechanism_;
+};
+
+extern template class AdaptiveStep<2>;
+
+}  // namespace voussoir

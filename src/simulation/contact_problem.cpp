@@ -1,0 +1,124 @@
+#include "simulation/contact_problem.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "blocks/assembly.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/local_view.hpp"
+
+namespace voussoir {
+namespace {
+
+// The proximal term is the stiffness of a foundation that lets the whole structure move by its size under a strain
+// of this amount: 1e-4 of E V / L^2 is far below the stiffness of any arch that stands, and bounds free motions.
+constexpr double proximal_strain = 1e-4;
+
+}  // namespace
+
+template <int dim>
+ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& state, const std::vector<PointLaw>& law,
+                                    const std::vector<double>& load, const std::vector<double>& prescribed)
+    : parts_(parts), state_(state), law_(law), load_(load), prescribed_(prescribed) {
+  const auto& s = parts.structure;
+  space_ = std::make_unique<MergedSpace<dim>>(s, parts.points, state.selected, parts.held);
+  matrix_ = std::make_unique<SystemMatrix<dim>>(s, parts.points, state.selected, *space_);
+  coarse_ = std::make_shared<CoarseOperator<dim>>(s, parts.points, state.selected, *space_, parts.continuum,
+                                                  parts.preconditioner);
+  set_proximal_weights();
+  double mine = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine = std::max(mine, std::abs(load[i]));
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(force_scale_));
+}
+
+template <int dim>
+void ContactProblem<dim>::set_proximal_weights() {
+  const auto& s = parts_.structure;
+  proximal_weight_.assign(static_cast<std::size_t>(dim) * space_->owned_clusters(), 0.0);
+  const int mine = std::find(state_.selected.begin(), state_.selected.end(), 1) != state_.selected.end();
+  int any = 0;
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  if (!any) return;  // the bonded continuum cannot run away
+  const double factor = proximal_strain / (s.size() * s.size());
+  for (const auto& b : s.blocks()) {
+    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+      const int k = space_->cluster()[b.first_local + i];
+      if (k < space_->owned_clusters())
+        for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * b.material.young_modulus * volume[i];
+    }
+  }
+}
+
+template <int dim>
+Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<double>& displacement) const {
+  auto u = displacement;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (parts_.held[i]) u[i] = prescribed_[i];
+  auto x = Teuchos::rcp(new TpetraVector(space_->map()));
+  space_->average(u, *x);
+  return x;
+}
+
+template <int dim>
+void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
+  const auto& points = parts_.points.points();
+  gap.resize(points.size() * dim);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto& p = points[k];
+    for (int a = 0; a < dim; ++a) {
+      double value = 0;
+      for (int c = 0; c < dim; ++c)
+        value += (copies_[dim * p.node_j + c] - copies_[dim * p.node_i + c]) * p.axis[a][c];
+      gap[k * dim + a] = value;
+    }
+    if (initial && !parts_.initial_gap.empty()) gap[k * dim] += parts_.initial_gap[k];
+  }
+}
+
+template <int dim>
+void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
+  space_->scatter(x, copies_);
+  parts_.structure.apply_stiffness(copies_, forces_);
+  internal_scale_ = 0;
+  for (double f : forces_) internal_scale_ = std::max(internal_scale_, std::abs(f));
+  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= load_[i];
+  space_->sum(forces_, r);
+  gaps(gap, true);
+}
+
+template <int dim>
+void ContactProblem<dim>::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) {
+  space_->scatter(d, copies_);
+  parts_.structure.apply_stiffness(copies_, forces_);
+  space_->sum(forces_, y);
+  gaps(gap, false);
+}
+
+template <int dim>
+void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
+  forces_.assign(copies_.size(), 0.0);
+  add_contact_forces(parts_.points, space_->cluster(), lambda, 1.0, forces_);
+  double* value = local_view_to_write(r);
+  const auto& cluster = space_->cluster();
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const int unknown = dim * cluster[i / dim] + static_cast<int>(i % dim);
+    if (unknown < dim * space_->owned_clusters() && !space_->held()[unknown]) value[unknown] -= forces_[i];
+  }
+}
+
+template <int dim>
+int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
+                               const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                               double relative_tolerance) {
+  std::vector<double> proximal(proximal_weight_.size());
+  for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
+  matrix_->update(stiffness, proximal);
+  coarse_->update(*matrix_, stiffness, proximal);
+  return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance).iterations;
+}
+
+template class ContactProblem<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,81 @@
+// One load step with one selection, as the nonlinear solver sees it; and the state it works on.
+#pragma once
+
+#include <memory>
+
+#include "homogenisation/coarse_operator.hpp"
+#include "linalg/linear_solver.hpp"
+#include "nonlinear/nonlinear_problem.hpp"
+
+namespace voussoir {
+
+/// The state of a structure between load steps, on this rank's node copies and points (ghosts included).
+struct ContactState {
+  std::vector<double> displacement;  ///< [m, dim x local node copies]
+  PointField lambda;                 ///< [N]
+  PointField slip_origin;            ///< [m] slip at the end of the last load step, 0 in the normal direction
+  std::vector<char> selected;        ///< per point
+  std::vector<char> broken;          ///< per point: cohesion and tension strength lost
+};
+
+template <int dim>
+class ContactProblem : public NonlinearProblem {
+ public:
+  /// What stays the same through all load steps; must outlive the problem.
+  struct Parts {
+    const Structure<dim>& structure;
+    const ContactPoints<dim>& points;
+    const Continuum<dim>& continuum;
+    const std::vector<char>& held;
+    const std::vector<double>& local_stiffness;   ///< per point [N/m]
+    const std::vector<double>& initial_gap;       ///< per point [m], empty when all joints are closed at first
+    const PreconditionerParameters& preconditioner;
+    LinearSolver& solver;
+  };
+
+  /// @param load        nodal forces [N, dim x local node copies]
+  /// @param prescribed  displacement of held components [m], the same shape
+  ContactProblem(const Parts&, const ContactState&, const std::vector<PointLaw>&, const std::vector<double>& load,
+                 const std::vector<double>& prescribed);
+
+  const MergedSpace<dim>& space() const { return *space_; }
+  /// Unknowns from a displacement, held ones at their prescribed values.
+  Teuchos::RCP<TpetraVector> unknowns(const std::vector<double>& displacement) const;
+
+  Teuchos::RCP<const TpetraMap> map() const override { return space_->map(); }
+  int components() const override { return dim; }
+  int points() const override { return parts_.points.size(); }
+  int owned_points() const override { return parts_.points.owned(); }
+  const std::vector<char>& selected() const override { return state_.selected; }
+  const std::vector<PointLaw>& law() const override { return law_; }
+  const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
+  const PointField& slip_origin() const override { return state_.slip_origin; }
+  void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) override;
+  void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) override;
+  void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
+  const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
+  int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
+            const Teuchos::RCP<TpetraVector>& d, double relative_tolerance) override;
+  /// Without loads: the forces that prescribed displacements cause.
+  double force_scale() const override { return force_scale_ > 0 ? force_scale_ : internal_scale_; }
+  double length_scale() const override { return parts_.structure.size(); }
+
+ private:
+  void gaps(PointField& gap, bool initial) const;
+  void set_proximal_weights();
+
+  Parts parts_;
+  const ContactState& state_;
+  const std::vector<PointLaw>& law_;
+  const std::vector<double>& load_;
+  const std::vector<double>& prescribed_;
+  std::unique_ptr<MergedSpace<dim>> space_;
+  std::unique_ptr<SystemMatrix<dim>> matrix_;
+  std::shared_ptr<CoarseOperator<dim>> coarse_;
+  std::vector<double> proximal_weight_, copies_, forces_;
+  double force_scale_ = 0, internal_scale_ = 0;
+};
+
+extern template class ContactProblem<2>;
+
+}  // namespace voussoir

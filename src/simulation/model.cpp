@@ -1,0 +1,120 @@
+#include "simulation/model.hpp"
+
+#include <Teuchos_TimeMonitor.hpp>
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "blocks/supports.hpp"
+#include "loads/loads.hpp"
+#include "mesh/partition.hpp"
+#include "simulation/phase.hpp"
+
+namespace voussoir {
+namespace {
+
+template <int dim>
+bool in_set(const BlockSource<dim>& source, const Block<dim>& block, const std::string& name) {
+  if (name == "all") return true;
+  for (int set : block.sets)
+    if (source.block_sets()[set] == name) return true;
+  return false;
+}
+
+template <int dim>
+Material material_of(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& block) {
+  Material m;
+  for (const auto& [name, p] : scene.materials)
+    if (in_set(source, block, p.blocks)) m = {p.young_modulus, p.poisson_ratio, p.density};
+  return m;
+}
+
+template <int dim>
+std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  std::vector<double> weight(source.block_count());
+  for (BlockId b = 0; b < source.block_count(); ++b) weight[b] = dim * source.node_count(b);
+  return partition(source.graph(), weight, comm);
+}
+
+}  // namespace
+
+template <int dim>
+Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
+                  const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+    : scene_(scene), source_(source) {
+  {
+    Phase phase("blocks");
+    structure_ = std::make_unique<Structure<dim>>(
+        source, owners(source, *comm), scene.model,
+        [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm);
+  }
+  {
+    Phase phase("joints");
+    points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
+    held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
+    for (const auto& [name, support] : scene.supports) hold(*structure_, support, facet_set(support.on), held_);
+    set_laws();
+  }
+  Phase phase("continuum");
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu);
+}
+
+template <int dim>
+int Model<dim>::facet_set(const std::string& name) const {
+  const auto& sets = source_.facet_sets();
+  const auto it = std::find(sets.begin(), sets.end(), name);
+  VOUSSOIR_CHECK(it != sets.end());
+  return static_cast<int>(it - sets.begin());
+}
+
+template <int dim>
+void Model<dim>::set_laws() {
+  const auto& blocks = structure_->blocks();
+  auto& joints = points_->joints();
+  for (auto& joint : joints) {
+    const auto& i = blocks[structure_->local_block(joint.block_i)].mesh;
+    const auto& j = blocks[structure_->local_block(joint.block_j)].mesh;
+    joint.family = -1;
+    for (std::size_t f = 0; f < scene_.joints.size(); ++f) {
+      const auto& law = scene_.joints[f].parameters;
+      if ((in_set(source_, i, law.between) && in_set(source_, j, law.and_)) ||
+          (in_set(source_, j, law.between) && in_set(source_, i, law.and_)))
+        joint.family = static_cast<int>(f);
+    }
+  }
+  const JointLawParameters dry;
+  for (const auto& p : points_->points()) {
+    const int family = joints[p.joint].family;
+    const auto& law = family < 0 ? dry : scene_.joints[family].parameters;
+    law_.push_back({law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
+    brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
+    // Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness.
+    const double ei = blocks[structure_->block_of_node()[p.node_i]].material.young_modulus;
+    const double ej = blocks[structure_->block_of_node()[p.node_j]].material.young_modulus;
+    local_stiffness_.push_back(2 * ei * ej / (ei + ej) * structure_->model().thickness);
+  }
+}
+
+template <int dim>
+void Model<dim>::loads(const std::map<std::string, double>& factors, std::vector<double>& force,
+                       std::vector<double>& prescribed) const {
+  force.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0.0);
+  prescribed.assign(force.size(), 0.0);
+  for (const auto& load : scene_.loads) {
+    const auto it = factors.find(load.name);
+    if (it == factors.end() || it->second == 0) continue;
+    const double factor = it->second;
+    if (load.type == LoadType::self_weight) add_self_weight(*structure_, load.self_weight, factor, force);
+    if (load.type == LoadType::acceleration)
+      add_inertia_force<dim>(*structure_, {load.acceleration.ax, load.acceleration.ay}, factor, force);
+    if (load.type == LoadType::traction)
+      add_traction(*structure_, load.traction, facet_set(load.traction.on), factor, force);
+    if (load.type == LoadType::settlement)
+      for (const auto& [name, support] : scene_.supports)
+        if (name == load.settlement.support)
+          add_settlement(*structure_, load.settlement, support, facet_set(support.on), factor, prescribed);
+  }
+}
+
+template class Model<2>;
+
+}  // namespace voussoir
