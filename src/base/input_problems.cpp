@@ -7,6 +7,8 @@
 namespace voussoir {
 
 void InputProblems::add(const std::string& path, const std::string& message) {
+  constexpr std::size_t most = 1000;  // so that a large and thoroughly wrong input is refused at once
+  if (++count_ > most) return;
   paths_.push_back(path);
   texts_.push_back(file_ + ": " + path + message);
 }
@@ -27,7 +29,7 @@ void InputProblems::throw_if_any() const {
   constexpr std::size_t most = 20;  // a screen full; the rest often follows from the first
   std::string all = texts_.front();
   for (std::size_t i = 1; i < std::min(most, texts_.size()); ++i) all += '\n' + texts_[i];
-  if (texts_.size() > most) all += "\n... and " + std::to_string(texts_.size() - most) + " more of this input.";
+  if (count_ > most) all += "\n... and " + std::to_string(count_ - most) + " more of this input.";
   throw InputError(all);
 }
 

@@ -24,7 +24,8 @@ class InputProblems {
 
  private:
   std::string file_;
-  std::vector<std::string> paths_, texts_;
+  std::vector<std::string> paths_, texts_;  ///< of the first problems
+  std::size_t count_ = 0;                   ///< of all
 };
 
 }  // namespace voussoir

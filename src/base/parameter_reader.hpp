@@ -18,6 +18,9 @@ using Overrides = std::map<std::string, std::string>;
 /// Reads texts such as "joints/dry/cohesion=1e5" or "scene > joints > dry > cohesion = 1e5"; the last one wins.
 Overrides read_overrides(const std::vector<std::string>& texts, InputProblems&);
 
+/// An entry as messages show it: "0.5 (double)".
+std::string type_and_value(const Teuchos::ParameterEntry&);
+
 class ParameterReader final : public ParameterSection {
  public:
   /// @param root a list whose path in messages is "scene"
@@ -54,6 +57,7 @@ class ParameterReader final : public ParameterSection {
   /// Overrides below a path, without the path: name -> text.
   std::map<std::string, std::string> overridden_below(const std::string& path);
   const Teuchos::ParameterList* sublist(const std::string& name);
+  void record(const std::string& name);
   void enter(const std::string& name, const Teuchos::ParameterList*);
   void leave();
 
@@ -69,6 +73,7 @@ class ParameterReader final : public ParameterSection {
   std::vector<Frame> frames_;
   std::set<std::string> used_;      ///< overrides somebody asked for
   std::vector<std::string> paths_;  ///< of all parameters, for suggestions
+  bool undecided_ = false;          ///< the choice was refused: names are known, values are not read
   std::string hidden_;              ///< the choice whose keys are being recorded, "" when values are read
 };
 

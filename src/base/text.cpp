@@ -101,6 +101,12 @@ std::string list_of(const std::vector<std::string>& words, std::size_t most) {
   return text;
 }
 
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return "\n  " + text + (text.back() == '.' ? "" : ".");
+}
+
 std::string trimmed(const std::string& text) {
   const char* blanks = " \t\r\n";
   const auto first = text.find_first_not_of(blanks);

@@ -24,6 +24,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 std::string in_quotes(const std::string&);
 /// `a, b, c`, cut after `most` words; "none" when there are none.
 std::string list_of(const std::vector<std::string>& words, std::size_t most = 20);
+/// A line of a message: new line, two blanks, a capital, a full stop; "" for an empty text.
+std::string sentence(std::string);
 std::string trimmed(const std::string&);
 std::vector<std::string> split(const std::string&, const std::string& separator);
 

@@ -31,11 +31,11 @@ void find_mesh_file(Scene& scene, InputProblems& problems) {
   if (scene.mesh.type != MeshType::gmsh || file.empty() || problems.concern(path)) return;
   const std::string ending = fs::path(file).extension().string();
   if (ending != ".geo" && ending != ".msh")
-    problems.add(path,
-                 " = " + in_quotes(file) +
-                     "\n  must end in .geo (a geometry) or .msh (a mesh).\n  Export the mesh from gmsh as .msh 4.1.");
+    return problems.add(path, " = " + in_quotes(file) +
+                                  "\n  must end in .geo (a geometry) or .msh (a mesh).\n"
+                                  "  Export the mesh from gmsh in the format .msh 4.1.");
   std::error_code error;
-  const fs::path folder = fs::absolute(scene.file, error).parent_path();
+  const fs::path folder = fs::absolute(scene.file, error).lexically_normal().parent_path();
   std::vector<fs::path> places{folder / file, folder.parent_path() / file, folder.parent_path() / "meshes" / file};
   if (fs::path(file).is_absolute()) places = {file};
   std::vector<std::string> sought;
