@@ -40,8 +40,8 @@ class Arch final : public BlockSource<2> {
   void build_pier_block(Block<2>&) const;
 
   ArchParameters p_;
-  int rays_;              ///< number of the last ray
-  int pier_cells_up_ = 0; ///< per block of a pier
+  int rays_;               ///< number of the last ray
+  int pier_cells_up_ = 0;  ///< per block of a pier
   std::vector<std::string> block_sets_{"ring"};
   std::vector<std::string> facet_sets_{"springing left", "springing right", "extrados", "intrados"};
   mutable BlockGraph graph_;  ///< built when first asked for
@@ -74,9 +74,10 @@ void validate(const ArchParameters& p) {
     refuse_mesh("arch > pier height", in_words(p.pier_height) + " [m]", "must be a finite number >= 0.",
                 "Give 0 for an arch without piers.");
   if (p.pier_height > 0 && p.embrace != 180)
-    refuse_mesh("arch > pier height", in_words(p.pier_height) + " [m]",
-                "needs an embrace of 180 degrees, not " + in_words(p.embrace) + " (vertical piers continue a semicircle).",
-                "Give embrace 180 or pier height 0.");
+    refuse_mesh(
+        "arch > pier height", in_words(p.pier_height) + " [m]",
+        "needs an embrace of 180 degrees, not " + in_words(p.embrace) + " (vertical piers continue a semicircle).",
+        "Give embrace 180 or pier height 0.");
   if (p.pier_height > 0) require_at_least("arch > pier courses", p.pier_courses, 1);
 }
 
@@ -89,15 +90,18 @@ Arch::Arch(const ArchParameters& p) : p_(p) {
   const double rows = std::max(1.0, std::round(square_cells));
   if (rows * p_.pier_courses * (p_.cells_radial + 1.0) > std::numeric_limits<int>::max())
     refuse_mesh("arch > pier height", in_words(p_.pier_height) + " [m]",
-                "makes " + in_words(rows) + " rows of cells per block of a pier.", "Give a pier in proportion to the thickness.");
+                "makes " + in_words(rows) + " rows of cells per block of a pier.",
+                "Give a pier in proportion to the thickness.");
   pier_cells_up_ = static_cast<int>(rows);
 }
 
-/// The angle is measured from the crown, where left and right differ by its sign alone: the mesh is its own mirror image.
+/// The angle is measured from the crown, where left and right differ by its sign alone: the mesh is its own mirror
+/// image.
 Vector<2> Arch::ring_position(int i, int ray) const {
   const double degrees = p_.embrace * (2 * ray - rays_) / (2.0 * rays_);
   const double r = line_radius(i);
-  if (std::abs(degrees) == 90) return {degrees < 0 ? r : -r, 0.0};  // cos(pi / 2) is 6e-17 in doubles; springings are level
+  if (std::abs(degrees) == 90)
+    return {degrees < 0 ? r : -r, 0.0};  // cos(pi / 2) is 6e-17 in doubles; springings are level
   return {-r * std::sin(degrees * pi / 180), r * std::cos(degrees * pi / 180)};
 }
 
@@ -139,7 +143,8 @@ void Arch::build_pier_block(Block<2>& block) const {
         block.vertex.push_back(first_vertex + static_cast<VertexId>(row) * (radial + 1) + i);
       }
     }
-  if (course == 0) add_lattice_facets(block, radial, up, LatticeSide::bottom, at_left ? springing_left : springing_right);
+  if (course == 0)
+    add_lattice_facets(block, radial, up, LatticeSide::bottom, at_left ? springing_left : springing_right);
 }
 
 Block<2> Arch::block(BlockId b) const {

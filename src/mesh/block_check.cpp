@@ -48,15 +48,17 @@ void check_shape(const Block<2>& block, std::size_t number) {
     const Vector<2> next = corner(1) - corner(0), previous = corner(cell.count - 1) - corner(0);
     const double jacobian = cross(next, previous), angle = std::atan2(jacobian, dot(next, previous)) / degree;
     const std::string where = ", cell " + std::to_string(number) + " with a corner at " + at(corner(0));
-    if (std::abs(angle) < smallest_corner_angle || std::abs(angle) > 180 - smallest_corner_angle ||
-        norm(next) == 0 || norm(previous) == 0)
+    if (std::abs(angle) < smallest_corner_angle || std::abs(angle) > 180 - smallest_corner_angle || norm(next) == 0 ||
+        norm(previous) == 0)
       refuse(block, where + " is a sliver",
              "(the angle of that corner is " + in_words(std::abs(angle)) + " degrees; between " +
-                 in_words(smallest_corner_angle) + " and " + in_words(180 - smallest_corner_angle) + " can be computed).",
+                 in_words(smallest_corner_angle) + " and " + in_words(180 - smallest_corner_angle) +
+                 " can be computed).",
              "Choose an element size in proportion to the block, or remove very short curves.");
     if (jacobian < 0)
       refuse(block, where + " is inverted",
-             "(its Jacobian is " + in_words(jacobian) + " m2 there; nodes must turn counter-clockwise, corners point outward).",
+             "(its Jacobian is " + in_words(jacobian) +
+                 " m2 there; nodes must turn counter-clockwise, corners point outward).",
              "Mesh the surface again with smaller elements or with triangles.");
   }
 }
@@ -97,8 +99,9 @@ void check_pieces(const Block<2>& block) {
   for (std::size_t c = 0; c < parent.size(); ++c)
     if (root(static_cast<int>(c)) != root(0))
       refuse(block,
-             " is in pieces: cell 0 at " + at(block.position[block.cells[0].node[0]]) + " and cell " + std::to_string(c) +
-                 " at " + at(block.position[block.cells[c].node[0]]) + " are not connected over edges",
+             " is in pieces: cell 0 at " + at(block.position[block.cells[0].node[0]]) + " and cell " +
+                 std::to_string(c) + " at " + at(block.position[block.cells[c].node[0]]) +
+                 " are not connected over edges",
              "(a block is one elastic body; pieces would move freely against each other).",
              "Make each piece a surface of its own.");
 }

@@ -9,9 +9,12 @@ template <int dim>
 std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parameters, const Teuchos::Comm<int>& comm) {
   static_assert(dim == 2, "there is no source of spatial blocks yet");
   switch (parameters.type) {
-    case MeshType::wall: return make_wall(parameters.wall);
-    case MeshType::arch: return make_arch(parameters.arch);
-    case MeshType::gmsh: break;
+    case MeshType::wall:
+      return make_wall(parameters.wall);
+    case MeshType::arch:
+      return make_arch(parameters.arch);
+    case MeshType::gmsh:
+      break;
   }
   return read_gmsh(parameters.gmsh, comm);
 }

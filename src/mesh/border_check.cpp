@@ -1,6 +1,7 @@
 // Faults between blocks: borders that should match and do not, blocks in the same place.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "mesh/border.hpp"

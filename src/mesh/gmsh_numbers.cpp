@@ -1,5 +1,6 @@
 #include "mesh/gmsh_numbers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <regex>
@@ -30,7 +31,8 @@ std::string without_comments(const std::string& text) {
 std::set<std::string> defined_constants(const std::string& text) {
   std::set<std::string> names;
   static const std::regex assignment("([A-Za-z_][A-Za-z0-9_]*)\\s*=");
-  for (std::size_t at = text.find("DefineConstant"); at != std::string::npos; at = text.find("DefineConstant", at + 1)) {
+  for (std::size_t at = text.find("DefineConstant"); at != std::string::npos;
+       at = text.find("DefineConstant", at + 1)) {
     const std::string statement = text.substr(at, text.find(';', at) - at);
     for (std::sregex_iterator it(statement.begin(), statement.end(), assignment), end; it != end; ++it)
       names.insert((*it)[1]);
@@ -60,10 +62,11 @@ std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std:
     if (!std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")))
       refuse_mesh(key, shown, "is no name a .geo file can have.", "Use letters, digits and _.");
     if (!may_be_elsewhere && defined.count(name) == 0)
-      refuse_mesh(key, shown,
-                  "cannot be set: " + p.file + " has no DefineConstant for " + name +
-                      (offered.empty() ? "." : " (it has: " + offered + ")."),
-                  "Write DefineConstant[ " + name + " = ... ]; in the file and use the number there, or remove the key.");
+      refuse_mesh(
+          key, shown,
+          "cannot be set: " + p.file + " has no DefineConstant for " + name +
+              (offered.empty() ? "." : " (it has: " + offered + ")."),
+          "Write DefineConstant[ " + name + " = ... ]; in the file and use the number there, or remove the key.");
   }
   return numbers;
 }

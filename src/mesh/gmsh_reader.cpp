@@ -9,7 +9,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <utility>
 
 #include "base/error.hpp"
 #include "mesh/gmsh_numbers.hpp"
@@ -68,7 +70,8 @@ class TemporaryFile {
   explicit TemporaryFile(const std::string& text) {
     path_ = (std::filesystem::temp_directory_path() / "voussoir-XXXXXX.geo").string();
     const int descriptor = mkstemps(path_.data(), 4);
-    if (descriptor < 0) throw ResourceError("no file can be written in " + path_ + " (set TMPDIR to a folder with room).");
+    if (descriptor < 0)
+      throw ResourceError("no file can be written in " + path_ + " (set TMPDIR to a folder with room).");
     close(descriptor);
     std::ofstream(path_) << text;
   }

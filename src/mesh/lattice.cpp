@@ -36,10 +36,18 @@ void add_lattice_facets(Block<2>& block, int across, int up, LatticeSide side, i
     facet.count = 2;
     facet.set = set;
     switch (side) {
-      case LatticeSide::bottom: facet.node = {node(k, 0), node(k + 1, 0)}; break;
-      case LatticeSide::right: facet.node = {node(across, k), node(across, k + 1)}; break;
-      case LatticeSide::top: facet.node = {node(back, up), node(back - 1, up)}; break;
-      case LatticeSide::left: facet.node = {node(0, back), node(0, back - 1)}; break;
+      case LatticeSide::bottom:
+        facet.node = {node(k, 0), node(k + 1, 0)};
+        break;
+      case LatticeSide::right:
+        facet.node = {node(across, k), node(across, k + 1)};
+        break;
+      case LatticeSide::top:
+        facet.node = {node(back, up), node(back - 1, up)};
+        break;
+      case LatticeSide::left:
+        facet.node = {node(0, back), node(0, back - 1)};
+        break;
     }
     block.facets.push_back(facet);
   }

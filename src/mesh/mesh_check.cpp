@@ -38,8 +38,8 @@ void check_supports(const BlockSource<dim>& source, const std::vector<std::strin
   if (supported_facet_sets.empty()) return;
   std::vector<char> is_supported_set;
   for (const std::string& name : source.facet_sets())
-    is_supported_set.push_back(
-        std::find(supported_facet_sets.begin(), supported_facet_sets.end(), name) != supported_facet_sets.end());
+    is_supported_set.push_back(std::find(supported_facet_sets.begin(), supported_facet_sets.end(), name) !=
+                               supported_facet_sets.end());
   const BlockGraph& graph = source.graph();
   const std::vector<BlockId> group = groups_of_joined_blocks<dim>(graph);
   std::vector<char> held(group.size(), 0);
@@ -61,7 +61,8 @@ void check_supports(const BlockSource<dim>& source, const std::vector<std::strin
     message += "\n  (nothing holds ";
     message += size[b] > 1 ? "them" : meets_in_a_point ? "it; it touches other blocks in single points only" : "it";
     message += ", so there is no equilibrium).\n  Add one of its curves to a supported set (now: ";
-    for (const std::string& name : supported_facet_sets) message += (name == supported_facet_sets[0] ? "" : ", ") + name;
+    for (const std::string& name : supported_facet_sets)
+      message += (name == supported_facet_sets[0] ? "" : ", ") + name;
     throw InputError(message + "), or let it share a curve with a neighbour.");
   }
 }

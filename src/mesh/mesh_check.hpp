@@ -18,7 +18,8 @@ constexpr double smallest_corner_angle = 1.0;  // [degree]
 
 /// Throws InputError for the first of these faults, looked for in this order:
 /// - one block by itself: no cells, coordinates that are no numbers, nodes without cell, inverted cells, cells with
-///   a corner below `smallest_corner_angle` or above 180 degrees less that, cells that lie on each other, several pieces
+///   a corner below `smallest_corner_angle` or above 180 degrees less that, cells that lie on each other, several
+///   pieces
 /// - between blocks: edges of three blocks, blocks on the same side of an edge, borders that touch or nearly touch
 ///   without matching nodes, blocks that overlap
 /// - `check_supports`

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <exception>
 #include <string>
 #include <vector>
 

@@ -32,7 +32,8 @@ bool is_connected(const BlockGraph& graph) {
   return count == seen.size();
 }
 
-/// Blocks in the order of their numbers: each rank takes its share of what is left, and leaves one for each rank to come.
+/// Blocks in the order of their numbers: each rank takes its share of what is left, and leaves one for each rank to
+/// come.
 std::vector<int> cut_by_number(const std::vector<double>& weights, int ranks) {
   const int blocks = static_cast<int>(weights.size());
   double left = std::accumulate(weights.begin(), weights.end(), 0.0), taken = 0, share = left / ranks;

@@ -119,9 +119,10 @@ void tag_facets(const SurfaceMesh& mesh, const std::vector<VertexId>& vertex, st
   }
   for (std::size_t set = 0; set < found.size(); ++set)
     if (!found[set])
-      throw InputError("mesh > gmsh: the set of curves \"" + mesh.facet_sets[set] +
-                       "\" lies on the border of no block\n  (its curves bound no meshed surface, so supports and loads "
-                       "on it would reach nothing).\n  Put curves that bound surfaces into the Physical Curve, or remove it.");
+      throw InputError(
+          "mesh > gmsh: the set of curves \"" + mesh.facet_sets[set] +
+          "\" lies on the border of no block\n  (its curves bound no meshed surface, so supports and loads "
+          "on it would reach nothing).\n  Put curves that bound surfaces into the Physical Curve, or remove it.");
   for (Block<2>& block : blocks) {
     const auto order = [](const TaggedFacet& a, const TaggedFacet& b) {
       return std::tie(a.set, a.node) < std::tie(b.set, b.node);

@@ -60,11 +60,11 @@ class Wall final : public BlockSource<2> {
   void add_neighbours(Place, int course, BlockGraph&) const;
 
   WallParameters p_;
-  std::vector<int> place_;     ///< per block: its number when no block is left out
-  std::vector<BlockId> id_;    ///< per such number: block, or -1 when left out
+  std::vector<int> place_;   ///< per block: its number when no block is left out
+  std::vector<BlockId> id_;  ///< per such number: block, or -1 when left out
   std::vector<std::string> block_sets_;
   std::vector<std::string> facet_sets_{"base", "top", "left", "right"};
-  mutable BlockGraph graph_;   ///< built when first asked for
+  mutable BlockGraph graph_;  ///< built when first asked for
 };
 
 void validate(const WallParameters& p) {
@@ -81,14 +81,15 @@ void validate(const WallParameters& p) {
   const double blocks = (p.blocks_per_course + 0.5) * p.courses;
   if (blocks > std::numeric_limits<BlockId>::max() || p.blocks_per_course * double(p.cells_along) > 1e9 ||
       p.courses * double(p.cells_up) > 1e9 || (p.cells_along + 1.0) * (p.cells_up + 1.0) > 1e9)
-    refuse_mesh("wall > courses", std::to_string(p.courses) + " [-]",
-                "makes about " + in_words(blocks) + " blocks or over 1e9 lattice lines, more than numbers here can count.",
-                "Make the wall smaller or the cells larger.");
+    refuse_mesh(
+        "wall > courses", std::to_string(p.courses) + " [-]",
+        "makes about " + in_words(blocks) + " blocks or over 1e9 lattice lines, more than numbers here can count.",
+        "Make the wall smaller or the cells larger.");
   for (const auto& [name, o] : p.openings)
     if (!(o.x_from < o.x_to && o.y_from < o.y_to))
       refuse_mesh("wall > openings > " + name,
-                  in_words(o.x_from) + " .. " + in_words(o.x_to) + " x " + in_words(o.y_from) + " .. " + in_words(o.y_to) +
-                      " [m]",
+                  in_words(o.x_from) + " .. " + in_words(o.x_to) + " x " + in_words(o.y_from) + " .. " +
+                      in_words(o.y_to) + " [m]",
                   "is empty: \"x to\" must exceed \"x from\" and \"y to\" must exceed \"y from\".",
                   "Give the corners of the opening, lower left first.");
 }
@@ -107,8 +108,8 @@ Wall::Wall(const WallParameters& p) : p_(p) {
   if (place_.empty())
     refuse_mesh("wall > openings", std::to_string(p_.openings.size()) + " opening(s)",
                 "leave no block of the wall: the centre of every block lies in an opening.",
-                "Make the openings smaller than the wall, " + in_words(p_.blocks_per_course * p_.block_length) + " m x " +
-                    in_words(p_.courses * p_.block_height) + " m.");
+                "Make the openings smaller than the wall, " + in_words(p_.blocks_per_course * p_.block_length) +
+                    " m x " + in_words(p_.courses * p_.block_height) + " m.");
 }
 
 bool Wall::in_an_opening(Place p) const {

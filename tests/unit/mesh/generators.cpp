@@ -33,7 +33,8 @@ double distance_to_reference(const BlockSource<2>& source, const std::string& na
   for (BlockId b = 0; b < source.block_count(); ++b) {
     const Block<2> block = source.block(b);
     if (block.position.size() != table[b].size()) return INFINITY;
-    for (std::size_t n = 0; n < table[b].size(); ++n) largest = std::max(largest, norm(block.position[n] - table[b][n]));
+    for (std::size_t n = 0; n < table[b].size(); ++n)
+      largest = std::max(largest, norm(block.position[n] - table[b][n]));
   }
   return largest;
 }
@@ -191,11 +192,13 @@ TEUCHOS_UNIT_TEST(Generators, RefuseParametersThatDescribeNothing) {
   TEST_ASSERT(holds(wall_error([](auto& p) { p.courses = p.blocks_per_course = 100000; }), "makes about 1e+10 blocks"));
   TEST_ASSERT(holds(wall_error([](auto& p) { p.openings["door"] = {1, 0, 0, 1}; }), "openings > door = 1 .. 0"));
   TEST_ASSERT(holds(wall_error([](auto& p) { p.openings["all"] = {-1, 9, -1, 9}; }), "leave no block"));
-  TEST_ASSERT(holds(arch_error([](auto& p) { p.thickness = 10; }), "thickness = 10 [m]\n  must be < 2 x radius = 10 m"));
+  TEST_ASSERT(
+      holds(arch_error([](auto& p) { p.thickness = 10; }), "thickness = 10 [m]\n  must be < 2 x radius = 10 m"));
   TEST_ASSERT(holds(arch_error([](auto& p) { p.embrace = 360; }), "embrace = 360 [degree]"));
   TEST_ASSERT(holds(arch_error([](auto& p) { p.voussoirs = 1; }), "makes cells of 90 degrees"));
   TEST_ASSERT(holds(arch_error([](auto& p) { p.pier_height = -1; }), "pier height = -1 [m]"));
-  TEST_ASSERT(holds(arch_error([](auto& p) { p.pier_height = 1, p.embrace = 120; }), "needs an embrace of 180 degrees"));
+  TEST_ASSERT(
+      holds(arch_error([](auto& p) { p.pier_height = 1, p.embrace = 120; }), "needs an embrace of 180 degrees"));
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ TEUCHOS_UNIT_TEST(Gmsh, StonesMeshedApartShareVerticesWhereTheirNodesCoincide) {
   const auto source = read(geo("meshed_apart.geo"));
   check_source(*source, out, success);
   TEST_ASSERT(source->graph().shared_vertices == (std::vector<int>{6, 6}));
-  TEST_EQUALITY(facet_midpoints(*source, "bed").size(), 10u);  // tagged on one of two coincident curves: both blocks have it
+  TEST_EQUALITY(facet_midpoints(*source, "bed").size(),
+                10u);  // tagged on one of two coincident curves: both blocks have it
 }
 
 TEUCHOS_UNIT_TEST(Gmsh, AMeshFileGivesTheSameBlocksAsItsGeometry) {
@@ -199,9 +200,10 @@ TEUCHOS_UNIT_TEST(Gmsh, DamagedMeshFilesAreRefused) {
 
 TEUCHOS_UNIT_TEST(Gmsh, FilesWithoutSurfaceOrOutOfThePlaneAreRefused) {
   TEST_ASSERT(holds(refusal(written("curves.geo", square)), "has no surface; every surface becomes a block"));
-  TEST_ASSERT(holds(refusal(written("deep.geo", "Point(1) = {0,0,2,1}; Point(2) = {1,0,2,1}; Point(3) = {1,1,2,1};\n"
-                                                "Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,1};\n"
-                                                "Curve Loop(1) = {1,2,3}; Plane Surface(1) = {1};\n")),
+  TEST_ASSERT(holds(refusal(written("deep.geo",
+                                    "Point(1) = {0,0,2,1}; Point(2) = {1,0,2,1}; Point(3) = {1,1,2,1};\n"
+                                    "Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,1};\n"
+                                    "Curve Loop(1) = {1,2,3}; Plane Surface(1) = {1};\n")),
                     "has nodes at z = 2 m"));
 }
 
@@ -226,7 +228,8 @@ TEUCHOS_UNIT_TEST(Gmsh, NumbersTheFileDoesNotOfferAreRefused) {
   TEST_ASSERT(holds(refusal(p), "(it has: element_size, recombine, width)"));
   p.geometry = {{"width", NAN}};
   TEST_ASSERT(holds(refusal(p), "must be a finite number"));
-  p = written("plain.geo", "// DefineConstant[ element_size = 1 ];\nelement_size = 1;\n" + square + "Plane Surface(1) = {1};");
+  p = written("plain.geo",
+              "// DefineConstant[ element_size = 1 ];\nelement_size = 1;\n" + square + "Plane Surface(1) = {1};");
   TEST_EQUALITY(refusal(p), "");
   p.element_size = 0.5;
   TEST_ASSERT(holds(refusal(p), "gmsh > element size = 0.5\n  cannot be set"));

@@ -73,7 +73,8 @@ TEUCHOS_UNIT_TEST(MeshCheck, LeavesOpenJointsAndWedgesAlone) {
   // A gap of a fifth of an edge, and a joint that opens by 15 degrees from a common corner.
   TEST_EQUALITY(fault(Sketch().stone(0, 0, 1, 0.5, 4, 2).stone(1.05, 0, 2, 0.5, 4, 2)), "");
   const auto leaning = [](const Vector<2>& x) {
-    return Vector<2>{1 + (x[0] - 1) * std::cos(0.26) + x[1] * std::sin(0.26), x[1] * std::cos(0.26) - (x[0] - 1) * std::sin(0.26)};
+    return Vector<2>{1 + (x[0] - 1) * std::cos(0.26) + x[1] * std::sin(0.26),
+                     x[1] * std::cos(0.26) - (x[0] - 1) * std::sin(0.26)};
   };
   Sketch hinge = two_stones();
   hinge.stone(0, 0.5, 1, 1, 4, 2);
@@ -133,7 +134,8 @@ TEUCHOS_UNIT_TEST(MeshCheck, ASliver) {
     s.mesh.lines = {{{0, 1}, 0}};
     return s;
   };
-  TEST_SAYS(fault(thin(0.005)), "cell 0 with a corner at (0, 0) m is a sliver\n  (the angle of that corner is 0.572939 degrees");
+  TEST_SAYS(fault(thin(0.005)),
+            "cell 0 with a corner at (0, 0) m is a sliver\n  (the angle of that corner is 0.572939 degrees");
   TEST_SAYS(fault(thin(0)), "is a sliver\n  (the angle of that corner is 0 degrees");
   TEST_EQUALITY(fault(thin(0.01)), "");  // 1.15 degrees
 }
@@ -155,13 +157,16 @@ TEUCHOS_UNIT_TEST(MeshCheck, ABlockInPieces) {
 }
 
 TEUCHOS_UNIT_TEST(MeshCheck, TheSameStoneTwice) {
-  TEST_SAYS(fault(Sketch().stone(0, 0, 1, 1, 2, 2).stone(0, 0, 1, 1, 2, 2)),
-            "mesh: surface 1 (stones), surface 2 (stones) lie on the same side of the edge from (0, 0) m to (0.5, 0) m");
+  TEST_SAYS(
+      fault(Sketch().stone(0, 0, 1, 1, 2, 2).stone(0, 0, 1, 1, 2, 2)),
+      "mesh: surface 1 (stones), surface 2 (stones) lie on the same side of the edge from (0, 0) m to (0.5, 0) m");
 }
 
 TEUCHOS_UNIT_TEST(MeshCheck, ThreeStonesAtOneEdge) {
   const std::string said = fault(two_stones().stone(1, 0, 2, 0.5, 4, 2));
-  TEST_SAYS(said, "mesh: the edge from (1, 0) m to (1, 0.25) m belongs to surface 1 (stones), surface 2 (stones) and surface 3");
+  TEST_SAYS(
+      said,
+      "mesh: the edge from (1, 0) m to (1, 0.25) m belongs to surface 1 (stones), surface 2 (stones) and surface 3");
   TEST_SAYS(said, "Remove doubled surfaces");
 }
 
@@ -217,7 +222,8 @@ TEUCHOS_UNIT_TEST(MeshCheck, BarsThatCrossWithoutANodeInsideEachOther) {
 
 TEUCHOS_UNIT_TEST(MeshCheck, AStoneThatNothingHolds) {
   const std::string said = fault(two_stones().stone(3, 1, 4, 2, 2, 2));
-  TEST_SAYS(said, "mesh: surface 3 (stones) has neither support nor joint\n  (nothing holds it, so there is no equilibrium)");
+  TEST_SAYS(said,
+            "mesh: surface 3 (stones) has neither support nor joint\n  (nothing holds it, so there is no equilibrium)");
   TEST_SAYS(said, "supported set (now: ground)");
 }
 
@@ -251,7 +257,8 @@ TEUCHOS_UNIT_TEST(MeshCheck, FaultsAreFoundInAnyDirection) {
   for (int turn = 0; turn < 12; ++turn) {
     const double angle = 0.1 + turn * 0.55;
     const auto turned = [angle](const Vector<2>& x) {
-      return Vector<2>{x[0] * std::cos(angle) - x[1] * std::sin(angle), x[0] * std::sin(angle) + x[1] * std::cos(angle)};
+      return Vector<2>{x[0] * std::cos(angle) - x[1] * std::sin(angle),
+                       x[0] * std::sin(angle) + x[1] * std::cos(angle)};
     };
     const auto pair = [&](double from, int ny) {
       Sketch s;
