@@ -4,6 +4,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -105,6 +106,33 @@ TEUCHOS_UNIT_TEST(Partition, EveryRankHasABlockWhenThereAreJustEnough) {
     const std::vector<int> rank_of_block = partition(work.source->graph(), work.weights, ranks);
     TEST_EQUALITY(int(std::set<int>(rank_of_block.begin(), rank_of_block.end()).size()), ranks);
   }
+}
+
+TEUCHOS_UNIT_TEST(Partition, OneBlockHeavierThanAllOthersStillLeavesABlockForEveryRank) {
+  // METIS k-way alone leaves ranks empty here: the heavy block is 50 of 156 shares, and six ranks want 26 each.
+  ArchParameters p;
+  p.voussoirs = 107;
+  const auto arch = make_arch(p);
+  std::vector<double> weights(107, 30.0);
+  weights[0] *= 50;
+  const std::vector<int> rank_of_block = partition(arch->graph(), weights, 6);
+  TEST_EQUALITY(int(std::set<int>(rank_of_block.begin(), rank_of_block.end()).size()), 6);
+}
+
+TEUCHOS_UNIT_TEST(Partition, CutsJointsWithFewSharedVertices) {
+  // A closed ring of 32 equal blocks: halves need two cuts, sixteen blocks apart. Joints have 50 vertices, two have 1.
+  BlockGraph ring;
+  ring.start.push_back(0);
+  const auto vertices = [](int joint) { return joint == 5 || joint == 21 ? 1 : 50; };  // joint k: blocks k and k + 1
+  for (int b = 0; b < 32; ++b) {
+    std::map<BlockId, int> shared{{(b + 31) % 32, vertices((b + 31) % 32)}, {(b + 1) % 32, vertices(b)}};
+    for (const auto& [other, count] : shared) {
+      ring.neighbour.push_back(other);
+      ring.shared_vertices.push_back(count);
+    }
+    ring.start.push_back(int(ring.neighbour.size()));
+  }
+  TEST_EQUALITY(shared_vertices_cut(ring, partition(ring, std::vector<double>(32, 1.0), 2)), 2);
 }
 
 TEUCHOS_UNIT_TEST(Partition, MoreRanksThanBlocksLeavesTheLastEmpty) {
