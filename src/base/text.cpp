@@ -91,7 +91,17 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return best.empty() ? "" : " (did you mean " + in_quotes(best) + "?)";
 }
 
-std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
+std::string shortened(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;  // whole letters of UTF-8
+  return text.substr(0, end) + "...";
+}
+
+std::string in_quotes(const std::string& text) {
+  constexpr std::size_t longest = 400;  // bytes; a longer value would hide its message
+  return '"' + shortened(text, longest) + '"';
+}
 
 std::string list_of(const std::vector<std::string>& words, std::size_t most) {
   if (words.empty()) return "none";

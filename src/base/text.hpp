@@ -21,6 +21,9 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 /// ` (did you mean "density"?)`, or "" when no candidate resembles the word.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
+/// At most `longest` bytes of a text, whole letters, with dots where it is cut.
+std::string shortened(const std::string&, std::size_t longest);
+/// The text between quotation marks, shortened when it is very long.
 std::string in_quotes(const std::string&);
 /// `a, b, c`, cut after `most` words; "none" when there are none.
 std::string list_of(const std::vector<std::string>& words, std::size_t most = 20);

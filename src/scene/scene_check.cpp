@@ -58,7 +58,7 @@ void check_stages(Scene& scene, InputProblems& problems) {
       scene.warnings.push_back("stage " + in_quotes(stage.name) + " names no load, so nothing changes in it.");
     for (const auto& [load, factor] : stage.factors) {
       used.insert(load);
-      if (std::find(loads.begin(), loads.end(), load) != loads.end()) continue;
+      if (loads.empty() || std::find(loads.begin(), loads.end(), load) != loads.end()) continue;
       problems.add("scene > steps > stages > " + stage.name + " > loads > " + load,
                    " = " + number_text(factor) + " [-]\n  names no load of this scene" + did_you_mean(load, loads) +
                        ".\n  Loads: " + list_of(loads) + ".");
@@ -73,7 +73,7 @@ void check_supports(Scene& scene, InputProblems& problems) {
   for (const LoadParameters& load : scene.loads) {
     const std::string path = "scene > loads > " + load.name + " > support", &name = load.settlement.support;
     if (load.type != LoadType::settlement || name.empty() || problems.concern(path)) continue;
-    if (std::find(supports.begin(), supports.end(), name) == supports.end())
+    if (!supports.empty() && std::find(supports.begin(), supports.end(), name) == supports.end())
       problems.add(path, " = " + in_quotes(name) + "\n  is no support of this scene" + did_you_mean(name, supports) +
                              ".\n  Supports: " + list_of(supports) + ".");
   }

@@ -17,6 +17,7 @@ using Teuchos::XMLObject;
 
 constexpr std::size_t largest_text = 16u << 20;  // bytes; a scene written by hand has some thousands
 constexpr int deepest_nesting = 32;              // lists within lists; a scene needs 5, MueLu's factories some more
+constexpr std::size_t longest_name = 200;        // bytes; a path of such names still fits into a message
 
 /// What must not reach the parser: it recurses when a deep tree is destroyed.
 /// @return why the text is refused and what to do, or ""
@@ -80,10 +81,12 @@ class TreeReader {
         continue;
       }
       const std::string name = child.hasAttribute("name") ? child.getAttribute("name") : "";
-      if (name.empty() || !is_plain_text(name)) {
-        problems_.add(path, " holds a " + child.getTag() +
-                                (name.empty() ? " without a name" : " whose name is not UTF-8 text of one line") +
-                                ".\n  Give it a name: <" + child.getTag() + " name=\"...\">");
+      if (name.empty() || name.size() > longest_name || !is_plain_text(name)) {
+        problems_.add(path,
+                      " holds a " + child.getTag() +
+                          (name.empty() ? " without a name"
+                                        : " whose name is not UTF-8 text of one line or longer than 200 letters") +
+                          ".\n  Give it a name: <" + child.getTag() + " name=\"...\">");
         continue;
       }
       const std::string here = path + " > " + name;
@@ -103,8 +106,7 @@ class TreeReader {
  private:
   /// Text fit for a message: short, and in UTF-8.
   static std::string shown(const std::string& text) {
-    if (!is_plain_text(text)) return "(not UTF-8)";
-    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+    return is_plain_text(text) ? shortened(text, 60) : "(not UTF-8)";
   }
 
   void read_parameter(const XMLObject& xml, ParameterList& list, const std::string& name, const std::string& path) {

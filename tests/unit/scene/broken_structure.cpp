@@ -173,7 +173,7 @@ std::string wall_without(const std::string& list, const std::string& indent) {
 }
 
 TEUCHOS_UNIT_TEST(BrokenScenes, ASectionWithoutMembersIsRefused) {
-  for (const std::string list : {"materials", "joints", "supports", "stages"}) {
+  for (const std::string list : {"materials", "joints", "supports", "loads", "stages"}) {
     const bool stages = list == "stages";
     const std::string message = said(wall_without(list, stages ? "    " : "  "), "wall");
     TEST_EQUALITY_CONST(problems_in(message, "wall"), 1);
