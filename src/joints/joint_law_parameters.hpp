@@ -11,7 +11,7 @@ struct JointLawParameters {
   std::string between = "all";        ///< a set of blocks
   std::string and_ = "all";           ///< the other set; key "and". Later families override earlier ones
   double friction_coefficient = 0.6;  ///< [-]; "infinite" is written as inf
-  double cohesion = 0.0;              ///< [Pa] shear strength at zero compression, lost once the point has opened or slipped; may be inf
+  double cohesion = 0.0;              ///< [Pa] shear strength at zero compression, lost once opened or slipped; may be inf
   double tension_strength = 0.0;      ///< [Pa] lost likewise; may be inf
   void declare(ParameterSection&);
 };

@@ -9,7 +9,7 @@ namespace voussoir {
 class ParameterSection;
 
 struct SolverParameters {
-  std::string method = "CG";         ///< a name Belos::SolverFactory knows; must suit symmetric positive definite systems
+  std::string method = "CG";         ///< of Belos; must suit symmetric positive definite systems
   double tolerance = 1e-10;          ///< [-] of a linear solve, relative to its right-hand side
   int largest_iterations = 2000;
   Teuchos::ParameterList belos;      ///< sublist "Belos": overrides what Voussoir sets

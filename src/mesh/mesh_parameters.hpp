@@ -13,7 +13,7 @@ class ParameterSection;
 enum class CellType { triangle, quadrilateral };
 
 struct GmshParameters {
-  std::string file;              ///< .geo or .msh (format 4.1); a relative path is sought beside the scene, then in its parent folder
+  std::string file;              ///< .geo or .msh (format 4.1); a scene that was read holds an absolute path
   double element_size = 0.0;     ///< [m] passed to the .geo as the number `element_size`; 0 = the file's own
   CellType cells = CellType::triangle;  ///< quadrilateral: passed to the .geo as `recombine` = 1
   std::map<std::string, double> geometry;  ///< further numbers set in the .geo, by name
