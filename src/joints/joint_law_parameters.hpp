@@ -10,8 +10,8 @@ class ParameterSection;
 struct JointLawParameters {
   std::string between = "all";        ///< a set of blocks
   std::string and_ = "all";           ///< the other set; key "and". Later families override earlier ones
-  double friction_coefficient = 0.6;  ///< [-]; "infinite" is written as inf
-  double cohesion = 0.0;              ///< [Pa] shear strength at zero compression, lost once opened or slipped; may be inf
+  double friction_coefficient = 0.6;  ///< [-] may be inf
+  double cohesion = 0.0;              ///< [Pa] shear strength without compression, lost once opened or slipped; inf too
   double tension_strength = 0.0;      ///< [Pa] lost likewise; may be inf
   void declare(ParameterSection&);
 };

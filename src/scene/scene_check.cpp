@@ -68,6 +68,37 @@ void check_stages(Scene& scene, InputProblems& problems) {
     if (!used.count(load)) scene.warnings.push_back("load " + in_quotes(load) + " never acts: no stage names it.");
 }
 
+bool is_zero(const LoadParameters& load) {
+  const TractionParameters& t = load.traction;
+  const SettlementParameters& s = load.settlement;
+  switch (load.type) {
+    case LoadType::self_weight:
+      return load.self_weight.gravity == 0;
+    case LoadType::acceleration:
+      return load.acceleration.ax == 0 && load.acceleration.ay == 0;
+    case LoadType::traction:
+      return t.tx == 0 && t.ty == 0 && t.pressure == 0;
+    case LoadType::settlement:
+      break;
+  }
+  return s.ux == 0 && s.uy == 0 && s.rotation == 0;
+}
+
+void check_loads(Scene& scene) {
+  for (const LoadParameters& load : scene.loads) {
+    if (is_zero(load)) scene.warnings.push_back("load " + in_quotes(load.name) + " is zero.");
+    if (load.type != LoadType::settlement) continue;
+    for (const auto& support : scene.supports) {
+      const std::string& held = support.parameters.components;
+      if (support.name != load.settlement.support) continue;
+      if (load.settlement.ux != 0 && held == "y")
+        scene.warnings.push_back("load " + in_quotes(load.name) + " has an ux that its support does not hold.");
+      if (load.settlement.uy != 0 && held == "x")
+        scene.warnings.push_back("load " + in_quotes(load.name) + " has an uy that its support does not hold.");
+    }
+  }
+}
+
 void check_supports(Scene& scene, InputProblems& problems) {
   const std::vector<std::string> supports = names_of(scene.supports);
   for (const LoadParameters& load : scene.loads) {
@@ -109,6 +140,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   find_mesh_file(scene, problems);
   check_stages(scene, problems);
   check_supports(scene, problems);
+  check_loads(scene);
 }
 
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,

@@ -98,6 +98,15 @@ TEUCHOS_UNIT_TEST(SceneReader, WhatIsNotUsedIsAWarning) {
   TEST_ASSERT(holds(scene.warnings.at(1), "load \"sideways\" never acts"));
 }
 
+TEUCHOS_UNIT_TEST(SceneReader, ALoadThatDoesNothingIsAWarning) {
+  const Scene zero = read_scene(path_of("arch"), {"loads/spreading/ux=0"});
+  TEST_EQUALITY_CONST(zero.warnings.size(), 1u);
+  TEST_ASSERT(holds(zero.warnings.at(0), "load \"spreading\" is zero"));
+  const Scene free = read_scene(path_of("arch"), {"supports/right/components=y"});
+  TEST_EQUALITY_CONST(free.warnings.size(), 1u);
+  TEST_ASSERT(holds(free.warnings.at(0), "has an ux that its support does not hold"));
+}
+
 TEUCHOS_UNIT_TEST(SceneReader, NamesOfSetsAreCheckedAgainstTheMesh) {
   Scene scene = read_scene(path_of("reference"));
   const std::vector<std::string> blocks{"ring west"};
