@@ -2,8 +2,10 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
-#include <map>
+#include <set>
+#include <utility>
 
+#include "base/check.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
 
@@ -13,7 +15,7 @@ template <int dim>
 BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim>& points,
                                 const std::vector<char>& selected, const MergedSpace<dim>& space,
                                 const std::vector<int>& active)
-    : structure_(s), points_(points), selected_(selected), space_(space), first_column_(active.size(), -1) {
+    : structure_(s), points_(points), space_(space), first_column_(active.size(), -1) {
   for (std::size_t b = 0; b < active.size(); ++b)
     if (active[b]) {
       first_column_[b] = size_;
@@ -21,21 +23,29 @@ BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim
     }
   copies_.resize(space.clusters());
   for (int k : s.copy()) copies_[space.cluster()[k]].push_back(k);
-  row_start_.push_back(0);
+  z_start_.push_back(0);
+  std::vector<Row> couplings;
   for (int k = 0; k < space.owned_clusters(); ++k)
     for (int c = 0; c < dim; ++c) {
-      const auto entries = entries_at(space.representative()[k], c);
-      row_.insert(row_.end(), entries.begin(), entries.end());
-      row_start_.push_back(row_.size());
+      const auto row = row_of(space.representative()[k], c);
+      z_.insert(z_.end(), row.begin(), row.end());
+      z_start_.push_back(z_.size());
     }
-  assemble_elastic();
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    if (!selected[k] || space.cluster()[p.node_i] == space.cluster()[p.node_j]) continue;
+    jump_point_.push_back(k);
+    for (int a = 0; a < dim; ++a) jump_.push_back(jump_row(p, a));
+  }
+  set_pattern(jump_);
+  add_elastic_energy();
 }
 
 template <int dim>
-std::vector<typename BlockMotions<dim>::Entry> BlockMotions<dim>::entries_at(int node, int component) const {
-  std::vector<Entry> entries;
+typename BlockMotions<dim>::Row BlockMotions<dim>::row_of(int node, int component) const {
+  Row row;
   const int cluster = space_.cluster()[node];
-  if (space_.held()[dim * cluster + component]) return entries;
+  if (space_.held()[dim * cluster + component]) return row;
   const double share = 1.0 / static_cast<double>(copies_[cluster].size());
   for (int copy : copies_[cluster]) {
     const auto& block = structure_.blocks()[structure_.block_of_node()[copy]];
@@ -45,130 +55,151 @@ std::vector<typename BlockMotions<dim>::Entry> BlockMotions<dim>::entries_at(int
     const auto& origin = block.mesh.position.front();
     const double length = norm(block.mesh.position.back() - origin);
     const auto x = (1 / length) * (structure_.position()[copy] - origin);
-    entries.push_back({first + component, share});
-    for (int d = 0; d < dim; ++d) entries.push_back({first + dim * (1 + d) + component, share * x[d]});
+    row.push_back({first + component, share});
+    for (int d = 0; d < dim; ++d) row.push_back({first + dim * (1 + d) + component, share * x[d]});
   }
-  return entries;
+  return row;
 }
 
+/// The gap of a point in one direction, as a combination of coarse unknowns.
 template <int dim>
-void BlockMotions<dim>::add_product(const std::vector<Entry>& a, const std::vector<Entry>& b, double factor,
-                                    std::vector<Triplet>& out) const {
-  for (const auto& i : a)
-    for (const auto& j : b) out.push_back({i.column, j.column, factor * i.value * j.value});
-}
-
-namespace {
-
-template <class Triplet>
-void compress(std::vector<Triplet>& t) {
-  std::sort(t.begin(), t.end(),
-            [](const Triplet& a, const Triplet& b) { return std::tie(a.row, a.column) < std::tie(b.row, b.column); });
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < t.size(); ++k) {
-    if (t[k].row == t[last].row && t[k].column == t[last].column)
-      t[last].value += t[k].value;
-    else
-      t[++last] = t[k];
+typename BlockMotions<dim>::Row BlockMotions<dim>::jump_row(const ContactPoint<dim>& p, int axis) const {
+  Row jump;
+  for (int c = 0; c < dim; ++c) {
+    for (const auto& e : row_of(p.node_j, c)) jump.push_back({e.column, e.value * p.axis[axis][c]});
+    for (const auto& e : row_of(p.node_i, c)) jump.push_back({e.column, -e.value * p.axis[axis][c]});
   }
-  if (!t.empty()) t.resize(last + 1);
+  return jump;
 }
 
-}  // namespace
-
+/// Pairs of blocks that meet at a node of an owned block, at an unknown or across a point; all ranks get all of them.
 template <int dim>
-void BlockMotions<dim>::assemble_elastic() {
+void BlockMotions<dim>::set_pattern(const std::vector<Row>& jumps) {
+  std::set<std::pair<int, int>> mine;
+  const auto couple = [&mine](std::set<int>& blocks) {
+    for (int i : blocks)
+      for (int j : blocks) mine.emplace(i, j);
+    blocks.clear();
+  };
+  std::set<int> around;
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
     const auto& block = structure_.blocks()[b];
-    const int rows = block.stiffness.rows();
-    std::vector<std::vector<Entry>> z(rows);
-    for (int i = 0; i < rows; ++i) z[i] = entries_at(block.first_local + i / dim, i % dim);
-    // First K Z by columns of the few blocks around, then Z^T (K Z).
-    std::map<int, int> column;
-    for (const auto& row : z)
-      for (const auto& e : row) column.emplace(e.column, 0);
-    std::vector<int> names;
-    for (auto& [name, index] : column) {
-      index = static_cast<int>(names.size());
-      names.push_back(name);
-    }
-    const std::size_t n = names.size();
-    if (n == 0) continue;
-    std::vector<double> kz(rows * n, 0.0), product(n * n, 0.0);
-    for (int i = 0; i < rows; ++i)
-      for (std::size_t k = block.stiffness.start[i]; k < block.stiffness.start[i + 1]; ++k)
-        for (const auto& e : z[block.stiffness.column[k]])
-          kz[i * n + column[e.column]] += block.stiffness.value[k] * e.value;
-    for (int i = 0; i < rows; ++i)
-      for (const auto& e : z[i]) {
-        const std::size_t row = column[e.column] * n;
-        for (std::size_t j = 0; j < n; ++j) product[row + j] += e.value * kz[i * n + j];
-      }
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) elastic_.push_back({names[i], names[j], product[i * n + j]});
+    for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
+      for (const auto& e : row_of(block.first_local + static_cast<int>(i), 0)) around.insert(e.column / modes);
+    for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
+      for (const auto& e : row_of(block.first_local + static_cast<int>(i), 1)) around.insert(e.column / modes);
+    couple(around);
   }
-  compress(elastic_);
+  for (const auto& row : jumps) {
+    for (const auto& e : row) around.insert(e.column / modes);
+    couple(around);
+  }
+  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i) {
+    for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) around.insert(z_[k].column / modes);
+    couple(around);
+  }
+  for (int b = 0; b < size_ / modes; ++b) mine.emplace(b, b);
+  std::vector<std::array<int, 2>> pairs;
+  for (const auto& [i, j] : mine) pairs.push_back({i, j});
+  pairs = all_gather(pairs, *structure_.comm());
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    auto last = first;
+    while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
+    for (int m = 0; m < modes; ++m) {
+      for (auto pair = first; pair != last; ++pair)
+        for (int n = 0; n < modes; ++n) matrix_.column.push_back((*pair)[1] * modes + n);
+      matrix_.start.push_back(matrix_.column.size());
+    }
+    first = last;
+  }
+  VOUSSOIR_ENSURE(matrix_.rows() == size_);
+  matrix_.value.assign(matrix_.column.size(), 0.0);
+}
+
+/// values += factor row^T row, in the pattern of the matrix.
+template <int dim>
+void BlockMotions<dim>::add_product(const Row& row, double factor, std::vector<double>& values) const {
+  for (const auto& i : row)
+    for (const auto& j : row) {
+      const auto first = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column]);
+      const auto last = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column + 1]);
+      values[std::lower_bound(first, last, j.column) - matrix_.column.begin()] += factor * i.value * j.value;
+    }
 }
 
 template <int dim>
-LocalCsr BlockMotions<dim>::gathered(const std::vector<Triplet>& mine) const {
-  auto all = all_gather(mine, *structure_.comm());
-  compress(all);
-  LocalCsr a;
-  int row = 0;
-  for (const auto& t : all) {
-    while (row < t.row) {
-      a.start.push_back(a.column.size());
-      ++row;
+void BlockMotions<dim>::add_elastic_energy() {
+  elastic_.assign(matrix_.value.size(), 0.0);
+  std::vector<int> local(size_, -1);  // place of a coarse unknown among those of one block's surroundings
+  for (int b = 0; b < structure_.owned_blocks(); ++b) {
+    const auto& block = structure_.blocks()[b];
+    const auto& k = block.stiffness;
+    std::vector<Row> z(k.rows());
+    std::vector<int> columns;
+    for (int i = 0; i < k.rows(); ++i) {
+      z[i] = row_of(block.first_local + i / dim, i % dim);
+      for (auto& e : z[i]) {
+        if (local[e.column] < 0) {
+          local[e.column] = static_cast<int>(columns.size());
+          columns.push_back(e.column);
+        }
+        e.column = local[e.column];
+      }
     }
-    a.column.push_back(t.column);
-    a.value.push_back(t.value);
+    // First K Z, then Z^T (K Z).
+    const std::size_t n = columns.size();
+    std::vector<double> kz(k.rows() * n, 0.0), product(n * n, 0.0);
+    for (int i = 0; i < k.rows(); ++i)
+      for (std::size_t e = k.start[i]; e < k.start[i + 1]; ++e)
+        for (const auto& entry : z[k.column[e]]) kz[i * n + entry.column] += k.value[e] * entry.value;
+    for (int i = 0; i < k.rows(); ++i)
+      for (const auto& e : z[i])
+        for (std::size_t j = 0; j < n; ++j) product[e.column * n + j] += e.value * kz[i * n + j];
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto first = matrix_.column.begin() + static_cast<long>(matrix_.start[columns[i]]);
+      const auto last = matrix_.column.begin() + static_cast<long>(matrix_.start[columns[i] + 1]);
+      for (std::size_t j = 0; j < n; ++j)
+        elastic_[std::lower_bound(first, last, columns[j]) - matrix_.column.begin()] += product[i * n + j];
+    }
+    for (int column : columns) local[column] = -1;
   }
-  while (a.rows() < size_) a.start.push_back(a.column.size());
-  return a;
 }
 
 template <int dim>
 void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
-  auto triplets = elastic_;
-  for (int k = 0; k < points_.owned(); ++k) {
-    if (!selected_[k]) continue;
-    const auto& p = points_.points()[k];
-    if (space_.cluster()[p.node_i] == space_.cluster()[p.node_j]) continue;
+  auto mine = elastic_;
+  for (std::size_t k = 0; k < jump_point_.size(); ++k)
     for (int a = 0; a < dim; ++a) {
-      const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].tangential;
-      std::vector<Entry> jump;
-      for (int c = 0; c < dim; ++c) {
-        for (const auto& e : entries_at(p.node_j, c)) jump.push_back({e.column, e.value * p.axis[a][c]});
-        for (const auto& e : entries_at(p.node_i, c)) jump.push_back({e.column, -e.value * p.axis[a][c]});
-      }
-      add_product(jump, jump, sigma, triplets);  // also where sigma is 0: the pattern must not change
+      const auto& point = stiffness[jump_point_[k]];
+      const double sigma = a == 0 ? point.normal : point.tangential;
+      if (sigma > 0) add_product(jump_[k * dim + a], sigma, mine);
     }
-  }
-  for (std::size_t i = 0; i + 1 < row_start_.size(); ++i) {
-    const std::vector<Entry> z(row_.begin() + static_cast<long>(row_start_[i]),
-                               row_.begin() + static_cast<long>(row_start_[i + 1]));
-    add_product(z, z, proximal.empty() ? 0.0 : proximal[i], triplets);
-  }
-  compress(triplets);
-  const auto a = gathered(triplets);
+  if (!proximal.empty())
+    for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
+      add_product(Row(z_.begin() + static_cast<long>(z_start_[i]), z_.begin() + static_cast<long>(z_start_[i + 1])),
+                  proximal[i], mine);
+  Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
+                     matrix_.value.data());
   if (factor_)
-    factor_->refactor(a);
+    factor_->refactor(matrix_);
   else
-    factor_ = std::make_unique<SparseCholesky>(a);
+    factor_ = std::make_unique<SparseCholesky>(matrix_);
 }
 
 template <int dim>
 void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
   std::vector<double> mine(size_, 0.0), coarse(size_, 0.0);
   const double* fine = local_view(r);
-  for (std::size_t i = 0; i + 1 < row_start_.size(); ++i)
-    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) mine[row_[k].column] += row_[k].value * fine[i];
+  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
+    for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) mine[z_[k].column] += z_[k].value * fine[i];
   Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, size_, mine.data(), coarse.data());
   factor_->solve(coarse.data(), coarse.data());
   double* value = local_view_to_write(z);
-  for (std::size_t i = 0; i + 1 < row_start_.size(); ++i)
-    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) value[i] += row_[k].value * coarse[row_[k].column];
+  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
+    for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) value[i] += z_[k].value * coarse[z_[k].column];
 }
 
 template class BlockMotions<2>;

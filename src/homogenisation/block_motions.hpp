@@ -27,30 +27,30 @@ class BlockMotions {
 
  private:
   static constexpr int modes = dim * (dim + 1);
-  /// One column's value at an unknown.
+  /// One column's value of Z in some combination of unknowns.
   struct Entry {
     int column;
     double value;
   };
-  struct Triplet {
-    int row, column;
-    double value;
-  };
-  std::vector<Entry> entries_at(int node, int component) const;
-  void add_product(const std::vector<Entry>& a, const std::vector<Entry>& b, double factor,
-                   std::vector<Triplet>&) const;
-  void assemble_elastic();
-  LocalCsr gathered(const std::vector<Triplet>&) const;
+  using Row = std::vector<Entry>;
+
+  Row row_of(int node, int component) const;
+  Row jump_row(const ContactPoint<dim>&, int axis) const;
+  void set_pattern(const std::vector<Row>& couplings);
+  void add_product(const Row&, double factor, std::vector<double>& values) const;
+  void add_elastic_energy();
 
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
-  const std::vector<char>& selected_;
   const MergedSpace<dim>& space_;
-  std::vector<int> first_column_;                ///< per block of the structure, -1 when not active
-  std::vector<std::vector<int>> copies_;         ///< node copies of each owned-vertex cluster
-  std::vector<std::size_t> row_start_;
-  std::vector<Entry> row_;                       ///< Z at owned unknowns, compressed rows
-  std::vector<Triplet> elastic_;                 ///< this rank's part of Z^T K Z
+  std::vector<int> first_column_;         ///< per block of the structure, -1 when not active
+  std::vector<std::vector<int>> copies_;  ///< node copies of each cluster at an owned vertex
+  std::vector<std::size_t> z_start_;
+  Row z_;                                 ///< Z at owned unknowns, compressed rows
+  std::vector<int> jump_point_;           ///< owned selected points that couple clusters
+  std::vector<Row> jump_;                 ///< dim rows for each of them
+  LocalCsr matrix_;                       ///< dense blocks of modes x modes, the same pattern on every rank
+  std::vector<double> elastic_;           ///< this rank's part of Z^T K Z, in the pattern of the matrix
   int size_ = 0;
   std::unique_ptr<SparseCholesky> factor_;
 };

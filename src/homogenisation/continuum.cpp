@@ -1,10 +1,15 @@
 #include "homogenisation/continuum.hpp"
 
 #include "homogenisation/system_matrix.hpp"
+#include "linalg/amg_preconditioner.hpp"
+#include "linalg/direct_preconditioner.hpp"
 #include "linalg/local_view.hpp"
 
 namespace voussoir {
 namespace {
+
+// MueLu stops coarsening at 1000 unknowns; with one level left it would be a direct solver on all ranks.
+constexpr int smallest_multigrid = 2000;
 
 /// Rigid motions at owned clusters, 3 columns in 2D; 0 where held. Lengths are scaled so that columns are alike.
 Teuchos::RCP<TpetraMultiVector> rigid_motions(const Structure<2>& s, const MergedSpace<2>& space) {
@@ -28,6 +33,10 @@ Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& poi
   space_ = std::make_unique<MergedSpace<dim>>(s, points, nothing, held);
   matrix_ = SystemMatrix<dim>(s, points, nothing, *space_).matrix();
 
+  if (space_->map()->getGlobalNumElements() < smallest_multigrid) {
+    preconditioner_ = std::make_shared<DirectPreconditioner>(*matrix_);
+    return;
+  }
   std::vector<GlobalOrdinal> nodes;
   const auto dofs = space_->map()->getNodeElementList();
   for (int k = 0; k < space_->owned_clusters(); ++k) nodes.push_back(dofs[dim * k] / dim);
@@ -39,7 +48,7 @@ Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& poi
     for (int k = 0; k < space_->owned_clusters(); ++k)
       for (int c = 0; c < dim; ++c) view(k, c) = s.position()[space_->representative()[k]][c];
   }
-  amg_ = std::make_shared<AmgPreconditioner>(matrix_, coordinates, rigid_motions(s, *space_), dim, muelu);
+  preconditioner_ = std::make_shared<AmgPreconditioner>(matrix_, coordinates, rigid_motions(s, *space_), dim, muelu);
 }
 
 template <int dim>

@@ -1,12 +1,14 @@
-// The bonded continuum: the structure with every joint tied, preconditioned once by MueLu.
+// The bonded continuum: the structure with every joint tied, preconditioned once by MueLu
+// (factored where it is too small for more than one level).
 //
 // For joints that are infinitely stiff while closed, the homogenised structure is the structure without joints.
 #pragma once
 
+#include <Teuchos_ParameterList.hpp>
 #include <memory>
 
 #include "homogenisation/merged_space.hpp"
-#include "linalg/amg_preconditioner.hpp"
+#include "linalg/preconditioner.hpp"
 
 namespace voussoir {
 
@@ -18,12 +20,12 @@ class Continuum {
 
   const MergedSpace<dim>& space() const { return *space_; }
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
-  const std::shared_ptr<const AmgPreconditioner>& preconditioner() const { return amg_; }
+  const std::shared_ptr<const Preconditioner>& preconditioner() const { return preconditioner_; }
 
  private:
   std::unique_ptr<MergedSpace<dim>> space_;
   Teuchos::RCP<TpetraMatrix> matrix_;
-  std::shared_ptr<const AmgPreconditioner> amg_;
+  std::shared_ptr<const Preconditioner> preconditioner_;
 };
 
 /// The continuum seen from a selection: every unknown follows the continuum's at its place.

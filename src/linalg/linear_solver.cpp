@@ -69,8 +69,12 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
     data_->manager->setParameters(list);
   }
   data_->manager->setProblem(problem);
-  const bool converged = data_->manager->solve() == Belos::Converged;
-  return {data_->manager->getNumIters(), converged};
+  try {
+    const bool converged = data_->manager->solve() == Belos::Converged;
+    return {data_->manager->getNumIters(), converged};
+  } catch (const std::exception&) {  // curvature lost to round-off; x holds what was reached
+    return {data_->manager->getNumIters(), false};
+  }
 }
 
 }  // namespace voussoir

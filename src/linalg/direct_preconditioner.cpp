@@ -1,0 +1,50 @@
+#include "linalg/direct_preconditioner.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "linalg/gather.hpp"
+#include "linalg/local_view.hpp"
+
+namespace voussoir {
+namespace {
+
+struct Entry {
+  long long row, column;
+  double value;
+};
+
+}  // namespace
+
+DirectPreconditioner::DirectPreconditioner(const TpetraMatrix& a) : map_(a.getRowMap()) {
+  std::vector<Entry> entries;
+  const auto local = a.getLocalMatrixHost();
+  for (int i = 0; i < static_cast<int>(local.numRows()); ++i) {
+    const auto row = local.row(i);
+    for (int k = 0; k < row.length; ++k)
+      entries.push_back({map_->getGlobalElement(i), a.getColMap()->getGlobalElement(row.colidx(k)), row.value(k)});
+  }
+  entries = all_gather(entries, *map_->getComm());
+  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+    return std::tie(x.row, x.column) < std::tie(y.row, y.column);
+  });
+  LocalCsr whole;
+  for (const auto& e : entries) {
+    while (whole.rows() < e.row) whole.start.push_back(whole.column.size());
+    whole.column.push_back(static_cast<int>(e.column));
+    whole.value.push_back(e.value);
+  }
+  while (whole.rows() < static_cast<int>(map_->getGlobalNumElements())) whole.start.push_back(whole.column.size());
+  factor_ = std::make_unique<SparseCholesky>(whole);
+}
+
+void DirectPreconditioner::apply(const TpetraVector& r, TpetraVector& z) const {
+  const int owned = static_cast<int>(map_->getNodeNumElements());
+  const double* value = local_view(r);
+  auto whole = all_gather(std::vector<double>(value, value + owned), *map_->getComm());
+  factor_->solve(whole.data(), whole.data());
+  const long long first = owned > 0 ? map_->getGlobalElement(0) : 0;
+  std::copy_n(whole.begin() + first, owned, local_view_to_write(z));
+}
+
+}  // namespace voussoir
