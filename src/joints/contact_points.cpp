@@ -3,24 +3,32 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "joints/joint_finder.hpp"
 
 namespace voussoir {
 namespace {
 
-/// Borders of blocks, made when first asked for.
+/// Blocks with their borders, made when first asked for.
 class Borders {
  public:
+  struct Entry {
+    Block<2> block;
+    std::vector<BorderEdge> edges;
+  };
   explicit Borders(const BlockSource<2>& source) : source_(source) {}
-  const std::vector<BorderEdge>& of(BlockId b) {
+  const Entry& of(BlockId b) {
     const auto it = known_.find(b);
-    return it != known_.end() ? it->second : known_.emplace(b, border_edges(source_.block(b))).first->second;
+    if (it != known_.end()) return it->second;
+    auto block = source_.block(b);
+    auto edges = border_edges({block});
+    return known_.emplace(b, Entry{std::move(block), std::move(edges)}).first->second;
   }
 
  private:
   const BlockSource<2>& source_;
-  std::map<BlockId, std::vector<BorderEdge>> known_;
+  std::map<BlockId, Entry> known_;
 };
 
 }  // namespace
@@ -41,7 +49,9 @@ ContactPoints<dim>::ContactPoints(const BlockSource<dim>& source, const Structur
     for (int k = graph.start[i]; k < graph.start[i + 1]; ++k) {
       const BlockId j = graph.neighbour[k];
       if (j < i) continue;
-      const auto found = points_of_joint(borders.of(i), borders.of(j));
+      const auto& one = borders.of(i);
+      const auto& two = borders.of(j);
+      const auto found = points_of_joint(one.block, one.edges, two.block, two.edges);
       const int other = structure.local_block(j);
       if (found.empty()) continue;
       joints += local < structure.owned_blocks();

@@ -1,38 +1,8 @@
 #include "joints/joint_finder.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace voussoir {
-
-std::vector<BorderEdge> border_edges(const Block<2>& block) {
-  struct Edge {
-    BorderEdge border;
-    bool operator<(const Edge& other) const {
-      return std::make_pair(border.low, border.high) < std::make_pair(other.border.low, other.border.high);
-    }
-  };
-  std::vector<Edge> edges;
-  for (const auto& cell : block.cells)
-    for (int k = 0; k < cell.count; ++k) {
-      const int a = cell.node[k], b = cell.node[(k + 1) % cell.count];
-      const auto along = block.position[b] - block.position[a];
-      Edge e;
-      e.border = {block.vertex[a], block.vertex[b], a, b, {along[1], -along[0]}};  // cells turn counter-clockwise
-      if (e.border.low > e.border.high) {
-        std::swap(e.border.low, e.border.high);
-        std::swap(e.border.node_low, e.border.node_high);
-      }
-      edges.push_back(e);
-    }
-  std::sort(edges.begin(), edges.end());
-  std::vector<BorderEdge> border;
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const bool twice = (k > 0 && !(edges[k - 1] < edges[k])) || (k + 1 < edges.size() && !(edges[k] < edges[k + 1]));
-    if (!twice) border.push_back(edges[k].border);
-  }
-  return border;
-}
 
 namespace {
 
@@ -51,19 +21,23 @@ void add_half_edge(std::vector<PointOfTwoBlocks>& points, VertexId vertex, int n
 
 }  // namespace
 
-std::vector<PointOfTwoBlocks> points_of_joint(const std::vector<BorderEdge>& i, const std::vector<BorderEdge>& j) {
+std::vector<PointOfTwoBlocks> points_of_joint(const Block<2>& i, const std::vector<BorderEdge>& border_i,
+                                              const Block<2>& j, const std::vector<BorderEdge>& border_j) {
   std::vector<PointOfTwoBlocks> points;
-  auto b = j.begin();
-  for (const auto& a : i) {
-    const auto key = std::make_pair(a.low, a.high);
-    while (b != j.end() && std::make_pair(b->low, b->high) < key) ++b;
-    if (b == j.end()) break;
-    if (std::make_pair(b->low, b->high) != key) continue;
-    add_half_edge(points, a.low, a.node_low, b->node_low, a.normal);
-    add_half_edge(points, a.high, a.node_high, b->node_high, a.normal);
+  auto b = border_j.begin();
+  for (const auto& a : border_i) {
+    while (b != border_j.end() && b->vertices < a.vertices) ++b;
+    if (b == border_j.end()) break;
+    if (b->vertices != a.vertices) continue;
+    const auto along = i.position[a.node[1]] - i.position[a.node[0]];
+    const Vector<2> normal{along[1], -along[0]};  // the block lies to the left of its border
+    for (int node_i : a.node) {
+      const int node_j = j.vertex[b->node[0]] == i.vertex[node_i] ? b->node[0] : b->node[1];
+      add_half_edge(points, i.vertex[node_i], node_i, node_j, normal);
+    }
   }
   for (auto& p : points) p.normal = (1 / norm(p.normal)) * p.normal;
-  std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& c) { return a.vertex < c.vertex; });
+  std::stable_sort(points.begin(), points.end(), [](const auto& p, const auto& q) { return p.vertex < q.vertex; });
   return points;
 }
 

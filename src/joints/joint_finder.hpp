@@ -3,19 +3,9 @@
 
 #include <vector>
 
-#include "mesh/mesh.hpp"
+#include "mesh/border.hpp"
 
 namespace voussoir {
-
-/// An edge of the border of a block.
-struct BorderEdge {
-  VertexId low = 0, high = 0;  ///< its vertices, low < high
-  int node_low = 0, node_high = 0;
-  Vector<2> normal{};          ///< outward, times the length of the edge [m]
-};
-
-/// Edges that belong to one cell only, ascending by vertices.
-std::vector<BorderEdge> border_edges(const Block<2>&);
 
 struct PointOfTwoBlocks {
   VertexId vertex = 0;
@@ -26,6 +16,8 @@ struct PointOfTwoBlocks {
 
 /// Points of the joint between two blocks, ascending by vertex. A point where the joint turns a corner
 /// of more than 20 degrees is two points, one for each side.
-std::vector<PointOfTwoBlocks> points_of_joint(const std::vector<BorderEdge>& i, const std::vector<BorderEdge>& j);
+/// @param border_i, border_j  border_edges() of each block alone
+std::vector<PointOfTwoBlocks> points_of_joint(const Block<2>& i, const std::vector<BorderEdge>& border_i,
+                                              const Block<2>& j, const std::vector<BorderEdge>& border_j);
 
 }  // namespace voussoir

@@ -94,6 +94,12 @@ std::vector<PointLaw> AdaptiveStep<dim>::current_law(const ContactState& state) 
   return law;
 }
 
+template <int dim>
+long long AdaptiveStep<dim>::count_selected(const ContactState& state) const {
+  const auto owned = state.selected.begin() + model_.points().owned();
+  return total(*model_.structure().comm(), static_cast<long long>(std::count(state.selected.begin(), owned, 1)));
+}
+
 /// Predicted energy decrease of each tied point, and the relative error its sum stands for.
 template <int dim>
 double AdaptiveStep<dim>::estimate(const ContactState& state, const std::vector<int>& cluster,
@@ -179,7 +185,6 @@ template <int dim>
 StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vector<double>& load,
                                              const std::vector<double>& prescribed) {
   const auto& scene = model_.scene();
-  const auto& comm = *model_.structure().comm();
   const typename ContactProblem<dim>::Parts parts{model_.structure(),       model_.points(), model_.continuum(),
                                                   model_.held(),            model_.local_stiffness(), {},
                                                   scene.preconditioner,     solver_};
@@ -187,9 +192,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   law_ = current_law(state);
   const bool everything = scene.selection.mode == SelectionMode::all;
   double tolerance = scene.newton.tolerance, wanted = tolerance;
-  const long long selected_before =
-      total(comm, static_cast<long long>(std::count(state.selected.begin(),
-                                                    state.selected.begin() + model_.points().owned(), 1)));
+  const long long selected_before = count_selected(state);
   // With nothing selected yet, a first look needs no more than the violations it is to show.
   if (selected_before == 0 && scene.selection.mode != SelectionMode::bonded) wanted = 1e-4;
   for (;; ++report.selection_rounds) {
@@ -217,10 +220,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda);
     model_.points().exchange().update(state.lambda, dim);
     report.error_estimate = estimate(state, cluster, eta);
-    if (narrate_round) {
-      const auto selected = std::count(state.selected.begin(), state.selected.begin() + model_.points().owned(), 1);
-      narrate_round(report.selection_rounds, total(comm, static_cast<long long>(selected)), report.error_estimate);
-    }
+    const auto selected = count_selected(state);
+    if (narrate_round) narrate_round(report.selection_rounds, selected, report.error_estimate);
     bool more = false;
     const double violated = largest_violation(state, eta);
     if (everything && selected_before == 0 && report.selection_rounds == 0) {

@@ -43,6 +43,7 @@ class AdaptiveStep {
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
   bool break_points(ContactState&) const;
   std::vector<PointLaw> current_law(const ContactState&) const;
+  long long count_selected(const ContactState&) const;
   double estimate(const ContactState&, const std::vector<int>& cluster, std::vector<double>& eta) const;
   bool release(ContactState&, const std::vector<int>& cluster, const std::vector<double>& eta) const;
   double elastic_energy(const std::vector<double>& u) const;

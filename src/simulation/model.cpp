@@ -8,17 +8,10 @@
 #include "loads/loads.hpp"
 #include "mesh/partition.hpp"
 #include "simulation/phase.hpp"
+#include "simulation/scene_fit.hpp"
 
 namespace voussoir {
 namespace {
-
-template <int dim>
-bool in_set(const BlockSource<dim>& source, const Block<dim>& block, const std::string& name) {
-  if (name == "all") return true;
-  for (int set : block.sets)
-    if (source.block_sets()[set] == name) return true;
-  return false;
-}
 
 template <int dim>
 Material material_of(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& block) {
@@ -73,18 +66,10 @@ void Model<dim>::set_laws() {
   for (auto& joint : joints) {
     const auto& i = blocks[structure_->local_block(joint.block_i)].mesh;
     const auto& j = blocks[structure_->local_block(joint.block_j)].mesh;
-    joint.family = -1;
-    for (std::size_t f = 0; f < scene_.joints.size(); ++f) {
-      const auto& law = scene_.joints[f].parameters;
-      if ((in_set(source_, i, law.between) && in_set(source_, j, law.and_)) ||
-          (in_set(source_, j, law.between) && in_set(source_, i, law.and_)))
-        joint.family = static_cast<int>(f);
-    }
+    joint.family = family_of(scene_, source_, i, j);
   }
-  const JointLawParameters dry;
   for (const auto& p : points_->points()) {
-    const int family = joints[p.joint].family;
-    const auto& law = family < 0 ? dry : scene_.joints[family].parameters;
+    const auto& law = scene_.joints[joints[p.joint].family].parameters;
     law_.push_back({law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
     brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
     // Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness.

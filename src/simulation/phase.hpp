@@ -21,7 +21,7 @@ inline std::map<std::string, double> seconds_of_phases(const std::initializer_li
   std::map<std::string, double> seconds;
   for (const char* name : names)
     if (const auto timer = Teuchos::TimeMonitor::lookupCounter(name); !timer.is_null())
-      seconds[name] = timer->totalElapsedTime(true);
+      seconds[name] = timer->totalElapsedTime();
   return seconds;
 }
 

@@ -1,0 +1,149 @@
+// voussoir: computes how a masonry structure behaves, from a scene in XML.
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Core.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "linalg/gather.hpp"
+#include "scene/scene_printer.hpp"
+#include "scene/scene_reader.hpp"
+#include "simulation/simulation.hpp"
+
+namespace {
+
+using namespace voussoir;
+
+const char* const usage =
+    R"(voussoir --xml=FILE [options], alone or under mpirun
+  --xml=FILE          the scene
+  --out=DIR           where results go (default: out/<name of the scene>)
+  --set PATH=VALUE    change one parameter of the scene, such as selection/mode=all; may be repeated
+  --overwrite         remove earlier results of DIR instead of keeping them beside
+  --validate          check scene and mesh, then stop
+  --dry-run           also count unknowns and predict the cost, then stop
+  --print-parameters  print every parameter with unit, default and range, as a scene
+  --quiet             say nothing but errors
+  --verbose           a line for every linear solve
+  --version, --help
+Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing.
+)";
+
+struct Arguments {
+  std::string xml;
+  std::vector<std::string> overrides;
+  RunOptions run;
+  bool quiet = false;
+  std::string print;  ///< text to print instead of running
+};
+
+Arguments parse(const std::vector<std::string>& words) {
+  Arguments a;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    const auto value_of = [&](const std::string& option, std::string& value) {
+      if (word.rfind(option + "=", 0) == 0) {
+        value = word.substr(option.size() + 1);
+        return true;
+      }
+      if (word != option) return false;
+      if (k + 1 == words.size()) throw InputError("voussoir: " + option + " needs a value.\n  See voussoir --help.");
+      value = words[++k];
+      return true;
+    };
+    std::string value;
+    if (value_of("--xml", a.xml) || value_of("--out", a.run.folder)) continue;
+    if (value_of("--set", value))
+      a.overrides.push_back(value);
+    else if (word == "--overwrite")
+      a.run.overwrite = true;
+    else if (word == "--validate")
+      a.run.validate = true;
+    else if (word == "--dry-run")
+      a.run.dry_run = true;
+    else if (word == "--quiet")
+      a.quiet = true;
+    else if (word == "--verbose")
+      a.run.verbose = true;
+    else if (word == "--print-parameters" || word == "--help" || word == "--version")
+      a.print = word;
+    else
+      throw InputError("voussoir: '" + word + "' is no option.\n  See voussoir --help.");
+  }
+  if (a.xml.empty() && a.print.empty()) throw InputError("voussoir: no scene given.\n  Give one with --xml=FILE.");
+  if (a.run.folder.empty()) a.run.folder = "out/" + std::filesystem::path(a.xml).stem().string();
+  return a;
+}
+
+/// The scene's text is read once and given to all ranks, so that all agree on what it says.
+Scene read_on_all_ranks(const Arguments& a, const Teuchos::Comm<int>& comm) {
+  std::string text, problem;
+  if (comm.getRank() == 0) {
+    try {
+      text = scene_text(a.xml);
+    } catch (const InputError& error) {
+      problem = error.what();
+    }
+  }
+  for (std::string* part : {&text, &problem}) {
+    int size = static_cast<int>(part->size());
+    Teuchos::broadcast(comm, 0, Teuchos::outArg(size));
+    part->resize(static_cast<std::size_t>(size));
+    Teuchos::broadcast(comm, 0, size, part->data());
+  }
+  if (!problem.empty()) throw InputError(problem);
+  return read_scene_from_text(text, a.xml, a.overrides);
+}
+
+int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, std::ostream& say) {
+  if (a.run.validate || a.run.dry_run) return exit_done;
+  say << "\n";
+  if (summary.outcome == Outcome::equilibrium) say << "Equilibrium under all loads.";
+  if (summary.outcome == Outcome::collapse) say << "Collapse: " << summary.message << ".";
+  if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
+  say << " Results are in " << a.run.folder << "\n";
+  if (summary.outcome == Outcome::equilibrium) return exit_done;
+  return summary.outcome == Outcome::collapse && scene.load_steps.expect_collapse ? exit_done : exit_no_convergence;
+}
+
+int run_program(const std::vector<std::string>& words) {
+  const auto comm = Tpetra::getDefaultComm();
+  std::ofstream nowhere;
+  const bool first = comm->getRank() == 0;
+  try {
+    const auto a = parse(words);
+    std::ostream& say = first && !a.quiet ? std::cout : nowhere;
+    if (!a.print.empty()) {
+      if (first && a.print == "--help") std::cout << usage;
+      if (first && a.print == "--version") std::cout << "voussoir " << version() << "\n";
+      if (first && a.print == "--print-parameters") print_reference(std::cout);
+      return exit_done;
+    }
+    const auto scene = read_on_all_ranks(a, *comm);
+    return finish(a, scene, run(scene, a.run, comm, say), say);
+  } catch (const InputError& error) {
+    if (first) std::cerr << error.what() << "\n";
+    return exit_input;
+  } catch (const ConvergenceError& error) {
+    if (first) std::cerr << error.what() << "\n";
+    return exit_no_convergence;
+  } catch (const ResourceError& error) {
+    if (first) std::cerr << error.what() << "\n";
+    return exit_resource;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "voussoir: not enough memory.\n  Use more ranks on more machines, or larger cells.\n";
+    comm->getRank();
+    return exit_resource;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard scope(&argc, &argv);
+  return run_program({argv + 1, argv + argc});
+}

@@ -1,0 +1,81 @@
+#include "simulation/narrator.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <cmath>
+#include <cstdio>
+
+namespace voussoir {
+namespace {
+
+template <class... Values>
+void print(std::ostream& out, const char* format, Values... values) {
+  char line[240];
+  std::snprintf(line, sizeof line, format, values...);
+  out << line << std::flush;
+}
+
+}  // namespace
+
+Narrator::Narrator(std::ostream& say, bool verbose) : say_(say), verbose_(verbose) {
+  print(say_, "\n%5s %8s %7s %9s %7s %7s %7s %9s %9s %8s\n", "step", "factor", "solves", "selected", "open", "slip",
+        "krylov", "estimate", "|u| [m]", "[s]");
+}
+
+void Narrator::begin(int step, const std::string& stage, double target, double progress) {
+  if (step == 1 || target_ == 1.0) say_ << "stage '" << stage << "'\n";
+  step_ = step;
+  target_ = target;
+  progress_ = progress;
+  solves_ = 0;
+}
+
+void Narrator::solve(const NewtonProgress& p) {
+  ++solves_;
+  if (!verbose_) return;
+  print(say_, "        it %3d  |R| %9.2e N  closed %8lld  slipping %7lld  krylov %4d  damping %5.3f  augmentation %g\n",
+        p.iteration, p.residual, p.closed, p.slipping, p.krylov, p.damping, p.augmentation);
+}
+
+void Narrator::round(int round, long long selected, double error_estimate) {
+  if (!verbose_) return;
+  print(say_, "        round %d: %lld points selected, error estimate %.2e of what is bonded\n", round, selected,
+        error_estimate);
+}
+
+void Narrator::end(const StepReport& report, const StatusCount& count, double seconds, const RunSummary& summary) {
+  spent_ += seconds;
+  print(say_, "%5d %8.4f %7d %9lld %7lld %7lld %7lld %9.2e %9.2e %8.2f", step_, target_,
+        report.newton.newton_iterations, count.selected, count.open, count.slip, report.newton.krylov_iterations,
+        report.error_estimate, summary.largest_displacement, seconds);
+  // A remaining time is worth saying when a run takes more than ten seconds.
+  if (progress_ > 0 && spent_ > 10 && progress_ < 1)
+    print(say_, "   about %.0f s to go", spent_ / progress_ * (1 - progress_));
+  say_ << std::endl;
+}
+
+void Narrator::failed(const StepReport& report, const std::string& stage, double target) {
+  print(say_, "step %d, stage '%s' at %.4f: %s\n", step_, stage.c_str(), target,
+        report.newton.outcome == NewtonOutcome::collapse ? "collapse" : "stopped");
+  print(say_, "  after %d linear solves, |R| = %.1e and contact law %.1e of the largest force: %s.\n",
+        report.newton.newton_iterations, report.newton.residual, report.newton.complementarity,
+        report.newton.reason.c_str());
+}
+
+MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>& motion) {
+  const auto& s = model.structure();
+  struct {
+    double size;
+    int block;
+  } mine{-1.0, -1}, all{};
+  for (int i = 0; i < s.owned_nodes(); ++i) {
+    const double size = std::hypot(motion[2 * i], motion[2 * i + 1]);
+    if (size > mine.size) mine = {size, s.blocks()[s.block_of_node()[i]].mesh.id};
+  }
+  double largest = 0;
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine.size, Teuchos::outArg(largest));
+  const int candidate = mine.size == largest ? mine.block : -1;
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, candidate, Teuchos::outArg(all.block));
+  return {all.block, model.source().block(all.block).name, largest};
+}
+
+}  // namespace voussoir

@@ -1,0 +1,31 @@
+// What a run says while it goes.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "simulation/recorder.hpp"
+
+namespace voussoir {
+
+class Narrator {
+ public:
+  Narrator(std::ostream& say, bool verbose);
+  void begin(int step, const std::string& stage, double target, double progress);
+  void solve(const NewtonProgress&);
+  void round(int round, long long selected, double error_estimate);
+  void end(const StepReport&, const StatusCount&, double seconds, const RunSummary&);
+  void failed(const StepReport&, const std::string& stage, double target);
+
+ private:
+  std::ostream& say_;
+  bool verbose_;
+  double spent_ = 0, progress_ = 0;
+  int step_ = 0, solves_ = 0;
+  double target_ = 0;
+};
+
+/// The block that moves most in a motion. Collective.
+MechanismSummary largest_mover(const Model<2>&, const std::vector<double>& motion);
+
+}  // namespace voussoir

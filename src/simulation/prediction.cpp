@@ -1,0 +1,37 @@
+#include "simulation/prediction.hpp"
+
+#include "joints/contact_points.hpp"
+
+namespace voussoir {
+namespace {
+
+// Measured on walls and on the bridge (src/simulation/README.md): linear solves of a load step by mode of selection,
+// Krylov iterations of a solve, seconds of an iteration per unknown on one core, bytes per unknown.
+constexpr int solves_bonded = 3, solves_adaptive = 40, solves_all = 45;
+constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
+
+}  // namespace
+
+void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+             std::ostream& say) {
+  std::vector<int> owner(source.block_count());
+  for (BlockId b = 0; b < source.block_count(); ++b)  // equal shares are enough for counting
+    owner[b] = static_cast<int>(static_cast<long long>(b) * comm->getSize() / source.block_count());
+  const Structure<2> structure(source, owner, scene.model, [](const Block<2>&) { return Material{1.0, 0.0, 1.0}; },
+                               comm);
+  const ContactPoints<2> points(source, structure);
+  int steps = 0;
+  for (const auto& stage : scene.stages) steps += stage.increments;
+  const auto unknowns = static_cast<double>(2 * structure.total_nodes());
+  const int solves = scene.selection.mode == SelectionMode::bonded ? solves_bonded
+                     : scene.selection.mode == SelectionMode::all  ? solves_all
+                                                                   : solves_adaptive;
+  say << source.block_count() << " blocks, " << points.total_joints() << " joints, " << structure.total_nodes()
+      << " nodes, " << 2 * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
+      << steps << " load steps of about " << solves << " linear solves each\n"
+      << "expected: " << unknowns * bytes_per_unknown / 1e6 << " MB in all, "
+      << steps * solves * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize() << " s on "
+      << comm->getSize() << " ranks (within a factor of three)\n";
+}
+
+}  // namespace voussoir

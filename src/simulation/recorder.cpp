@@ -1,0 +1,261 @@
+#include "simulation/recorder.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "blocks/assembly.hpp"
+#include "blocks/element_matrices.hpp"
+#include "simulation/phase.hpp"
+
+namespace voussoir {
+namespace {
+
+enum Status { open = 0, stick = 1, slip = 2, bonded = 3 };
+
+double total(const Teuchos::Comm<int>& comm, double mine) {
+  double all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+double tangential(const PointField& f, int k, int dim) {
+  if (dim == 2) return f[2 * k + 1];  // signed: along the one tangent
+  double sum = 0;
+  for (int c = 1; c < dim; ++c) sum += f[dim * k + c] * f[dim * k + c];
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+template <int dim>
+Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, const std::string& folder)
+    : model_(model), step_(step) {
+  Phase phase("output");
+  const auto& comm = model.structure().comm();
+  history_ = std::make_unique<History>(folder + "/history.csv", comm);
+  if (model.scene().output.fields) {
+    fields_ = std::make_unique<FieldsFile>(folder + "/fields.h5", comm, dim);
+    write_tables();
+  }
+  summary_.scene = model.scene().file;
+  summary_.ranks = comm->getSize();
+  summary_.blocks = model.source().block_count();
+  summary_.joints = model.points().total_joints();
+  summary_.nodes = model.structure().total_nodes();
+  summary_.unknowns = dim * summary_.nodes;
+  summary_.candidate_points = model.points().total();
+}
+
+template <int dim>
+void Recorder<dim>::write_tables() {
+  const auto& s = model_.structure();
+  MeshRows mesh;
+  mesh.block_set_names = model_.source().block_sets();
+  // Cells are numbered block by block, like nodes.
+  std::vector<long long> mine(s.owner_of_block().size(), 0), cells(mine.size(), 0);
+  for (int b = 0; b < s.owned_blocks(); ++b)
+    mine[s.blocks()[b].mesh.id] = static_cast<long long>(s.blocks()[b].mesh.cells.size());
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), cells.data());
+  std::vector<long long> first(cells.size() + 1, 0);
+  for (std::size_t b = 0; b < cells.size(); ++b) first[b + 1] = first[b] + cells[b];
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    mesh.block.push_back(block.mesh.id);
+    mesh.block_set.push_back(block.mesh.sets.empty() ? -1 : block.mesh.sets.front());
+    for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
+      mesh.node.push_back(block.first_node + static_cast<NodeId>(i));
+      mesh.block_of_node.push_back(block.mesh.id);
+      mesh.coordinates.insert(mesh.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
+    }
+    for (std::size_t c = 0; c < block.mesh.cells.size(); ++c) {
+      const auto& cell = block.mesh.cells[c];
+      mesh.cell.push_back(first[block.mesh.id] + static_cast<long long>(c));
+      mesh.corner_count.push_back(cell.count);
+      mesh.block_of_cell.push_back(block.mesh.id);
+      for (int i = 0; i < cell.count; ++i) mesh.corners.push_back(block.first_node + cell.node[i]);
+    }
+  }
+  fields_->write_mesh(mesh);
+
+  JointRows joints;
+  for (int k = 0; k < model_.points().owned(); ++k) {
+    const auto& p = model_.points().points()[k];
+    joints.point.push_back(p.id);
+    const auto& x = s.position()[p.node_i];
+    joints.position.insert(joints.position.end(), x.begin(), x.end());
+    joints.normal.insert(joints.normal.end(), p.axis[0].begin(), p.axis[0].end());
+    joints.area.push_back(p.area);
+    joints.block_i.push_back(model_.points().joints()[p.joint].block_i);
+    joints.block_j.push_back(model_.points().joints()[p.joint].block_j);
+    joints.node_i.push_back(s.node_id()[p.node_i]);
+    joints.node_j.push_back(s.node_id()[p.node_j]);
+  }
+  fields_->write_joints(joints);
+}
+
+template <int dim>
+std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointField& gap,
+                                         const PointField& slip_before) const {
+  std::vector<int> status(model_.points().owned(), bonded);
+  for (int k = 0; k < model_.points().owned(); ++k) {
+    if (!state.selected[k]) continue;
+    auto law = model_.law()[k];
+    if (state.broken[k]) law.cohesion = law.tension = 0;
+    const double sigma = model_.local_stiffness()[k];
+    const double normal = state.lambda[dim * k] - sigma * gap[dim * k];
+    double q = 0;
+    for (int c = 1; c < dim; ++c) {
+      const double trial = state.lambda[dim * k + c] - sigma * (gap[dim * k + c] - slip_before[dim * k + c]);
+      q += trial * trial;
+    }
+    status[k] = normal <= -law.tension ? open : std::sqrt(q) < friction_bound(law, state.lambda[dim * k]) ? stick : slip;
+  }
+  return status;
+}
+
+template <int dim>
+std::vector<double> Recorder<dim>::stresses(const std::vector<double>& u) const {
+  std::vector<double> stress;
+  for (int b = 0; b < model_.structure().owned_blocks(); ++b) {
+    const auto& block = model_.structure().blocks()[b];
+    for (const auto& cell : block.mesh.cells) {
+      std::array<Vector<2>, 4> displacement{};
+      for (int i = 0; i < cell.count; ++i)
+        for (int c = 0; c < dim; ++c) displacement[i][c] = u[dim * (block.first_local + cell.node[i]) + c];
+      const auto value = element_stress(cell, cell_positions(block.mesh, cell), displacement, block.material,
+                                        model_.structure().model().plane);
+      stress.insert(stress.end(), value.begin(), value.end());
+    }
+  }
+  return stress;
+}
+
+template <int dim>
+void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
+                               const std::vector<int>& status, const std::string& stage, double load_factor) {
+  if (!fields_) return;
+  StepRows rows;
+  rows.number = ++written_;
+  rows.stage = stage;
+  rows.load_factor = load_factor;
+  rows.displacement.assign(displacement.begin(), displacement.begin() + dim * model_.structure().owned_nodes());
+  rows.stress = stresses(displacement);
+  const auto gap = step_.gaps(displacement);
+  for (int k = 0; k < model_.points().owned(); ++k) {
+    rows.gap.push_back(gap[dim * k]);
+    rows.slip.push_back(tangential(gap, k, dim));
+    rows.normal_force.push_back(state.lambda[dim * k]);
+    rows.tangential_force.push_back(tangential(state.lambda, k, dim));
+    rows.selected.push_back(state.selected[k]);
+  }
+  rows.status = status;
+  fields_->write_step(rows);
+}
+
+/// Work and losses of one step by the trapezoidal rule, exact for what is linear within it.
+template <int dim>
+void Recorder<dim>::book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
+                         const std::vector<double>& load) {
+  const auto& s = model_.structure();
+  const auto reaction_before = step_.residual(before, load_before), reaction = step_.residual(after, load);
+  std::vector<double> ku;
+  s.apply_stiffness(after.displacement, ku);
+  double elastic = 0, work = 0, friction = 0, fracture = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    elastic += after.displacement[i] * ku[i] / 2;
+    const double moved = after.displacement[i] - before.displacement[i];
+    work += moved * (load_before[i] + load[i]) / 2;
+    if (model_.held()[i]) work += moved * (reaction_before[i] + reaction[i]) / 2;
+  }
+  const auto gap_before = step_.gaps(before.displacement), gap = step_.gaps(after.displacement);
+  for (int k = 0; k < model_.points().owned(); ++k) {
+    if (!after.selected[k]) continue;
+    const bool broke = after.broken[k] && !before.broken[k];
+    for (int c = 0; c < dim; ++c) {
+      const int i = dim * k + c;
+      const double lost = -(before.lambda[i] + after.lambda[i]) / 2 * (gap[i] - gap_before[i]);
+      if (broke)
+        fracture += lost;
+      else if (c > 0)
+        friction += lost;
+    }
+  }
+  const auto& comm = *s.comm();
+  energy_.advance(total(comm, elastic), 0.0, total(comm, work), total(comm, friction), total(comm, fracture));
+}
+
+template <int dim>
+void Recorder<dim>::record(const ContactState& before, const std::vector<double>& load_before,
+                           const ContactState& after, const std::vector<double>& load, const StepReport& report,
+                           const std::string& stage, double load_factor, bool write_fields, double seconds) {
+  Phase phase("output");
+  const auto& comm = *model_.structure().comm();
+  const auto gap = step_.gaps(after.displacement);
+  const auto status = statuses(after, gap, before.slip_origin);
+  long long mine[4] = {0, 0, 0, 0}, all[4];
+  for (int s : status) ++mine[s];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 4, mine, all);
+  count_ = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
+  book(before, load_before, after, load);
+  double largest = 0, largest_all = 0;
+  for (int i = 0; i < model_.structure().owned_nodes(); ++i) {
+    double square = 0;
+    for (int c = 0; c < dim; ++c) square += after.displacement[dim * i + c] * after.displacement[dim * i + c];
+    largest = std::max(largest, std::sqrt(square));
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(largest_all));
+
+  HistoryRow row;
+  row.step = ++summary_.steps;
+  row.stage = stage;
+  row.load_factor = load_factor;
+  row.selected_points = count_.selected;
+  row.open_points = count_.open;
+  row.stick_points = count_.stick;
+  row.slip_points = count_.slip;
+  row.selection_rounds = report.selection_rounds;
+  row.newton_iterations = row.linear_solves = report.newton.newton_iterations;
+  row.krylov_iterations = static_cast<int>(report.newton.krylov_iterations);
+  row.complementarity_residual = report.newton.complementarity;
+  row.largest_penetration = report.newton.penetration;
+  row.error_estimate = report.error_estimate;
+  row.elastic = energy_.elastic();
+  row.external_work = energy_.external_work();
+  row.friction = energy_.friction();
+  row.fracture = energy_.fracture();
+  row.imbalance = energy_.imbalance();
+  row.largest_displacement = largest_all;
+  row.seconds = seconds;
+  history_->append(row);
+
+  auto& sum = summary_;
+  sum.selected_points = count_.selected;
+  sum.open_points = count_.open;
+  sum.stick_points = count_.stick;
+  sum.slip_points = count_.slip;
+  sum.selection_rounds += report.selection_rounds;
+  sum.newton_iterations += report.newton.newton_iterations;
+  sum.linear_solves += report.newton.newton_iterations;
+  sum.krylov_iterations += report.newton.krylov_iterations;
+  sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
+  sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
+  sum.error_estimate = report.error_estimate;
+  sum.largest_displacement = largest_all;
+  sum.energy = {energy_.elastic(),  energy_.kinetic(),  energy_.external_work(),
+                energy_.friction(), energy_.fracture(), energy_.imbalance()};
+  sum.load_factor = load_factor;
+  if (write_fields) write_step(after, after.displacement, status, stage, load_factor);
+}
+
+template <int dim>
+void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const ContactState& state,
+                                     const std::string& stage, double load_factor) {
+  Phase phase("output");
+  const auto gap = step_.gaps(mechanism);
+  write_step(state, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor);
+}
+
+template class Recorder<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,38 @@
+// Do scene and mesh belong together?
+#pragma once
+
+#include "mesh/mesh.hpp"
+#include "scene/scene.hpp"
+
+namespace voussoir {
+
+/// Throws InputError for sets that do not exist, a block without material, a joint without law.
+/// Local, and the same on every rank.
+template <int dim>
+void check_fit(const Scene&, const BlockSource<dim>&);
+
+/// True when a block is in the set of that name; "all" holds every block.
+template <int dim>
+bool in_set(const BlockSource<dim>& source, const Block<dim>& block, const std::string& name) {
+  if (name == "all") return true;
+  for (int set : block.sets)
+    if (source.block_sets()[set] == name) return true;
+  return false;
+}
+
+/// Index of the last joint law between two blocks, -1 for none.
+template <int dim>
+int family_of(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& i, const Block<dim>& j) {
+  int family = -1;
+  for (std::size_t f = 0; f < scene.joints.size(); ++f) {
+    const auto& law = scene.joints[f].parameters;
+    if ((in_set(source, i, law.between) && in_set(source, j, law.and_)) ||
+        (in_set(source, j, law.between) && in_set(source, i, law.and_)))
+      family = static_cast<int>(f);
+  }
+  return family;
+}
+
+extern template void check_fit<2>(const Scene&, const BlockSource<2>&);
+
+}  // namespace voussoir
