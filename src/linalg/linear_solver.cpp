@@ -47,11 +47,19 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
                                       const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
                                       double relative_tolerance) {
   auto problem = Teuchos::rcp(new Data::Problem(a, x, b));
-  if (m) problem->setLeftPrec(Teuchos::rcp(new PreconditionerOperator(m, b->getMap())));
+  const auto& given = data_->parameters;
+  if (m) {
+    const auto preconditioner = Teuchos::rcp(new PreconditionerOperator(m, b->getMap()));
+    // On the right GMRES sees the residual itself; its flexible variant knows no other side.
+    if (given.method == "FLEXIBLE GMRES") {
+      problem->setRightPrec(preconditioner);
+    } else {
+      problem->setLeftPrec(preconditioner);
+    }
+  }
   problem->setHermitian();
   problem->setProblem();
 
-  const auto& given = data_->parameters;
   auto list = Teuchos::parameterList(given.belos);
   list->set("Convergence Tolerance", relative_tolerance);
   list->set("Maximum Iterations", given.largest_iterations);

@@ -7,7 +7,7 @@ namespace voussoir {
 void SolverParameters::declare(ParameterSection& section) {
   section.add_choice<std::string>(
       "method", method,
-      {{"CG", "CG"}, {"PSEUDOBLOCK CG", "PSEUDOBLOCK CG"}, {"MINRES", "MINRES"}, {"FLEXIBLE GMRES", "FLEXIBLE GMRES"}},
+      {{"CG", "CG"}, {"PSEUDOBLOCK CG", "PSEUDOBLOCK CG"}, {"FLEXIBLE GMRES", "FLEXIBLE GMRES"}},
       "Krylov method of Belos; the systems are symmetric positive definite, so CG is the cheapest");
   section.add("tolerance", tolerance, "-", between(1e-15, 1e-2), "of a linear solve, relative to its right-hand side",
               "1e-15 is round-off, beyond 1e-2 Newton cannot converge", "1e-10 is usual.");

@@ -1,0 +1,132 @@
+// Krylov solutions: judged by the residual b - A x itself, not by what the solver says of it.
+#include "linalg/linear_solver.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "unit/linalg/systems.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+constexpr int side = 12;  // nodes; 288 unknowns, some 40 iterations without preconditioner
+
+/// Divides by a positive number that varies over six orders with the row.
+class Scaling final : public Preconditioner {
+ public:
+  explicit Scaling(double sign) : sign_(sign) {}
+  void apply(const TpetraVector& r, TpetraVector& z) const override {
+    for (std::size_t i = 0; i < r.getLocalLength(); ++i) {
+      const auto row = r.getMap()->getGlobalElement(static_cast<int>(i));
+      local_view_to_write(z)[i] = (row % 2 ? sign_ : 1.0) * scale(row) * local_view(r)[i];
+    }
+  }
+  static double scale(long long row) { return std::pow(10.0, 3 * noise(row)); }
+
+ private:
+  double sign_;
+};
+
+/// The coupled Laplacian with rows and columns multiplied by 1 / sqrt(scale), which the Scaling undoes.
+Rows badly_scaled() {
+  return [](long long row) {
+    auto entries = coupled_laplacian(side)(row);
+    for (auto& [column, value] : entries) value /= std::sqrt(Scaling::scale(row) * Scaling::scale(column));
+    return entries;
+  };
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, TheResidualIsSmallerThanTheWantedShareOfTheRightHandSide) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+    auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+    const auto result = solver.solve(a, nullptr, b, x, tolerance);
+    TEST_ASSERT(result.converged);
+    // The residual of the recursion drifts from the true one by round-off times the condition (100): 1e-14.
+    TEST_COMPARE(relative_residual(*a, *b, *x), <=, 1.001 * tolerance);
+    // Not solved more tightly than asked: one iteration gains far less than a factor of 100 here.
+    TEST_COMPARE(relative_residual(*a, *b, *x), >=, 0.01 * tolerance);
+  }
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, APreconditionerSavesIterationsAndLeavesTheMeaningOfTheTolerance) {
+  const auto a = distributed(2 * side * side, badly_scaled(), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  auto plain = Teuchos::rcp(new TpetraVector(a->getRowMap())), x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+  const auto without = solver.solve(a, nullptr, b, plain, 1e-8);
+  const auto with = solver.solve(a, std::make_shared<Scaling>(1.0), b, x, 1e-8);
+  TEST_ASSERT(with.converged);
+  TEST_COMPARE(2 * with.iterations, <, without.iterations);
+  // The rows differ by six orders: a tolerance measured after preconditioning would miss this by up to three.
+  TEST_COMPARE(relative_residual(*a, *b, *x), <=, 1.001e-8);
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, AGoodStartIsUsedAndNotHeldToATighterTolerance) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+  solver.solve(a, nullptr, b, x, 1e-6);
+  // Relative to the residual of the start it would take as many iterations again.
+  TEST_COMPARE(solver.solve(a, nullptr, b, x, 1e-5).iterations, <=, 1);
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, AZeroRightHandSideHasTheZeroSolution) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+  LinearSolver solver({});
+  const auto x = noise_vector(a->getRowMap());
+  const auto result = solver.solve(a, nullptr, b, x, 1e-10);
+  TEST_ASSERT(result.converged);
+  TEST_EQUALITY(result.iterations, 0);
+  TEST_EQUALITY(x->normInf(), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, TooFewIterationsAreReported) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  SolverParameters parameters;
+  parameters.largest_iterations = 3;
+  LinearSolver solver(parameters);
+  const auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+  const auto result = solver.solve(a, nullptr, b, x, 1e-10);
+  TEST_ASSERT(!result.converged);
+  TEST_EQUALITY(result.iterations, 3);
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, AnIndefinitePreconditionerIsReportedAndNotThrown) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+  LinearSolveResult result{0, true};
+  TEST_NOTHROW(result = solver.solve(a, std::make_shared<Scaling>(-1.0), b, x, 1e-10));
+  TEST_ASSERT(!result.converged);
+  // And the solver serves the next system.
+  x->putScalar(0);
+  TEST_ASSERT(solver.solve(a, nullptr, b, x, 1e-10).converged);
+}
+
+TEUCHOS_UNIT_TEST(LinearSolver, EveryMethodASceneCanNameSolvesAPreconditionedSystem) {
+  const auto a = distributed(2 * side * side, badly_scaled(), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  for (const char* method : {"CG", "PSEUDOBLOCK CG", "FLEXIBLE GMRES"}) {
+    out << method << "\n";
+    SolverParameters parameters;
+    parameters.method = method;
+    LinearSolver solver(parameters);
+    for (int time = 0; time < 2; ++time) {  // the second time the solver exists already
+      auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+      LinearSolveResult result;
+      TEST_NOTHROW(result = solver.solve(a, std::make_shared<Scaling>(1.0), b, x, 1e-8));
+      TEST_ASSERT(result.converged);
+      TEST_COMPARE(relative_residual(*a, *b, *x), <=, 1.001e-8);
+    }
+  }
+}
+
+}  // namespace
