@@ -23,27 +23,6 @@ namespace {
 
 using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 
-/// The mesh of the scene, checked; messages name the scene.
-std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Comm& comm) {
-  Phase phase("mesh");
-  std::unique_ptr<BlockSource<2>> source;
-  try {
-    source = make_block_source<2>(scene.mesh, *comm);
-    check_fit(scene, *source);
-    std::vector<std::string> supported;
-    for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
-    if (scene.mesh.type == MeshType::gmsh)
-      check_blocks(*source, supported, *comm);
-    else
-      check_supports(*source, supported);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    if (what.rfind(scene.file, 0) == 0) throw;
-    throw InputError(scene.file + ": " + what);
-  }
-  return source;
-}
-
 void write_scene_file(const Scene& scene, const std::string& folder, const Teuchos::Comm<int>& comm) {
   on_first_rank(comm, [&] {
     std::ostringstream text;
@@ -120,6 +99,26 @@ class Run {
 };
 
 }  // namespace
+
+std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  Phase phase("mesh");
+  std::unique_ptr<BlockSource<2>> source;
+  try {
+    source = make_block_source<2>(scene.mesh, *comm);
+    check_fit(scene, *source);
+    std::vector<std::string> supported;
+    for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
+    if (scene.mesh.type == MeshType::gmsh)
+      check_blocks(*source, supported, *comm);
+    else
+      check_supports(*source, supported);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    if (what.rfind(scene.file, 0) == 0) throw;
+    throw InputError(scene.file + ": " + what);
+  }
+  return source;
+}
 
 RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, std::ostream& say) {
   Teuchos::Time clock("total", true);

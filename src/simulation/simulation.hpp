@@ -3,9 +3,11 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
+#include <memory>
 #include <ostream>
 #include <string>
 
+#include "mesh/mesh.hpp"
 #include "output/result_json.hpp"
 #include "scene/scene.hpp"
 
@@ -18,6 +20,9 @@ struct RunOptions {
   bool dry_run = false;    ///< also count unknowns and predict the cost, then stop
   bool verbose = false;    ///< a line for every linear solve
 };
+
+/// The mesh of the scene, checked; messages name the scene. Collective; throws InputError on every rank alike.
+std::unique_ptr<BlockSource<2>> checked_blocks(const Scene&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
 
 /// Runs a scene. Collective; throws InputError, ConvergenceError or ResourceError on every rank alike.
 /// @param say  where rank 0 narrates; other ranks pass a stream that goes nowhere
