@@ -21,21 +21,28 @@ constexpr double largest_proximal = 1, smallest_proximal = 1e-6;
 constexpr double creeping = 0.5;
 // More Newton steps than this for one update: the update asked too much.
 constexpr int labouring = 4;
+// A shorter step than this ran into points that its direction knew nothing of.
+constexpr double collision_step = 0.1;
+// An update waits for its minimum no longer than this many Newton steps.
+constexpr int largest_inner = 60;
 // A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
 constexpr double run_away = 0.2;
 
 }  // namespace
 
 struct AugmentedLagrangian::State {
+  State(TpetraVector& unknowns, PointField& forces_in) : x(unknowns), lambda(forces_in) {}
+
   TpetraVector& x;
   PointField& lambda;
   Teuchos::RCP<TpetraVector> x_old, gradient, direction, stiffness_direction, linear;
   PointField gap, gap_direction, trial, forces;
   std::vector<double> bound;
-  std::vector<PointStiffness> resistance;
+  std::vector<PointStiffness> resistance, colliding;
   double augmentation = 1, proximal = largest_proximal;
   double scale = 1;  // [N]
   int krylov_last = 0;
+  int following = 0;  // Newton steps whose friction bounds follow the pressure
   double inner_residual = 0;
 };
 
@@ -48,72 +55,124 @@ double AugmentedLagrangian::largest(double local) const {
   return global;
 }
 
-/// Semismooth Newton on the augmented function with contact forces held; returns the number of linear solves.
-int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& report) {
+/// direction = -(K + resistance + proximal)^-1 gradient.
+void AugmentedLagrangian::solve_direction(State& s, double relative_tolerance, NewtonReport& report) {
+  s.gradient->scale(-1.0);
+  s.direction->putScalar(0);
+  s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, relative_tolerance);
+  report.newton_iterations += 1;
+  report.krylov_iterations += s.krylov_last;
+  report.largest_krylov = std::max(report.largest_krylov, s.krylov_last);
+}
+
+/// Step along the direction that minimises the augmented function with its friction bounds held.
+double AugmentedLagrangian::line_search(State& s) {
   const int n = problem_.components();
   const auto& weight = problem_.proximal_weight();
-  const int unknowns = static_cast<int>(weight.size());
+  const auto& comm = *problem_.map()->getComm();
+  problem_.evaluate_direction(*s.direction, *s.stiffness_direction, s.gap_direction);
+  const double slope_linear = s.direction->dot(*s.linear);
+  double proximal = 0, proximal_all = 0;
+  const double* d = local_view(*s.direction);
+  for (std::size_t i = 0; i < weight.size(); ++i) proximal += s.proximal * weight[i] * d[i] * d[i];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, proximal, Teuchos::outArg(proximal_all));
+  const double curvature = s.direction->dot(*s.stiffness_direction) + proximal_all;
+  PointField moved(s.trial.size()), forces;
+  return exact_step([&](double alpha) {
+    for (int k = 0; k < problem_.owned_points(); ++k) {
+      const double sigma = s.augmentation * problem_.local_stiffness()[k];
+      for (int c = k * n; c < (k + 1) * n; ++c) moved[c] = s.trial[c] - alpha * sigma * s.gap_direction[c];
+    }
+    project(problem_, moved, s.bound, forces);
+    double work = 0, all = 0;
+    for (int k = 0; k < problem_.owned_points(); ++k)
+      if (problem_.selected()[k])
+        for (int c = k * n; c < (k + 1) * n; ++c) work += s.gap_direction[c] * forces[c];
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, work, Teuchos::outArg(all));
+    return slope_linear + alpha * curvature - all;
+  });
+}
+
+/// One linear step with the statuses of a known state of equilibrium: what moves are supports and loads alone.
+void AugmentedLagrangian::predict(State& s, const PointField& known_gap, NewtonReport& report) {
+  const int n = problem_.components();
+  trial_forces(problem_, s.lambda, known_gap, s.augmentation, s.trial);
+  friction_bounds(problem_, s.lambda, s.bound);
+  resistances(problem_, s.trial, s.bound, s.augmentation, s.resistance);
+  problem_.evaluate(s.x, *s.gradient, s.gap);
+  s.forces = s.lambda;
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    for (int c = 0; c < n; ++c) {
+      const double stiffness = c == 0 ? s.resistance[k].normal : s.resistance[k].tangential;
+      s.forces[k * n + c] -= stiffness * (s.gap[k * n + c] - known_gap[k * n + c]);
+    }
+  }
+  problem_.subtract_contact_forces(s.forces, *s.gradient);
+  constexpr double accuracy = 1e-3;  // statuses will change; displacements to a tenth of a percent show how
+  solve_direction(s, accuracy, report);
+  s.x.update(1.0, *s.direction, 1.0);
+}
+
+/// Points that gave way at the start of a direction and would resist at its end.
+void AugmentedLagrangian::anticipate(State& s) const {
+  PointField end(s.trial.size());
+  const int n = problem_.components();
+  for (int k = 0; k < problem_.points(); ++k) {
+    const double sigma = s.augmentation * problem_.local_stiffness()[k];
+    for (int c = k * n; c < (k + 1) * n; ++c) end[c] = s.trial[c] - sigma * s.gap_direction[c];
+  }
+  resistances(problem_, end, s.bound, s.augmentation, s.colliding);
+}
+
+/// Semismooth Newton on the augmented function with contact forces held; returns the number of linear solves.
+int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& report) {
+  const auto& weight = problem_.proximal_weight();
+  const auto& comm = *problem_.map()->getComm();
+  s.colliding.assign(problem_.points(), {});
   for (int solves = 0;; ++solves) {
     problem_.evaluate(s.x, *s.linear, s.gap);
     {
       const double* x = local_view(s.x);
       const double* old = local_view(*s.x_old);
       double* r = local_view_to_write(*s.linear);
-      for (int i = 0; i < unknowns; ++i) r[i] += s.proximal * weight[i] * (x[i] - old[i]);
+      for (std::size_t i = 0; i < weight.size(); ++i) r[i] += s.proximal * weight[i] * (x[i] - old[i]);
     }
     trial_forces(problem_, s.lambda, s.gap, s.augmentation, s.trial);
-    friction_bounds(problem_, s.trial, s.bound);
+    // Held friction bounds leave a convex function, whose minimum Newton must find. Where forces creep or circle,
+    // bounds that follow the pressure get them out.
+    friction_bounds(problem_, solves < s.following ? s.trial : s.lambda, s.bound);
     project(problem_, s.trial, s.bound, s.forces);
     Tpetra::deep_copy(*s.gradient, *s.linear);
     problem_.subtract_contact_forces(s.forces, *s.gradient);
     s.inner_residual = s.gradient->normInf();
-    if (s.inner_residual < tolerance || report.newton_iterations >= parameters_.largest_iterations) return solves;
+    if (s.inner_residual < tolerance || report.newton_iterations >= parameters_.largest_iterations ||
+        solves >= largest_inner)
+      return solves;
+
 
     resistances(problem_, s.trial, s.bound, s.augmentation, s.resistance);
-    s.gradient->scale(-1.0);
-    s.direction->putScalar(0);
+    for (std::size_t k = 0; k < s.colliding.size(); ++k) {
+      s.resistance[k].normal = std::max(s.resistance[k].normal, s.colliding[k].normal);
+      s.resistance[k].tangential = std::max(s.resistance[k].tangential, s.colliding[k].tangential);
+    }
     // No more accurate than Newton can use: a tenth of what this minimisation aims at.
-    const double wanted = std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2);
-    s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, wanted);
-    report.newton_iterations += 1;
-    report.krylov_iterations += s.krylov_last;
-    report.largest_krylov = std::max(report.largest_krylov, s.krylov_last);
-
-    problem_.evaluate_direction(*s.direction, *s.stiffness_direction, s.gap_direction);
-    double curvature = s.direction->dot(*s.stiffness_direction), slope_linear = s.direction->dot(*s.linear);
-    double proximal = 0, proximal_all = 0;
-    const double* d = local_view(*s.direction);
-    for (int i = 0; i < unknowns; ++i) proximal += s.proximal * weight[i] * d[i] * d[i];
-    const auto& comm = *problem_.map()->getComm();
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, proximal, Teuchos::outArg(proximal_all));
-    curvature += proximal_all;
-    PointField moved(s.trial.size()), forces;
-    const double step = exact_step([&](double alpha) {
-      for (int k = 0; k < problem_.owned_points(); ++k) {
-        const double sigma = s.augmentation * problem_.local_stiffness()[k];
-        for (int c = k * n; c < (k + 1) * n; ++c) moved[c] = s.trial[c] - alpha * sigma * s.gap_direction[c];
-      }
-      project(problem_, moved, s.bound, forces);
-      double work = 0, all = 0;
-      for (int k = 0; k < problem_.owned_points(); ++k)
-        if (problem_.selected()[k])
-          for (int c = k * n; c < (k + 1) * n; ++c) work += s.gap_direction[c] * forces[c];
-      Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, work, Teuchos::outArg(all));
-      return slope_linear + alpha * curvature - all;
-    });
+    solve_direction(s, std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2), report);
+    const double step = line_search(s);
     s.x.update(step, *s.direction, 1.0);
+    s.colliding.assign(problem_.points(), {});
+    if (step < collision_step) anticipate(s);
 
-    if (narrate) {
-      long long mine[2] = {0, 0}, all[2];
-      for (int k = 0; k < problem_.owned_points(); ++k)
-        if (problem_.selected()[k] && s.resistance[k].normal > 0) {
-          ++mine[0];
-          mine[1] += s.resistance[k].tangential == 0;
-        }
-      Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, mine, all);
+    long long mine[2] = {0, 0}, all[2];
+    for (int k = 0; k < problem_.owned_points(); ++k)
+      if (problem_.selected()[k] && s.resistance[k].normal > 0) {
+        ++mine[0];
+        mine[1] += s.resistance[k].tangential == 0;
+      }
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, mine, all);  // also where nobody listens: all ranks must agree
+    if (narrate)
       narrate({report.newton_iterations, s.inner_residual, report.complementarity * s.scale, all[0], all[1],
                s.krylov_last, step, s.augmentation});
-    }
   }
 }
 
@@ -159,9 +218,10 @@ bool AugmentedLagrangian::runs_away(State& s) const {
   return true;
 }
 
-NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, double tolerance) {
+NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, double tolerance,
+                                        const PointField* known_gap) {
   NewtonReport report;
-  State s{x, lambda, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  State s{x, lambda};
   for (auto* v : {&s.x_old, &s.gradient, &s.direction, &s.stiffness_direction, &s.linear})
     *v = Teuchos::rcp(new TpetraVector(problem_.map()));
   double previous = std::numeric_limits<double>::infinity();
@@ -172,8 +232,9 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
       if (problem_.selected()[k]) s.scale = std::max(s.scale, std::abs(lambda[k * problem_.components()]));
     s.scale = largest(s.scale);
     if (s.scale == 0) s.scale = std::numeric_limits<double>::min();
-    Tpetra::deep_copy(*s.x_old, x);
     const bool first = report.outer_iterations == 1;
+    if (first && known_gap) predict(s, *known_gap, report);
+    Tpetra::deep_copy(*s.x_old, x);
     if (first) {
       measure(s, report);
       change = std::max(report.residual, report.complementarity) * s.scale;
@@ -188,12 +249,14 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return report;
     }
-    if (report.newton_iterations >= parameters_.largest_iterations || report.outer_iterations >= parameters_.largest_iterations) {
+    if (report.newton_iterations >= parameters_.largest_iterations ||
+        report.outer_iterations >= parameters_.largest_iterations) {
       report.reason = "the largest number of linear solves was reached";
       return report;
     }
     const bool creeps = solves <= 1 && change > creeping * previous;
     previous = change;
+    s.following = creeps ? labouring : 0;
     if (creeps) {
       s.augmentation = std::min(10 * s.augmentation, largest_augmentation);
       s.proximal = std::max(s.proximal / 10, smallest_proximal);

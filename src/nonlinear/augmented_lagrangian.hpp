@@ -36,8 +36,10 @@ class AugmentedLagrangian {
 
   /// Solves from x (held unknowns already at their prescribed values) and contact forces lambda [N].
   /// @param tolerance  Karush-Kuhn-Tucker residual relative to the largest force; may be looser than the parameters'
+  /// @param known_gap  gaps of a state in equilibrium with lambda; when given, the first linear solve moves from there
+  ///                   with its statuses, whatever prescribed displacements have done to x. May be null
   /// On collapse x holds the run-away state and mechanism() its direction.
-  NewtonReport solve(TpetraVector& x, PointField& lambda, double tolerance);
+  NewtonReport solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap = nullptr);
 
   /// Displacement of the last outer iteration, scaled to a largest component of 1.
   const TpetraVector& mechanism() const { return *mechanism_; }
@@ -45,6 +47,10 @@ class AugmentedLagrangian {
  private:
   struct State;
   int minimise(State&, double tolerance, NewtonReport&);
+  void predict(State&, const PointField& known_gap, NewtonReport&);
+  void solve_direction(State&, double relative_tolerance, NewtonReport&);
+  double line_search(State&);
+  void anticipate(State&) const;
   double update_forces(State&) const;
   void measure(State&, NewtonReport&) const;
   bool runs_away(State&) const;

@@ -7,7 +7,7 @@ class ParameterSection;
 
 struct NewtonParameters {
   double tolerance = 1e-8;      ///< [-] Karush-Kuhn-Tucker residual, relative to the largest force
-  int largest_iterations = 400; ///< linear solves of one load step before it counts as not converged
+  int largest_iterations = 2000; ///< linear solves of one load step before it counts as not converged
   void declare(ParameterSection&);
 };
 

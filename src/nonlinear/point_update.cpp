@@ -53,7 +53,7 @@ void resistances(const NonlinearProblem& problem, const PointField& trial, const
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
     const double sigma = augmentation * problem.local_stiffness()[k];
-    if (trial[k * n] > -problem.law()[k].tension) resistance[k].normal = sigma;
+    if (trial[k * n] >= -problem.law()[k].tension) resistance[k].normal = sigma;
     if (tangential_size(trial, k, n) < bound[k]) resistance[k].tangential = sigma;
   }
 }

@@ -195,6 +195,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   const long long selected_before = count_selected(state);
   // With nothing selected yet, a first look needs no more than the violations it is to show.
   if (selected_before == 0 && scene.selection.mode != SelectionMode::bonded) wanted = 1e-4;
+  const PointField known_gap = gaps(state.displacement);
   for (;; ++report.selection_rounds) {
     ContactProblem<dim> problem(parts, state, law_, load, prescribed);
     AugmentedLagrangian newton(problem, scene.newton);
@@ -203,7 +204,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     NewtonReport solved;
     {
       Phase phase("contact");
-      solved = newton.solve(*x, state.lambda, wanted);
+      const bool moving = report.selection_rounds == 0 && selected_before > 0;
+      solved = newton.solve(*x, state.lambda, wanted, moving ? &known_gap : nullptr);
     }
     report.newton.add(solved);
     problem.space().scatter(*x, state.displacement);
