@@ -62,8 +62,8 @@ TEUCHOS_UNIT_TEST(AmgPreconditioner, SolvesTheBondedWallInAsManyIterationsAsOneR
   TEST_COMPARE(many.residual, <=, 1.001e-8);
   // Ranks change aggregates at their borders and the order of Gauss-Seidel: a few iterations, not a factor.
   TEST_COMPARE(std::abs(many.iterations - one.iterations), <=, 3);
-  // Eight were measured; twice that would say that it no longer is a method for elasticity.
-  TEST_COMPARE(many.iterations, <=, 16);
+  // Eight were measured on 1, 2 and 4 ranks, and 13 without rotations in the near-null space.
+  TEST_COMPARE(many.iterations, <=, 11);
 }
 
 TEUCHOS_UNIT_TEST(AmgPreconditioner, IsSymmetricSoThatConjugateGradientsStayConjugate) {
