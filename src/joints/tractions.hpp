@@ -14,8 +14,8 @@ namespace voussoir {
 /// @param cluster   per local node copy; a point is tied when its nodes have the same cluster
 /// @param held      per local node copy and component: 1 where an unknown reaction acts
 /// @param residual  K u - f of each block alone [N], per local node copy and component
-/// @param lambda    forces in the points' axes [N], [points x dim]; those of free points are used, those of tied ones set.
-///                  Owned points are set; the caller updates ghosts
+/// @param lambda    forces in the points' axes [N], [points x dim]; those of free points are used, those of tied ones
+///                  set. Owned points are set; the caller updates ghosts
 template <int dim>
 void recover_tied_forces(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<int>& cluster,
                          const std::vector<char>& held, const std::vector<double>& residual,
