@@ -21,12 +21,18 @@ constexpr double largest_proximal = 1, smallest_proximal = 1e-6;
 constexpr double creeping = 0.5;
 // More Newton steps than this for one update: the update asked too much.
 constexpr int labouring = 4;
+// Newton steps after which augmentation and proximal term go back.
+constexpr int struggling = 10;
+// Outer steps that change forces by more than this share of the last change lead nowhere.
+constexpr double stagnating = 0.9;
 // A shorter step than this ran into points that its direction knew nothing of.
 constexpr double collision_step = 0.1;
 // An update waits for its minimum no longer than this many Newton steps.
 constexpr int largest_inner = 60;
 // A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
 constexpr double run_away = 0.2;
+// A motion carried that far that leaves more than this share of the imbalance would have to go on as far again.
+constexpr double unchanged = 0.5;
 
 }  // namespace
 
@@ -36,7 +42,7 @@ struct AugmentedLagrangian::State {
   TpetraVector& x;
   PointField& lambda;
   Teuchos::RCP<TpetraVector> x_old, gradient, direction, stiffness_direction, linear;
-  PointField gap, gap_direction, trial, forces;
+  PointField gap, gap_direction, trial, forces, pressure;
   std::vector<double> bound;
   std::vector<PointStiffness> resistance, colliding;
   double augmentation = 1, proximal = largest_proximal;
@@ -141,7 +147,7 @@ int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& repo
     trial_forces(problem_, s.lambda, s.gap, s.augmentation, s.trial);
     // Held friction bounds leave a convex function, whose minimum Newton must find. Where forces creep or circle,
     // bounds that follow the pressure get them out.
-    friction_bounds(problem_, solves < s.following ? s.trial : s.lambda, s.bound);
+    friction_bounds(problem_, solves < s.following ? s.trial : s.pressure, s.bound);
     project(problem_, s.trial, s.bound, s.forces);
     Tpetra::deep_copy(*s.gradient, *s.linear);
     problem_.subtract_contact_forces(s.forces, *s.gradient);
@@ -190,30 +196,47 @@ double AugmentedLagrangian::update_forces(State& s) const {
   return largest(change);
 }
 
-/// Karush-Kuhn-Tucker residuals of the true problem: no proximal term, augmentation 1.
-void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
+/// Largest change [N] that the contact law wants in the forces, at the gaps of the state and augmentation 1.
+double AugmentedLagrangian::contact_residual(State& s) const {
   const int n = problem_.components();
-  problem_.evaluate(s.x, *s.gradient, s.gap);
-  problem_.subtract_contact_forces(s.lambda, *s.gradient);
-  report.residual = s.gradient->normInf() / s.scale;
   trial_forces(problem_, s.lambda, s.gap, 1.0, s.trial);
   friction_bounds(problem_, s.lambda, s.bound);
   PointField admissible;
   project(problem_, s.trial, s.bound, admissible);
-  double worst = 0, penetration = 0;
-  for (int k = 0; k < problem_.owned_points(); ++k) {
-    if (!problem_.selected()[k]) continue;
-    penetration = std::max(penetration, -s.gap[k * n]);
-    for (int c = k * n; c < (k + 1) * n; ++c) worst = std::max(worst, std::abs(admissible[c] - s.lambda[c]));
-  }
-  report.complementarity = largest(worst) / s.scale;
+  double worst = 0;
+  for (int k = 0; k < problem_.owned_points(); ++k)
+    if (problem_.selected()[k])
+      for (int c = k * n; c < (k + 1) * n; ++c) worst = std::max(worst, std::abs(admissible[c] - s.lambda[c]));
+  return largest(worst);
+}
+
+/// Karush-Kuhn-Tucker residuals of the true problem: no proximal term, augmentation 1.
+void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
+  problem_.evaluate(s.x, *s.gradient, s.gap);
+  problem_.subtract_contact_forces(s.lambda, *s.gradient);
+  report.residual = s.gradient->normInf() / s.scale;
+  report.complementarity = contact_residual(s) / s.scale;
+  double penetration = 0;
+  for (int k = 0; k < problem_.owned_points(); ++k)
+    if (problem_.selected()[k]) penetration = std::max(penetration, -s.gap[k * problem_.components()]);
   report.penetration = largest(penetration);
 }
 
+/// Does the motion of the last update lead nowhere? Far along it forces and imbalance must be as they are here: nothing
+/// stiffens, opens or closes. The test does not wait until round-off (Young's modulus x motion) hides the imbalance.
+/// Expects the gradient that measure() leaves.
 bool AugmentedLagrangian::runs_away(State& s) const {
   mechanism_->update(1.0, s.x, -1.0, *s.x_old, 0.0);
-  const double size = mechanism_->normInf();
-  if (!(size > run_away * problem_.length_scale())) return false;
+  const double size = mechanism_->normInf(), far = run_away * problem_.length_scale();
+  if (!(size > 0)) return false;
+  if (size < far) {
+    const double imbalance = s.gradient->normInf();
+    s.direction->update(1.0, s.x, far / size, *mechanism_, 0.0);
+    problem_.evaluate(*s.direction, *s.linear, s.gap);
+    problem_.subtract_contact_forces(s.lambda, *s.linear);
+    s.linear->update(-1.0, *s.gradient, 1.0);
+    if (s.linear->normInf() > unchanged * imbalance || contact_residual(s) > unchanged * imbalance) return false;
+  }
   mechanism_->scale(1 / size);
   return true;
 }
@@ -226,6 +249,9 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
     *v = Teuchos::rcp(new TpetraVector(problem_.map()));
   double previous = std::numeric_limits<double>::infinity();
   double change = 0;
+  s.pressure = lambda;
+  int stagnant = 0;
+  double relaxation = 1;
   for (report.outer_iterations = 1;; ++report.outer_iterations) {
     s.scale = problem_.force_scale();
     for (int k = 0; k < problem_.points(); ++k)
@@ -254,13 +280,18 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
       report.reason = "the largest number of linear solves was reached";
       return report;
     }
-    const bool creeps = solves <= 1 && change > creeping * previous;
+    stagnant = change > stagnating * previous && solves <= struggling ? stagnant + 1 : 0;
+    const bool creeps = (solves <= 1 && change > creeping * previous) || stagnant > 2;
+    if (stagnant > 2) stagnant = 0;
+    // Pressures that go in circles take friction bounds with them: let the bounds follow half way for a while.
+    relaxation = creeps ? 0.5 : 1.0;
+    for (std::size_t i = 0; i < lambda.size(); ++i) s.pressure[i] += relaxation * (lambda[i] - s.pressure[i]);
     previous = change;
     s.following = creeps ? labouring : 0;
     if (creeps) {
       s.augmentation = std::min(10 * s.augmentation, largest_augmentation);
       s.proximal = std::max(s.proximal / 10, smallest_proximal);
-    } else if (solves > labouring) {
+    } else if (solves > struggling) {
       s.augmentation = std::max(s.augmentation / 10, 1.0);
       s.proximal = std::min(s.proximal * 10, largest_proximal);
     }

@@ -53,6 +53,7 @@ class AugmentedLagrangian {
   void anticipate(State&) const;
   double update_forces(State&) const;
   void measure(State&, NewtonReport&) const;
+  double contact_residual(State&) const;
   bool runs_away(State&) const;
   double largest(double local) const;
 

@@ -10,7 +10,7 @@ enum class SelectionMode { bonded, adaptive, all };
 struct SelectionParameters {
   SelectionMode mode = SelectionMode::adaptive;
   double error_tolerance = 0.01;  ///< [-] wanted relative error in the energy norm; 0 releases every violating point
-  double bulk = 0.9;              ///< [-] share of the predicted energy decrease that a round releases, 0 < bulk <= 1
+  double bulk = 0.99;             ///< [-] share of the predicted energy decrease that a round releases, 0 < bulk <= 1
   bool whole_joints = true;       ///< release all points of the joint of a marked point
   int largest_rounds = 50;
   void declare(ParameterSection&);
