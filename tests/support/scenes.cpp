@@ -249,6 +249,7 @@ double difference(const Solution& a, const Solution& b) {
 }
 
 ContactErrors contact_errors(const Solution& s, double friction) {
+  constexpr double known = 2e-8;  // forces are known to 1e-8 of the largest
   ContactErrors e;
   const double force = s.largest_force(), open = 1e-9 * s.largest_displacement();
   for (std::size_t i = 0; i < s.residual.size(); ++i)
@@ -261,8 +262,8 @@ ContactErrors contact_errors(const Solution& s, double friction) {
     e.tension = std::max(e.tension, -p.normal_force / force);
     if (p.gap > open) e.pressure_at_gap = std::max(e.pressure_at_gap, p.normal_force / force);
     e.outside_cone = std::max(e.outside_cone, (std::abs(q) - bound) / force);
-    if (std::abs(q) < (1 - 1e-6) * bound) e.slip_inside_cone = std::max(e.slip_inside_cone, std::abs(slip));
-    if (q != 0) e.slip_along_force = std::max(e.slip_along_force, q > 0 ? slip : -slip);
+    if (std::abs(q) < bound - known * force) e.slip_inside_cone = std::max(e.slip_inside_cone, std::abs(slip));
+    if (std::abs(q) > known * force) e.slip_along_force = std::max(e.slip_along_force, q > 0 ? slip : -slip);
   }
   return e;
 }

@@ -104,8 +104,8 @@ struct ContactErrors {
   double pressure_at_gap =
       0;                    ///< [-] largest normal force at a point open by more than 1e-9 of the largest displacement
   double outside_cone = 0;  ///< [-] largest |q| - mu p
-  double slip_inside_cone = 0;  ///< [m] largest slip of the last step where |q| < (1 - 1e-6) mu p
-  double slip_along_force = 0;  ///< [m] largest slip of the last step in the direction of q
+  double slip_inside_cone = 0;  ///< [m] largest slip of the last step where |q| < mu p by 2e-8
+  double slip_along_force = 0;  ///< [m] the same in the direction of q, where |q| > 2e-8
 };
 ContactErrors contact_errors(const Solution&, double friction);
 
