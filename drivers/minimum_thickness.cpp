@@ -1,0 +1,182 @@
+// minimum_thickness: the thinnest semicircular arch that stands under its own weight, by bisection.
+//
+// The ring rests on two flat blocks that are held, so that it may open or slide at the springings as at any joint.
+// Whether an arch stands does not depend on how stiff its stones are: contact forces act at nodes, those at intrados
+// and extrados included, and gaps are linear in the displacements, so elastic stones find a thrust line wherever rigid
+// ones have one. Friction is Coulomb's, not the associated flow of limit analysis.
+#include <Tpetra_Core.hpp>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "mesh/generators.hpp"
+#include "simulation/adaptive_step.hpp"
+#include "simulation/model.hpp"
+
+namespace {
+
+using namespace voussoir;
+
+const char* const usage =
+    R"(minimum_thickness --friction=MU [options]
+  --friction=MU    friction coefficient of all joints [-]
+  --voussoirs=N    stones of the ring, the springings not counted (default 27)
+  --tolerance=T    accuracy of thickness / radius [-] (default 1e-4)
+  --from=A --to=B  thickness / radius to search [-] (default 0.04 to 0.4); the first thickness that stands counts
+  --cells=C        cells through the thickness (default 2)
+  --help
+Exit codes: 0 found, or shown that no thickness searched stands; 2 the input is wrong; 3 no convergence.
+)";
+
+struct Arguments {
+  double friction = -1, tolerance = 1e-4, from = 0.04, to = 0.4;
+  int voussoirs = 27, cells = 2;
+  bool help = false;
+};
+
+double number(const std::string& option, const std::string& text, double at_least) {
+  std::size_t used = 0;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || !(value >= at_least) || !std::isfinite(value))
+    throw InputError("minimum_thickness: " + option + " = '" + text + "'\n  must be a number of at least " +
+                     std::to_string(at_least) + ".\n  See minimum_thickness --help.");
+  return value;
+}
+
+Arguments parse(const std::vector<std::string>& words) {
+  Arguments a;
+  for (const auto& word : words) {
+    const auto sign = word.find('=');
+    const std::string option = word.substr(0, sign), text = sign == std::string::npos ? "" : word.substr(sign + 1);
+    if (option == "--friction")
+      a.friction = number(option, text, 0);
+    else if (option == "--voussoirs")
+      a.voussoirs = static_cast<int>(number(option, text, 3));
+    else if (option == "--tolerance")
+      a.tolerance = number(option, text, 1e-8);
+    else if (option == "--from")
+      a.from = number(option, text, 1e-3);
+    else if (option == "--to")
+      a.to = number(option, text, 1e-3);
+    else if (option == "--cells")
+      a.cells = static_cast<int>(number(option, text, 1));
+    else if (option == "--help")
+      a.help = true;
+    else
+      throw InputError("minimum_thickness: '" + word + "' is no option.\n  See minimum_thickness --help.");
+  }
+  if (a.friction < 0 && !a.help) throw InputError("minimum_thickness: no friction given.\n  Give --friction=MU.");
+  if (!(a.from < a.to && a.to < 2))
+    throw InputError("minimum_thickness: --from = " + std::to_string(a.from) + ", --to = " + std::to_string(a.to) +
+                     "\n  must be ascending and below 2 (the intrados would have no radius left).");
+  return a;
+}
+
+/// A ring of radius 1 m whose stones weigh 20 kN/m3, on blocks as high as a cell.
+Scene arch(const Arguments& a, double thickness) {
+  Scene scene;
+  scene.file = scene.name = "minimum_thickness";
+  auto& mesh = scene.mesh;
+  mesh.type = MeshType::arch;
+  mesh.arch.radius = 1;
+  mesh.arch.thickness = thickness;
+  mesh.arch.voussoirs = a.voussoirs;
+  mesh.arch.cells_radial = a.cells;
+  mesh.arch.cells_along = 6;  // straight sides lie inside the arc: 2 cells would move the result by 0.1 %
+  mesh.arch.pier_height = thickness / a.cells;
+  mesh.arch.pier_courses = 1;
+  MaterialParameters stone;
+  stone.young_modulus = 10e9;  // as stone; 1 GPa and 1000 GPa find the same arches standing
+  stone.density = 2000;
+  scene.materials.push_back({"stone", stone});
+  JointLawParameters joint;
+  joint.friction_coefficient = a.friction;
+  scene.joints.push_back({"dry", joint});
+  for (const char* side : {"springing left", "springing right"}) {
+    SupportParameters support;
+    support.on = side;
+    scene.supports.push_back({side, support});
+  }
+  LoadParameters weight;
+  weight.name = "weight";
+  scene.loads.push_back(weight);
+  scene.selection.mode = SelectionMode::all;
+  scene.newton.tolerance = 1e-6;  // of the largest force: far below the share of the weight that is out of balance
+  scene.newton.largest_iterations = 2000;
+  return scene;
+}
+
+bool stands(const Arguments& a, double thickness) {
+  const auto scene = arch(a, thickness);
+  const auto source = make_arch(scene.mesh.arch);
+  const Model<2> model(scene, *source, Tpetra::getDefaultComm());
+  AdaptiveStep<2> step(model);
+  auto state = step.initial_state();
+  std::vector<double> load, prescribed;
+  model.loads({{"weight", 1.0}}, load, prescribed);
+  const auto solved = step.solve(state, load, prescribed).newton;
+  if (solved.outcome == NewtonOutcome::not_converged)
+    throw ConvergenceError("minimum_thickness: t/R = " + std::to_string(thickness) + ", friction " +
+                           std::to_string(a.friction) + "\n  neither equilibrium nor collapse was found: " +
+                           solved.reason + " (" + std::to_string(solved.newton_iterations) + ").");
+  const bool found = solved.outcome == NewtonOutcome::converged;
+  std::printf("t/R %.6f  %-11s  %4d linear solves\n", thickness, found ? "stands" : "collapses",
+              solved.newton_iterations);
+  return found;
+}
+
+void search(const Arguments& a) {
+  // Thickness need not help without end where sliding decides, so the first thickness that stands is looked for.
+  const double stride = 1.1;
+  double low = a.from, high = a.from;
+  while (!stands(a, high)) {
+    low = high;
+    if (high >= a.to) {
+      std::printf("no equilibrium at any thickness searched, t/R = %g to %g\n", a.from, a.to);
+      return;
+    }
+    high = std::min(high * stride, a.to);
+  }
+  if (low == high) {
+    std::printf("stands at the least thickness searched, t/R = %g\n", a.from);
+    return;
+  }
+  while (high - low > a.tolerance) {
+    const double middle = (low + high) / 2;
+    (stands(a, middle) ? high : low) = middle;
+  }
+  std::printf("minimum t/R = %.6f\n", high);
+}
+
+int run_program(const std::vector<std::string>& words) {
+  try {
+    const auto a = parse(words);
+    if (a.help)
+      std::cout << usage;
+    else
+      search(a);
+    return exit_done;
+  } catch (const InputError& error) {
+    std::cerr << error.what() << "\n";
+    return exit_input;
+  } catch (const ConvergenceError& error) {
+    std::cerr << error.what() << "\n";
+    return exit_no_convergence;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard scope(&argc, &argv);
+  return run_program({argv + 1, argv + argc});
+}
