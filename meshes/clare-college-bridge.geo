@@ -459,7 +459,8 @@ For n In {0:top}
   EndFor
 EndFor
 
-// Road: TX, TP. A point is added at the middle of each pier, where the deck groups part, unless a joint is near.
+// Road: TX, TP. A point is added at the middle of the bridge and of each pier, where the deck groups part, unless a
+// joint is near.
 raw() = {-x_back, x_back};
 For n In {datum:top}
   For i In {0:#H~{n}() - 1}
@@ -469,7 +470,7 @@ For n In {datum:top}
     EndIf
   EndFor
 EndFor
-For k In {-1:1:2}
+For k In {-1:1}
   near = 0;
   For i In {0:#raw() - 1}
     near = near || Fabs(raw(i) - k * x_pier) < stagger;
@@ -490,8 +491,8 @@ EndFor
 
 // ------------------------------------------------------------------------------------------ 4 stones
 // Surfaces of a group: S0..S2 rings, S3..S6 abutments and piers west to east, S7 spandrel.
-// Curves of a group: C0..C3 foundations west to east, C4, C5 backs, C6..C8 decks.
-For i In {0:8}
+// Curves of a group: C0..C3 foundations west to east, C4, C5 backs, C6..C8 decks, C9 the western half of the deck.
+For i In {0:9}
   S~{i}() = {}; C~{i}() = {};
 EndFor
 For i In {1:#PX() - 1}
@@ -526,6 +527,9 @@ Macro Edge
     NC~{lo}() += e;
     If (PT(lo) == 1 && PT(hi) == 1)
       middle = (PX(lo) + PX(hi)) / 2;
+      If (middle < 0)
+        C~{9}() += e;
+      EndIf
       If (middle < -x_pier)
         C~{6}() += e;
       ElseIf (middle > x_pier)
@@ -706,6 +710,7 @@ Physical Curve("back east", 16) = C~{5}();
 Physical Curve("deck west", 17) = C~{6}();
 Physical Curve("deck central", 18) = C~{7}();
 Physical Curve("deck east", 19) = C~{8}();
+Physical Curve("deck west half", 20) = C~{9}();
 
 If (recombine)
   Recombine Surface{1:stones};

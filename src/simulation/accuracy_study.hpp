@@ -7,7 +7,7 @@
 //   error in energy = sqrt(e.K e / u.K u), e = difference of the displacements, K = stiffness of the blocks alone,
 //   so that a motion of whole blocks as rigid bodies is not an error by itself; the displacement error sees it.
 // Element size, adaptive as the scene asks: meshes are not nested, so that displacements cannot be subtracted.
-//   error in energy = sqrt(|E - E*| / E*), E* = elastic energy on the finest mesh that was solved. Where energy converges
+//   error in energy = sqrt(|E - E*| / E*), E* = elastic energy on the finest mesh solved. Where energy converges
 //   from one side this is the energy norm of the difference (Galerkin orthogonality); elsewhere an indicator.
 // In both, the displacement error is that of the largest displacement, relative.
 #pragma once

@@ -231,7 +231,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       release(state, cluster, std::vector<double>(model_.points().owned(), 0.0));
       more = true;
       wanted = tolerance;
-    } else if (scene.selection.mode == SelectionMode::adaptive && report.error_estimate > scene.selection.error_tolerance &&
+    } else if (scene.selection.mode == SelectionMode::adaptive &&
+               report.error_estimate > scene.selection.error_tolerance &&
                report.selection_rounds < scene.selection.largest_rounds) {
       more = release(state, cluster, eta);
       if (more) wanted = std::clamp(share_of_violation * violated, tolerance, coarsest_tolerance);

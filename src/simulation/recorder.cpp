@@ -109,7 +109,8 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
       const double trial = state.lambda[dim * k + c] - sigma * (gap[dim * k + c] - slip_before[dim * k + c]);
       q += trial * trial;
     }
-    status[k] = normal <= -law.tension ? open : std::sqrt(q) < friction_bound(law, state.lambda[dim * k]) ? stick : slip;
+    const bool sticks = std::sqrt(q) < friction_bound(law, state.lambda[dim * k]);
+    status[k] = normal <= -law.tension ? open : sticks ? stick : slip;
   }
   return status;
 }
