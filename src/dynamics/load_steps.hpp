@@ -38,6 +38,10 @@ class LoadSteps {
   /// The step was solved: go on.
   void accept() {
     reached_ = target();
+    if (halvings_ > 0 && ++successes_ == 2) {  // two steps in a row: try the larger one again
+      --halvings_;
+      successes_ = 0;
+    }
     if (reached_ < 1) return;
     for (const auto& [load, end] : stages_[stage_].factors) before_[load] = end;
     ++stage_;
@@ -48,6 +52,7 @@ class LoadSteps {
   bool halve() {
     if (halvings_ == parameters_.largest_halvings) return false;
     ++halvings_;
+    successes_ = 0;
     return true;
   }
   int halvings() const { return halvings_; }
@@ -64,6 +69,7 @@ class LoadSteps {
   std::map<std::string, double> before_;
   std::size_t stage_ = 0;
   int halvings_ = 0, planned_ = 0;
+  int successes_ = 0;  ///< steps solved since the last halving or doubling
   double reached_ = 0;
 };
 

@@ -33,6 +33,8 @@ constexpr int largest_inner = 60;
 constexpr double run_away = 0.2;
 // A motion carried that far that leaves more than this share of the imbalance would have to go on as far again.
 constexpr double unchanged = 0.5;
+// Forces have settled when the contact law asks for less than this share of the imbalance.
+constexpr double settled = 0.1;
 
 }  // namespace
 
@@ -222,6 +224,12 @@ void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
   report.penetration = largest(penetration);
 }
 
+/// Has the last update moved something by a share of the structure?
+bool AugmentedLagrangian::moved_far(State& s) const {
+  mechanism_->update(1.0, s.x, -1.0, *s.x_old, 0.0);
+  return mechanism_->normInf() > run_away * problem_.length_scale();
+}
+
 /// Does the motion of the last update lead nowhere? Far along it forces and imbalance must be as they are here: nothing
 /// stiffens, opens or closes. The test does not wait until round-off (Young's modulus x motion) hides the imbalance.
 /// Expects the gradient that measure() leaves.
@@ -250,7 +258,8 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
   double previous = std::numeric_limits<double>::infinity();
   double change = 0;
   s.pressure = lambda;
-  int stagnant = 0;
+  int stagnant = 0, drifting = 0;
+  double last_residual = 0;
   double relaxation = 1;
   for (report.outer_iterations = 1;; ++report.outer_iterations) {
     s.scale = problem_.force_scale();
@@ -270,7 +279,12 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
     change = update_forces(s);
     measure(s, report);
     if (report.residual <= tolerance && report.complementarity <= tolerance) break;
-    if (runs_away(s)) {
+    // Only where forces have settled and the imbalance stays: early iterations may look like anything.
+    drifting = report.complementarity < settled * report.residual && report.residual > 0.5 * last_residual
+                   ? drifting + 1
+                   : 0;
+    last_residual = report.residual;
+    if ((drifting > 1 || moved_far(s)) && runs_away(s)) {
       report.outcome = NewtonOutcome::collapse;
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return report;

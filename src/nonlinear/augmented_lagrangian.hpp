@@ -54,6 +54,7 @@ class AugmentedLagrangian {
   double update_forces(State&) const;
   void measure(State&, NewtonReport&) const;
   double contact_residual(State&) const;
+  bool moved_far(State&) const;
   bool runs_away(State&) const;
   double largest(double local) const;
 
