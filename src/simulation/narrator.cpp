@@ -22,7 +22,8 @@ Narrator::Narrator(std::ostream& say, bool verbose) : say_(say), verbose_(verbos
 }
 
 void Narrator::begin(int step, const std::string& stage, double target, double progress) {
-  if (step == 1 || target_ == 1.0) say_ << "stage '" << stage << "'\n";
+  if (stage != stage_) say_ << "stage '" << stage << "'\n";
+  stage_ = stage;
   step_ = step;
   target_ = target;
   progress_ = progress;

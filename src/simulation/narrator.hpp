@@ -23,6 +23,7 @@ class Narrator {
   double spent_ = 0, progress_ = 0;
   int step_ = 0, solves_ = 0;
   double target_ = 0;
+  std::string stage_;
 };
 
 /// The block that moves most in a motion. Collective.
