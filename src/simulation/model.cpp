@@ -44,7 +44,13 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
     Phase phase("joints");
     points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
     held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
-    for (const auto& [name, support] : scene.supports) hold(*structure_, support, facet_set(support.on), held_);
+    first_support_.assign(held_.size(), -1);
+    for (std::size_t k = 0; k < scene.supports.size(); ++k) {
+      const auto& support = scene.supports[k].parameters;
+      hold(*structure_, support, facet_set(support.on), held_);
+      for (std::size_t i = 0; i < held_.size(); ++i)
+        if (held_[i] && first_support_[i] < 0) first_support_[i] = static_cast<int>(k);
+    }
     set_laws();
   }
   Phase phase("continuum");
@@ -93,10 +99,15 @@ void Model<dim>::loads(const std::map<std::string, double>& factors, std::vector
       add_inertia_force<dim>(*structure_, {load.acceleration.ax, load.acceleration.ay}, factor, force);
     if (load.type == LoadType::traction)
       add_traction(*structure_, load.traction, facet_set(load.traction.on), factor, force);
-    if (load.type == LoadType::settlement)
-      for (const auto& [name, support] : scene_.supports)
-        if (name == load.settlement.support)
-          add_settlement(*structure_, load.settlement, support, facet_set(support.on), factor, prescribed);
+    if (load.type != LoadType::settlement) continue;
+    for (std::size_t k = 0; k < scene_.supports.size(); ++k) {
+      const auto& [name, support] = scene_.supports[k];
+      if (name != load.settlement.support) continue;
+      std::vector<double> moved(force.size(), 0.0);
+      add_settlement(*structure_, load.settlement, support, facet_set(support.on), factor, moved);
+      for (std::size_t i = 0; i < moved.size(); ++i)
+        if (first_support_[i] == static_cast<int>(k)) prescribed[i] += moved[i];
+    }
   }
 }
 

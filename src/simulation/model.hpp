@@ -45,6 +45,7 @@ class Model {
   std::unique_ptr<ContactPoints<dim>> points_;
   std::unique_ptr<Continuum<dim>> continuum_;
   std::vector<char> held_;
+  std::vector<int> first_support_;  ///< per held component: the first support of the scene that holds it moves it
   std::vector<double> local_stiffness_;
   std::vector<PointLaw> law_;
   bool brittle_ = false;
