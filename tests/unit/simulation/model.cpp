@@ -1,0 +1,29 @@
+// What a model makes of a scene's supports and loads.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+
+#include "support/scenes.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+// A node in two supports is moved by the first that holds it, not by both: the values are written, not computed,
+// so they are compared to the last bit.
+TEUCHOS_UNIT_TEST(Model, ANodeOfTwoSupportsMovesOnce) {
+  Scene scene = arch_scene(5);
+  scene.supports.push_back({"again", {"springing right", "x"}});
+  LoadParameters load = scene.loads.back();
+  load.name = "again";
+  load.settlement.support = "again";
+  scene.loads.push_back(load);
+  const Experiment experiment(scene);
+  std::vector<double> force, prescribed;
+  experiment.model().loads({{"spreading", 1.0}, {"again", 1.0}}, force, prescribed);
+  TEST_EQUALITY(*std::max_element(prescribed.begin(), prescribed.end()), 0.005);
+  experiment.model().loads({{"again", 1.0}}, force, prescribed);
+  TEST_EQUALITY(*std::max_element(prescribed.begin(), prescribed.end()), 0.0);
+}
+
+}  // namespace
