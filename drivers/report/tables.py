@@ -32,10 +32,8 @@ def either(results, history_name, *names):
 
 def outcome(results):
     """Words and the kind of outcome: good, warn, bad or ''."""
-    words = str(find(results.result, "outcome") or "outcome not recorded")
-    kind = next((kind for sign, kind in (("no convergence", "bad"), ("not converged", "bad"), ("failed", "bad"), ("collapse", "warn"),
-                                         ("done", "good"), ("converged", "good")) if sign in words.lower()), "")
-    return words, kind
+    words = str(find(results.result, "outcome") or "outcome not recorded").replace("_", " ")
+    return words, {"equilibrium": "good", "collapse": "warn", "not converged": "bad"}.get(words, "")
 
 
 def seconds_of(results):

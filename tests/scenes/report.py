@@ -1,0 +1,221 @@
+"""The report of a run: one page that needs no other file, whatever the user calls things, with the numbers of the run.
+
+    report.py PROGRAM
+
+Three stones under their weight and pressed from above, with a title, stages and a set of stones named to break a page.
+"""
+
+import base64
+import csv
+import html.parser
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FOLDER = pathlib.Path("report").resolve()
+PROGRAM = None
+
+TITLE = """Stones <script>alert("title")</script> & 'quotes' $x$"""
+STAGES = ("<b>weight</b> & more", "</td></table><img src=x onerror=alert(1)>")
+STONES = 'ring <script>alert("set")</script>'
+
+SCENE = """
+<ParameterList name="stones">
+  <Parameter name="title" type="string" value="{title}"/>
+  <ParameterList name="mesh">
+    <Parameter name="type" type="string" value="gmsh"/>
+    <ParameterList name="gmsh">
+      <Parameter name="file" type="string" value="stones.geo"/>
+      <Parameter name="element size" type="double" value="0.25"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="materials">
+    <ParameterList name="stone">
+      <Parameter name="Young modulus" type="double" value="10e9"/>
+      <Parameter name="Poisson ratio" type="double" value="0.2"/>
+      <Parameter name="density" type="double" value="2000"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="joints">
+    <ParameterList name="dry"><Parameter name="friction coefficient" type="double" value="0.6"/></ParameterList>
+  </ParameterList>
+  <ParameterList name="supports">
+    <ParameterList name="ground"><Parameter name="on" type="string" value="bottom"/></ParameterList>
+  </ParameterList>
+  <ParameterList name="loads">
+    <ParameterList name="weight">
+      <Parameter name="type" type="string" value="self weight"/>
+      <Parameter name="gravity" type="double" value="9.81"/>
+    </ParameterList>
+    <ParameterList name="press">
+      <Parameter name="type" type="string" value="traction"/>
+      <Parameter name="on" type="string" value="top"/>
+      <Parameter name="pressure" type="double" value="1e5"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="steps">
+    <ParameterList name="stages">
+      <ParameterList name="{first}">
+        <ParameterList name="loads"><Parameter name="weight" type="double" value="1"/></ParameterList>
+      </ParameterList>
+      <ParameterList name="{second}">
+        <Parameter name="increments" type="int" value="2"/>
+        <ParameterList name="loads"><Parameter name="press" type="double" value="1"/></ParameterList>
+      </ParameterList>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="selection"><Parameter name="mode" type="string" value="all"/></ParameterList>
+</ParameterList>
+"""
+
+# What html_page.py writes; anything else came in from outside.
+TAGS = set("html head meta title style body header h1 h2 h3 span div ul li dl dt dd small p figure img figcaption table thead "
+           "tbody tr th td footer".split())
+ATTRIBUTES = {"lang", "charset", "name", "content", "class", "width", "alt", "src"}
+UNITS = {"m": 1.0, "mm": 1e-3, "µm": 1e-6}
+
+
+class Page(html.parser.HTMLParser):
+    """Tags, attributes, texts by tag, tables and pictures of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.attributes, self.open = set(), set(), []
+        self.pictures, self.texts, self.tables, self.declarations = [], {}, [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.add(tag)
+        self.attributes |= {name for name, _ in attrs}
+        if tag == "img":
+            self.pictures.append(dict(attrs))
+        elif tag != "meta":
+            self.open.append(tag)
+        if tag == "table":
+            self.tables.append([])
+        elif tag == "tr":
+            self.tables[-1].append([])
+        if tag in ("td", "th"):
+            self.tables[-1][-1].append("")
+        self.texts.setdefault(tag, []).append("")
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, f"</{tag}> closes {self.open[-1:]}"
+        self.open.pop()
+
+    def handle_data(self, data):
+        if not self.open:
+            return
+        self.texts[self.open[-1]][-1] += data
+        if self.open[-1] in ("td", "th"):
+            self.tables[-1][-1][-1] += data
+
+    def facts(self):
+        """Name -> words of the figures asked first."""
+        return dict(zip(self.texts["dt"], self.texts["dd"]))
+
+
+def escaped(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        FOLDER.mkdir(exist_ok=True)
+        geo = (ROOT / "tests/scenes/geo/three_stones.geo").read_text()
+        name = STONES.replace('"', "'")  # gmsh ends a name at a double quote
+        (FOLDER / "stones.geo").write_text(f'{geo}Physical Surface("{name}") = {{1, 2, 3}};\n')
+        scene = FOLDER / "stones.xml"
+        scene.write_text(SCENE.format(title=escaped(TITLE), first=escaped(STAGES[0]), second=escaped(STAGES[1])))
+        cls.out = FOLDER / "out"
+        subprocess.run([PROGRAM, f"--xml={scene}", f"--out={cls.out}", "--overwrite", "--quiet"], check=True)
+        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", cls.out], check=True,
+                       stdout=subprocess.DEVNULL)
+        cls.text = (cls.out / "report.html").read_text(encoding="utf-8")
+        cls.page = Page(cls.text)
+        cls.result = json.loads((cls.out / "result.json").read_text())
+        with open(cls.out / "history.csv", newline="", encoding="utf-8") as file:
+            cls.history = list(csv.DictReader(file))
+
+    def test_every_tag_is_ours_and_is_closed(self):
+        self.assertEqual(self.page.tags - TAGS, set())
+        self.assertEqual(self.page.attributes - ATTRIBUTES, set())
+        self.assertEqual(self.page.open, [])
+
+    def test_names_of_the_user_are_shown_as_they_are(self):
+        self.assertEqual(self.page.texts["h1"], [TITLE])
+        self.assertEqual(self.page.texts["title"], [TITLE])
+        stages = [row[1] for row in next(t for t in self.page.tables if "Krylov" in t[0])[1:]]
+        self.assertEqual(stages, [STAGES[0], STAGES[1], STAGES[1]])
+        blocks = next(t for t in self.page.tables if "opening [mm]" in t[0] or "slip [mm]" in t[0])
+        self.assertIn(STONES.replace('"', "'"), blocks[1][1])
+
+    def test_nothing_is_loaded_from_elsewhere(self):
+        for picture in self.page.pictures:
+            self.assertTrue(picture["src"].startswith("data:image/png;base64,"), picture["src"][:60])
+        style = "".join(self.page.texts["style"])
+        for word in ("url(", "@import", "http:", "https:"):
+            self.assertNotIn(word, style)
+
+    def test_pictures_are_whole_and_captioned(self):
+        # Structure, deformed shape, stages, joints, forces, selection, history; phases where there is time to show.
+        self.assertGreaterEqual(len(self.page.pictures), 7)
+        self.assertEqual(len(self.page.texts["figcaption"]), len(self.page.pictures))
+        for picture in self.page.pictures:
+            content = base64.b64decode(picture["src"].split(",", 1)[1], validate=True)
+            self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(content[-8:-4], b"IEND")
+            self.assertGreater(int.from_bytes(content[16:20], "big"), 500)  # pixels: wide enough for a page
+
+    def test_nothing_failed_to_be_drawn(self):
+        self.assertNotIn("could not be drawn", self.text)
+        self.assertNotIn("What this report lacks", self.text)
+
+    def test_the_figures_asked_first_are_those_of_the_result(self):
+        facts, result = self.page.facts(), self.result
+        value, unit = facts["Largest displacement"].split()
+        # Shown with three digits: half a unit of the third is 0.5 %.
+        self.assertAlmostEqual(float(value) * UNITS[unit] / result["largest_displacement_m"], 1, delta=5e-3)
+        self.assertEqual(facts["Open / slipping / sticking points"],
+                         f"{result['open_points']} / {result['slip_points']} / {result['stick_points']}")
+        self.assertEqual(facts["Blocks / joints"], f"{result['blocks']} / {result['joints']}")
+        self.assertEqual(facts["Unknowns"], str(result["unknowns"]))
+        self.assertEqual(facts["Selected as contact"], "100.0 %")
+        self.assertEqual(self.page.texts["span"], [result["outcome"]])
+        self.assertIn('class="outcome good"', self.text)
+
+    def test_the_tables_hold_every_step_of_the_history(self):
+        table = next(t for t in self.page.tables if "Krylov" in t[0])
+        column = {name: table[0].index(name) for name in ("step", "open", "Newton", "Krylov", "displacement [m]")}
+        self.assertEqual(len(table) - 1, len(self.history))
+        for row, step in zip(table[1:], self.history):
+            for name, key in (("step", "step"), ("open", "open_points"), ("Newton", "newton_iterations"),
+                              ("Krylov", "krylov_iterations")):
+                self.assertEqual(row[column[name]], step[key])
+            shown, known = float(row[column["displacement [m]"]]), float(step["largest_displacement_m"])
+            self.assertAlmostEqual(shown / known, 1, delta=5e-3)
+        energy = next(t for t in self.page.tables if "imbalance [J]" in t[0])
+        self.assertEqual(len(energy) - 1, len(self.history))
+
+
+class DamagedResults(unittest.TestCase):
+    def test_a_report_of_an_empty_folder_names_what_is_missing(self):
+        empty = FOLDER / "empty"
+        empty.mkdir(parents=True, exist_ok=True)
+        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", empty], check=True,
+                       stdout=subprocess.DEVNULL)
+        page = Page((empty / "report.html").read_text(encoding="utf-8"))
+        lacks = " ".join(page.texts["li"])
+        for name in ("result.json", "history.csv", "fields.h5", "scene.xml"):
+            self.assertIn(f"{name} is missing", lacks)
+        self.assertTrue(re.search(r"\w", page.texts["h1"][0]))
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
