@@ -144,6 +144,7 @@ int run_program(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tpetra::ScopeGuard scope(&argc, &argv);
+  int name_alone = 1;  // Kokkos would answer --help before we do
+  Tpetra::ScopeGuard scope(&name_alone, &argv);
   return run_program({argv + 1, argv + argc});
 }
