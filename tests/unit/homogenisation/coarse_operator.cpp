@@ -1,0 +1,151 @@
+// Block motions are exact for what they stand for; the whole preconditioner is symmetric and positive.
+#include "homogenisation/coarse_operator.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "unit/homogenisation/selected_wall.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+/// The affine motion number `which` of a block at a place: every block has its own by chance.
+Vector<2> affine(BlockId block, int which, const Vector<2>& x) {
+  Vector<2> u{};
+  for (int c = 0; c < 2; ++c) {
+    const long long seed = 100LL * block + 10 * which + c;
+    u[c] = noise(seed) + noise(seed + 2) * x[0] + noise(seed + 4) * x[1];
+  }
+  return u;
+}
+
+/// Affine motions of the active blocks, where blocks are tied the mean over all node copies, 0 where held.
+Teuchos::RCP<TpetraVector> block_motion(const SelectedWall& w, int which) {
+  auto x = Teuchos::rcp(new TpetraVector(w.space.map()));
+  const auto active = w.active();
+  double* value = local_view_to_write(*x);
+  for (int i = 0; i < w.structure.nodes(); ++i) {
+    const int k = w.space.cluster()[i];
+    const BlockId block = w.structure.blocks()[w.structure.block_of_node()[i]].mesh.id;
+    if (k >= w.space.owned_clusters() || !active[block]) continue;
+    const auto u = affine(block, which, w.structure.position()[i]);
+    for (int c = 0; c < 2; ++c)
+      if (!w.space.held()[2 * k + c]) value[2 * k + c] += u[c] / w.space.multiplicity()[k];
+  }
+  return x;
+}
+
+struct System {
+  SystemMatrix<2> h;
+  explicit System(const SelectedWall& w) : h(w.structure, w.points, w.selected, w.space) {
+    h.update(w.statuses(), w.proximal());
+  }
+};
+
+TEUCHOS_UNIT_TEST(BlockMotions, AreSixPerBlockWithASelectedPoint) {
+  for (const auto selected : {Selected::some, Selected::all}) {
+    const SelectedWall w(selected);
+    const auto active = w.active();
+    const BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, active);
+    TEST_EQUALITY(motions.size(), 6 * std::count(active.begin(), active.end(), 1));
+  }
+}
+
+TEUCHOS_UNIT_TEST(BlockMotions, SolveExactlyForAffineMotionsOfEveryBlock) {
+  for (const auto selected : {Selected::some, Selected::all}) {
+    const SelectedWall w(selected);
+    const System system(w);
+    BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
+    motions.update(w.statuses(), w.proximal());
+    for (int which = 0; which < 3; ++which) {
+      const auto x = block_motion(w, which);
+      TpetraVector r(w.space.map()), z(w.space.map());
+      system.h.matrix()->apply(*x, r);
+      motions.add(r, z);
+      z.update(-1.0, *x, 1.0);
+      // Z (Z^T H Z)^-1 Z^T H Z c = Z c. Proximal over structural stiffness makes the coarse condition number some 1e3
+      // to 1e5, so that round-off leaves ten digits.
+      TEST_COMPARE(z.norm2(), <=, 1e-10 * x->norm2());
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(BlockMotions, AddToWhatIsThere) {
+  const SelectedWall w(Selected::some);
+  BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
+  motions.update(w.statuses(), w.proximal());
+  const auto r = noise_vector(w.space.map());
+  TpetraVector once(w.space.map()), twice(w.space.map());
+  motions.add(*r, once);
+  motions.add(*r, twice);
+  motions.add(*r, twice);
+  twice.update(-2.0, once, 1.0);
+  TEST_COMPARE(once.norm2(), >, 0);
+  TEST_COMPARE(twice.norm2(), <=, 1e-14 * once.norm2());  // the same sums
+}
+
+const PreconditionerParameters parts[] = {{true, true, true},  {false, true, true},  {true, false, true},
+                                          {true, true, false}, {false, false, true}, {true, false, false},
+                                          {false, true, false}};
+
+TEUCHOS_UNIT_TEST(CoarseOperator, IsSymmetricAndPositiveWhateverIsSelectedAndSwitchedOn) {
+  for (const auto selected : {Selected::none, Selected::some, Selected::all}) {
+    const SelectedWall w(selected);
+    const Continuum<2> continuum(w.structure, w.points, w.held, {});
+    const System system(w);
+    for (const auto& part : parts) {
+      CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, part);
+      m.update(system.h, w.statuses(), w.proximal());
+      const auto a = noise_vector(w.space.map());
+      TpetraVector b(w.space.map()), ma(w.space.map()), mb(w.space.map());
+      for (int k = 0; k < 2 * w.space.owned_clusters(); ++k) {
+        // Another noise; and residuals are 0 where the displacement is prescribed.
+        local_view_to_write(b)[k] = noise(3 * w.space.map()->getGlobalElement(k) + 1);
+        if (w.space.held()[k]) local_view_to_write(b)[k] = local_view_to_write(*a)[k] = 0;
+      }
+      m.apply(*a, ma);
+      m.apply(b, mb);
+      // Against the size a product of such vectors has: a.M b itself may cancel.
+      const double scale = ma.norm2() * b.norm2() + mb.norm2() * a->norm2();
+      TEST_COMPARE(std::abs(a->dot(mb) - b.dot(ma)), <=, 1e-10 * scale);
+      // Blocks alone leave bonded blocks out, and motions alone add the identity: neither is singular on noise.
+      TEST_COMPARE(a->dot(ma), >, 0);
+      TEST_COMPARE(b.dot(mb), >, 0);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(CoarseOperator, InheritsTheExactnessOfBlockMotions) {
+  for (const auto selected : {Selected::some, Selected::all}) {
+    const SelectedWall w(selected);
+    const Continuum<2> continuum(w.structure, w.points, w.held, {});
+    const System system(w);
+    CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
+    m.update(system.h, w.statuses(), w.proximal());
+    const auto x = block_motion(w, 0);
+    TpetraVector r(w.space.map()), z(w.space.map());
+    system.h.matrix()->apply(*x, r);
+    m.apply(r, z);
+    z.update(-1.0, *x, 1.0);
+    TEST_COMPARE(z.norm2(), <=, 1e-10 * x->norm2());  // as for the motions alone
+  }
+}
+
+TEUCHOS_UNIT_TEST(CoarseOperator, OfABondedStructureIsTheContinuum) {
+  const SelectedWall w(Selected::none);
+  const Continuum<2> continuum(w.structure, w.points, w.held, {});
+  const System system(w);
+  CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
+  m.update(system.h, w.statuses(), w.proximal());
+  auto r = noise_vector(w.space.map());
+  for (int k = 0; k < 2 * w.space.owned_clusters(); ++k)
+    if (w.space.held()[k]) local_view_to_write(*r)[k] = 0;
+  TpetraVector z(w.space.map()), reference(w.space.map());
+  m.apply(*r, z);
+  continuum.preconditioner()->apply(*r, reference);
+  z.update(-1.0, reference, 1.0);
+  TEST_COMPARE(z.norm2(), <=, 1e-14 * reference.norm2());  // the same operations
+}
+
+}  // namespace

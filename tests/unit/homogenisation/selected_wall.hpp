@@ -1,0 +1,75 @@
+// A small wall held at its base, with some of its contact points selected.
+#pragma once
+
+#include <memory>
+
+#include "homogenisation/continuum.hpp"
+#include "homogenisation/system_matrix.hpp"
+#include "unit/blocks/lattice_block.hpp"
+#include "unit/linalg/systems.hpp"
+
+namespace voussoir::test {
+
+enum class Selected { none, some, all };  ///< some: every other point by chance, so that vertices are tied in part
+
+struct SelectedWall {
+  std::unique_ptr<BlockSource<2>> source;
+  Structure<2> structure;
+  ContactPoints<2> points;
+  std::vector<char> held, selected;
+  MergedSpace<2> space;
+
+  explicit SelectedWall(Selected what, const Comm& comm = everyone())
+      : source(wall()),
+        structure(structure_of(*source, comm)),
+        points(*source, structure),
+        held(at_base(structure)),
+        selected(chosen(points, what)),
+        space(structure, points, selected, held) {}
+
+  /// Statuses by chance: open, sticking, slipping. As stiff as the stones (1e9 N/m).
+  std::vector<PointStiffness> statuses() const {
+    std::vector<PointStiffness> stiffness;
+    for (const auto& p : points.points()) {
+      const double dice = noise(7 * p.id + 3);
+      stiffness.push_back({dice > -0.4 ? 1e9 : 0.0, dice > 0.3 ? 1e9 : 0.0});
+    }
+    return stiffness;
+  }
+
+  /// A hundredth of the stiffness of the stones holds blocks whose points are all open.
+  std::vector<double> proximal() const { return std::vector<double>(2 * space.owned_clusters(), 1e7); }
+
+  /// 1 for every block with a selected point, the same on all ranks.
+  std::vector<int> active() const {
+    std::vector<int> mine(structure.owner_of_block().size(), 0), all(mine.size());
+    for (int k = 0; k < points.owned(); ++k)
+      if (selected[k]) mine[points.joints()[points.points()[k].joint].block_i] = 1;
+    for (int k = 0; k < points.owned(); ++k)
+      if (selected[k]) mine[points.joints()[points.points()[k].joint].block_j] = 1;
+    Teuchos::reduceAll(*structure.comm(), Teuchos::REDUCE_MAX, int(mine.size()), mine.data(), all.data());
+    return all;
+  }
+
+ private:
+  static std::unique_ptr<BlockSource<2>> wall() {
+    WallParameters p;
+    p.courses = 5;
+    p.blocks_per_course = 3;
+    return make_wall(p);
+  }
+  static std::vector<char> at_base(const Structure<2>& s) {
+    std::vector<char> marks(2 * s.nodes(), 0);
+    for (int i = 0; i < s.nodes(); ++i)
+      if (s.position()[i][1] == 0) marks[2 * i] = marks[2 * i + 1] = 1;
+    return marks;
+  }
+  static std::vector<char> chosen(const ContactPoints<2>& points, Selected what) {
+    std::vector<char> marks;
+    for (const auto& p : points.points())
+      marks.push_back(what == Selected::all || (what == Selected::some && noise(p.id) > 0));
+    return marks;
+  }
+};
+
+}  // namespace voussoir::test
