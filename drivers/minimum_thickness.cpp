@@ -122,7 +122,7 @@ bool stands(const Arguments& a, double thickness) {
   AdaptiveStep<2> step(model);
   auto state = step.initial_state();
   std::vector<double> load, prescribed;
-  model.loads({{"weight", 1.0}}, load, prescribed);
+  model.loads({{"weight", 1.0}}, 0.0, load, prescribed);
   const auto solved = step.solve(state, load, prescribed).newton;
   if (solved.outcome == NewtonOutcome::not_converged)
     throw ConvergenceError("minimum_thickness: t/R = " + std::to_string(thickness) + ", friction " +

@@ -60,6 +60,19 @@ std::string number_text(double value) {
 std::optional<double> number_in(const std::string& text) { return parsed<double>(text); }
 std::optional<int> whole_number_in(const std::string& text) { return parsed<int>(text); }
 
+std::optional<std::vector<double>> numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  std::size_t from = 0;
+  while ((from = text.find_first_not_of(", \t\r\n", from)) != std::string::npos) {
+    const std::size_t end = std::min(text.find_first_of(", \t\r\n", from), text.size());
+    const auto number = number_in(text.substr(from, end - from));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    from = end;
+  }
+  return numbers;
+}
+
 std::optional<bool> truth_in(const std::string& text) {
   const std::string word = lower(trimmed(text));
   if (word == "true" || word == "yes" || word == "1") return true;

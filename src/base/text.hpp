@@ -12,6 +12,8 @@ std::string number_text(double);
 
 /// The whole text as a number; nothing when any part of it is not. Infinities and NaN are numbers here.
 std::optional<double> number_in(const std::string&);
+/// Numbers separated by commas or blanks; nothing when any of them is none.
+std::optional<std::vector<double>> numbers_in(const std::string&);
 std::optional<int> whole_number_in(const std::string&);
 /// true, yes, 1 or false, no, 0 in any case of letters.
 std::optional<bool> truth_in(const std::string&);

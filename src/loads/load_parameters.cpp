@@ -45,6 +45,7 @@ void LoadParameters::declare(ParameterSection& section) {
   section.add_alternative("", traction, type == LoadType::traction, "type = traction", "Force per area on facets");
   section.add_alternative("", settlement, type == LoadType::settlement, "type = settlement",
                           "Prescribed motion of a support");
+  section.add_section("time function", time_function, "how the load varies with time, times its factor of the stage");
 }
 
 }  // namespace voussoir

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "loads/time_function_parameters.hpp"
+
 namespace voussoir {
 
 class ParameterSection;
@@ -45,6 +47,7 @@ struct LoadParameters {
   AccelerationParameters acceleration;
   TractionParameters traction;
   SettlementParameters settlement;
+  TimeFunctionParameters time_function;
   void declare(ParameterSection&);
 };
 

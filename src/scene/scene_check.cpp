@@ -24,16 +24,9 @@ void require_members(std::size_t count, const std::string& path, const std::stri
     problems.add(path, " has no members\n  but a scene needs at least one" + what + ".\n  " + advice);
 }
 
-/// Makes the path of the mesh absolute, so that a scene written elsewhere finds it again.
-void find_mesh_file(Scene& scene, InputProblems& problems) {
-  std::string& file = scene.mesh.gmsh.file;
-  const std::string path = "scene > mesh > gmsh > file";
-  if (scene.mesh.type != MeshType::gmsh || file.empty() || problems.concern(path)) return;
-  const std::string ending = fs::path(file).extension().string();
-  if (ending != ".geo" && ending != ".msh")
-    return problems.add(path, " = " + in_quotes(file) +
-                                  "\n  must end in .geo (a geometry) or .msh (a mesh).\n"
-                                  "  Export the mesh from gmsh in the format .msh 4.1.");
+/// Makes the path of a file absolute, so that a scene written elsewhere finds it again.
+void find_file(const Scene& scene, std::string& file, const std::string& path, InputProblems& problems) {
+  if (file.empty() || problems.concern(path)) return;
   std::error_code error;
   const fs::path folder = fs::absolute(scene.file, error).lexically_normal().parent_path();
   std::vector<fs::path> places{folder / file, folder.parent_path() / file, folder.parent_path() / "meshes" / file};
@@ -48,6 +41,21 @@ void find_mesh_file(Scene& scene, InputProblems& problems) {
   }
   problems.add(path, " = " + in_quotes(file) + "\n  cannot be found. Sought: " + list_of(sought) +
                          ".\n  Put the file there, or give its path.");
+}
+
+void find_files(Scene& scene, InputProblems& problems) {
+  std::string& mesh = scene.mesh.gmsh.file;
+  const std::string path = "scene > mesh > gmsh > file", ending = fs::path(mesh).extension().string();
+  if (scene.mesh.type == MeshType::gmsh && !mesh.empty() && !problems.concern(path)) {
+    if (ending != ".geo" && ending != ".msh")
+      problems.add(path, " = " + in_quotes(mesh) +
+                             "\n  must end in .geo (a geometry) or .msh (a mesh).\n"
+                             "  Export the mesh from gmsh in the format .msh 4.1.");
+    find_file(scene, mesh, path, problems);
+  }
+  for (LoadParameters& load : scene.loads)
+    if (load.time_function.type == TimeFunctionType::record)
+      find_file(scene, load.time_function.file, "scene > loads > " + load.name + " > time function > file", problems);
 }
 
 void check_stages(Scene& scene, InputProblems& problems) {
@@ -137,7 +145,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   require_members(scene.stages.size(), "scene > steps > stages", " stage",
                   "Add <ParameterList name=\"own weight\"> with a sublist \"loads\" that gives weight the factor 1.",
                   problems);
-  find_mesh_file(scene, problems);
+  find_files(scene, problems);
   check_stages(scene, problems);
   check_supports(scene, problems);
   check_loads(scene);

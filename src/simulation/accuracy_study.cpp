@@ -50,7 +50,7 @@ ContactState solve(const Model<dim>& model, AccuracyRow& row, std::ostream& say)
   while (!steps.finished()) {
     const auto before = state;
     std::vector<double> load, prescribed;
-    model.loads(steps.factors(), load, prescribed);
+    model.loads(steps.factors(), 0.0, load, prescribed);
     const auto report = step.solve(state, load, prescribed);
     row.linear_solves += report.newton.newton_iterations;
     row.krylov_iterations += report.newton.krylov_iterations;

@@ -53,6 +53,8 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
     }
     set_laws();
   }
+  for (const auto& load : scene.loads)
+    time_function_.emplace_back(load.time_function, scene.file + ": scene > loads > " + load.name, *comm);
   Phase phase("continuum");
   continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu);
 }
@@ -86,14 +88,15 @@ void Model<dim>::set_laws() {
 }
 
 template <int dim>
-void Model<dim>::loads(const std::map<std::string, double>& factors, std::vector<double>& force,
+void Model<dim>::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                        std::vector<double>& prescribed) const {
   force.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0.0);
   prescribed.assign(force.size(), 0.0);
-  for (const auto& load : scene_.loads) {
+  for (std::size_t n = 0; n < scene_.loads.size(); ++n) {
+    const auto& load = scene_.loads[n];
     const auto it = factors.find(load.name);
     if (it == factors.end() || it->second == 0) continue;
-    const double factor = it->second;
+    const double factor = it->second * time_function_[n](time);
     if (load.type == LoadType::self_weight) add_self_weight(*structure_, load.self_weight, factor, force);
     if (load.type == LoadType::acceleration)
       add_inertia_force<dim>(*structure_, {load.acceleration.ax, load.acceleration.ay}, factor, force);

@@ -8,6 +8,7 @@
 
 #include "homogenisation/continuum.hpp"
 #include "joints/contact_law.hpp"
+#include "loads/time_function.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -32,7 +33,8 @@ class Model {
   bool brittle() const { return brittle_; }
 
   /// Nodal forces [N] and prescribed displacements [m] under load factors by name of the load.
-  void loads(const std::map<std::string, double>& factors, std::vector<double>& force,
+  /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
+  void loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
              std::vector<double>& prescribed) const;
 
  private:
@@ -49,6 +51,7 @@ class Model {
   std::vector<double> local_stiffness_;
   std::vector<PointLaw> law_;
   bool brittle_ = false;
+  std::vector<TimeFunction> time_function_;  ///< of each load of the scene
 };
 
 extern template class Model<2>;

@@ -52,7 +52,7 @@ class Run {
     while (!steps.finished()) {
       const auto before = state;
       std::vector<double> next_load, prescribed;
-      model_.loads(steps.factors(), next_load, prescribed);
+      model_.loads(steps.factors(), 0.0, next_load, prescribed);
       narrator_.begin(summary.steps + 1, steps.stage(), steps.target(), steps.progress());
       Teuchos::Time clock("step", true);
       const auto report = step_.solve(state, next_load, prescribed);

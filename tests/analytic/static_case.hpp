@@ -58,7 +58,7 @@ class StaticCase {
   /// One load step to these load factors.
   const StepReport& step(const std::map<std::string, double>& factors) {
     std::vector<double> load, prescribed;
-    model_.loads(factors, load, prescribed);
+    model_.loads(factors, 0.0, load, prescribed);
     report_ = step_.solve(state_, load, prescribed);
     return report_;
   }

@@ -151,11 +151,11 @@ Experiment::Experiment(const Scene& scene) : scene_(scene) {
   step_ = std::make_unique<AdaptiveStep<2>>(*model_);
   state_ = step_->initial_state();
   slip_before_ = state_.slip_origin;
-  model_->loads({}, load_, prescribed_);
+  model_->loads({}, 0.0, load_, prescribed_);
 }
 
 bool Experiment::advance(const std::map<std::string, double>& factors) {
-  model_->loads(factors, load_, prescribed_);
+  model_->loads(factors, 0.0, load_, prescribed_);
   slip_before_ = state_.slip_origin;
   last_ = step_->solve(state_, load_, prescribed_);
   sum_.add(last_.newton);

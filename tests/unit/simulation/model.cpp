@@ -20,9 +20,9 @@ TEUCHOS_UNIT_TEST(Model, ANodeOfTwoSupportsMovesOnce) {
   scene.loads.push_back(load);
   const Experiment experiment(scene);
   std::vector<double> force, prescribed;
-  experiment.model().loads({{"spreading", 1.0}, {"again", 1.0}}, force, prescribed);
+  experiment.model().loads({{"spreading", 1.0}, {"again", 1.0}}, 0.0, force, prescribed);
   TEST_EQUALITY(*std::max_element(prescribed.begin(), prescribed.end()), 0.005);
-  experiment.model().loads({{"again", 1.0}}, force, prescribed);
+  experiment.model().loads({{"again", 1.0}}, 0.0, force, prescribed);
   TEST_EQUALITY(*std::max_element(prescribed.begin(), prescribed.end()), 0.0);
 }
 

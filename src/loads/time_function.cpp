@@ -1,0 +1,84 @@
+#include "loads/time_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "loads/csv_table.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+}  // namespace
+
+PiecewiseLinear::PiecewiseLinear(std::vector<double> time, std::vector<double> value)
+    : time_(std::move(time)), value_(std::move(value)) {
+  VOUSSOIR_CHECK(!time_.empty() && time_.size() == value_.size());
+}
+
+double PiecewiseLinear::operator()(double t) const {
+  const auto after = std::upper_bound(time_.begin(), time_.end(), t);
+  if (after == time_.begin()) return value_.front();
+  if (after == time_.end()) return value_.back();
+  const auto k = static_cast<std::size_t>(after - time_.begin());
+  const double share = (t - time_[k - 1]) / (time_[k] - time_[k - 1]);
+  return value_[k - 1] + share * (value_[k] - value_[k - 1]);
+}
+
+void check_rising(const std::vector<double>& time, const std::string& file, const std::string& where) {
+  for (std::size_t k = 1; k < time.size(); ++k)
+    if (time[k] <= time[k - 1])
+      throw InputError(where + " = " + in_quotes(file) + "\n  must have rising times, but row " +
+                       std::to_string(k + 1) + " is at " + number_text(time[k]) + " s after " +
+                       number_text(time[k - 1]) + " s.\n  Sort the rows, and keep one for each time.");
+}
+
+TimeFunction::TimeFunction(const TimeFunctionParameters& p, const std::string& where, const Teuchos::Comm<int>& comm)
+    : type_(p.type), start_(p.start), end_(p.start + p.duration), amplitude_(p.amplitude) {
+  switch (type_) {
+    case TimeFunctionType::constant:
+    case TimeFunctionType::pulse:
+      break;
+    case TimeFunctionType::table:
+      line_ = {p.time, p.value};
+      break;
+    case TimeFunctionType::ramp:
+      line_ = {{start_, end_}, {p.from, p.to}};
+      break;
+    case TimeFunctionType::sine:
+      end_ = p.end;
+      phase_ = p.phase;
+      first_frequency_ = last_frequency_ = p.frequency;
+      break;
+    case TimeFunctionType::sine_sweep:
+      first_frequency_ = p.first_frequency;
+      last_frequency_ = p.last_frequency;
+      break;
+    case TimeFunctionType::record: {
+      const std::string key = where + " > time function > file";
+      auto table = read_csv(p.file, 2, key, comm);
+      check_rising(table.columns[0], p.file, key);
+      for (double& v : table.columns[1]) v *= p.scale;
+      line_ = {std::move(table.columns[0]), std::move(table.columns[1])};
+      break;
+    }
+  }
+}
+
+double TimeFunction::operator()(double t) const {
+  if (type_ == TimeFunctionType::constant) return 1;
+  if (!line_.time().empty()) return line_(t);
+  if (t < start_ || t > end_) return 0;
+  const double passed = t - start_;
+  if (type_ == TimeFunctionType::pulse) return amplitude_ * std::sin(pi * passed / (end_ - start_));
+  // Of a sweep the phase is 2 pi times the integral of a frequency that changes linearly; of a sine it does not change.
+  const double sweep =
+      type_ == TimeFunctionType::sine ? 0 : (last_frequency_ - first_frequency_) / (2 * (end_ - start_));
+  return amplitude_ * std::sin(2 * pi * (first_frequency_ + sweep * passed) * passed + phase_);
+}
+
+}  // namespace voussoir

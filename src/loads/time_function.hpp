@@ -1,0 +1,50 @@
+// The factor of a load over time.
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+#include <string>
+#include <vector>
+
+#include "loads/time_function_parameters.hpp"
+
+namespace voussoir {
+
+/// Linear between points, held before the first and after the last.
+class PiecewiseLinear {
+ public:
+  PiecewiseLinear() = default;
+  /// @param time  rising [s], as many as values, at least one
+  PiecewiseLinear(std::vector<double> time, std::vector<double> value);
+  double operator()(double t) const;
+  const std::vector<double>& time() const { return time_; }
+  const std::vector<double>& value() const { return value_; }
+  std::size_t bytes() const { return (time_.capacity() + value_.capacity()) * sizeof(double); }
+
+ private:
+  std::vector<double> time_, value_;
+};
+
+class TimeFunction {
+ public:
+  /// 1 at all times.
+  TimeFunction() = default;
+  /// Reads the file of a record. Collective; throws InputError on every rank alike.
+  /// @param where  of the load, "xml/wall.xml: scene > loads > push"
+  TimeFunction(const TimeFunctionParameters&, const std::string& where, const Teuchos::Comm<int>&);
+
+  /// [-] at a time [s]
+  double operator()(double t) const;
+  std::size_t bytes() const { return line_.bytes(); }
+
+ private:
+  TimeFunctionType type_ = TimeFunctionType::constant;
+  double start_ = 0, end_ = 0;                       ///< [s]
+  double amplitude_ = 0, phase_ = 0;                 ///< [-], [rad]
+  double first_frequency_ = 0, last_frequency_ = 0;  ///< [Hz]
+  PiecewiseLinear line_;                             ///< table, ramp, record
+};
+
+/// Refuses times that do not rise, with the first that does not. Same on every rank.
+void check_rising(const std::vector<double>& time, const std::string& file, const std::string& where);
+
+}  // namespace voussoir
