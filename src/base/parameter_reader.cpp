@@ -70,7 +70,7 @@ void ParameterReader::record(const std::string& name) {
   if (undecided_)
     frames_.back().known.push_back(name);
   else
-    frames_.back().elsewhere[name] = hidden_;
+    frames_.back().elsewhere[name] += (frames_.back().elsewhere[name].empty() ? "" : " or ") + hidden_;
 }
 
 void ParameterReader::enter(const std::string& name, const ParameterList* list) {

@@ -1,51 +1,78 @@
 #include "loads/load_parameters.hpp"
 
+#include <utility>
+
 #include "base/parameter_section.hpp"
 
 namespace voussoir {
+namespace {
 
-void SelfWeightParameters::declare(ParameterSection& section) {
-  section.add("gravity", gravity, "m/s2", any_number(), "weight per mass, downwards (-y)");
+constexpr std::size_t kinds = std::variant_size_v<LoadKind>;
+using AllKinds = std::make_index_sequence<kinds>;
+
+template <std::size_t... k>
+std::vector<std::string> words(std::index_sequence<k...>) {
+  return {std::variant_alternative_t<k, LoadKind>::word...};
 }
 
-void AccelerationParameters::declare(ParameterSection& section) {
-  section.add("ax", ax, "m/s2", any_number(), "force per mass on every block, to the right; 0.15 g = 1.4715");
-  section.add("ay", ay, "m/s2", any_number(), "force per mass on every block, upwards");
+/// A load of the k-th type with its defaults.
+template <std::size_t... k>
+LoadKind made(std::size_t wanted, std::index_sequence<k...>) {
+  LoadKind kind;
+  ((k == wanted ? void(kind.emplace<k>()) : void()), ...);
+  return kind;
 }
 
-void TractionParameters::declare(ParameterSection& section) {
-  section.add("on", on, "set of facets the traction acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
-  section.add("tx", tx, "Pa", any_number(), "traction to the right");
-  section.add("ty", ty, "Pa", any_number(), "traction upwards");
-  section.add("pressure", pressure, "Pa", any_number(), "against the outward normal, added to (tx, ty)");
+template <std::size_t k>
+void declare_kind(LoadKind& kind, ParameterSection& section) {
+  using Kind = std::variant_alternative_t<k, LoadKind>;
+  Kind other;
+  const bool chosen = kind.index() == k;
+  section.add_alternative("", chosen ? *std::get_if<k>(&kind) : other, chosen, std::string("type = ") + Kind::word,
+                          Kind::text);
 }
 
-void SettlementParameters::declare(ParameterSection& section) {
-  section.add("support", support, "name of the support of this scene that moves; only its held components do",
-              Presence::required, "Give a name from the section \"supports\".");
-  section.add("ux", ux, "m", any_number(), "displacement to the right");
-  section.add("uy", uy, "m", any_number(), "displacement upwards; a settlement is negative");
-  section.add("rotation", rotation, "rad", any_number(), "small rotation, counter-clockwise");
-  section.add("about x", about_x, "m", any_number(), "centre of the rotation");
-  section.add("about y", about_y, "m", any_number(), "centre of the rotation");
+template <std::size_t... k>
+void declare_kinds(LoadKind& kind, ParameterSection& section, std::index_sequence<k...>) {
+  (declare_kind<k>(kind, section), ...);
 }
+
+}  // namespace
+
+std::vector<std::string> load_words() { return words(AllKinds{}); }
 
 void LoadParameters::declare(ParameterSection& section) {
-  section.add_choice<LoadType>("type", type,
-                               {{"self weight", LoadType::self_weight},
-                                {"acceleration", LoadType::acceleration},
-                                {"traction", LoadType::traction},
-                                {"settlement", LoadType::settlement}},
-                               "kind of load; the other keys depend on it", Presence::required);
-  section.add_alternative("", self_weight, type == LoadType::self_weight, "type = self weight",
-                          "Weight of every block");
-  section.add_alternative("", acceleration, type == LoadType::acceleration, "type = acceleration",
-                          "The same force per mass on every block");
-  section.add_alternative("", traction, type == LoadType::traction, "type = traction", "Force per area on facets");
-  section.add_alternative("", settlement, type == LoadType::settlement, "type = settlement",
-                          "Prescribed motion of a support");
+  std::vector<std::pair<std::string, std::size_t>> choices;
+  for (const std::string& w : load_words()) choices.emplace_back(w, choices.size());
+  std::size_t type = kind.index();
+  section.add_choice<std::size_t>("type", type, choices, "kind of load; the other keys depend on it",
+                                  Presence::required);
+  if (type != kind.index()) kind = made(type, AllKinds{});
+  declare_kinds(kind, section, AllKinds{});
   section.add_section("time function", time_function, "how the load varies with time, times its factor of the stage");
+}
+
+std::string LoadParameters::word() const {
+  return std::visit([](const auto& k) { return std::string(k.word); }, kind);
+}
+
+std::string LoadParameters::summary() const {
+  const std::string text = std::visit([](const auto& k) { return k.summary(); }, kind);
+  return time_function.type == TimeFunctionType::constant ? text : text + ", varying with time";
+}
+
+bool LoadParameters::is_zero() const {
+  return std::visit([](const auto& k) { return k.is_zero(); }, kind);
+}
+
+std::vector<SetOfLoad> LoadParameters::sets() const {
+  return std::visit([](const auto& k) { return k.sets(); }, kind);
+}
+
+std::vector<FileOfLoad> LoadParameters::files() {
+  auto files = std::visit([](auto& k) { return k.files(); }, kind);
+  if (time_function.type == TimeFunctionType::record) files.push_back({"time function > file", &time_function.file});
+  return files;
 }
 
 }  // namespace voussoir

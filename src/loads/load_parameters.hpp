@@ -1,54 +1,59 @@
-// Loads of a scene. Each has a type; a load acts with the factor its step gives it.
+// Loads of a scene. Each has a type, and acts with the factor of its stage times its function of time.
+// A new type of load: its files, and a word in the list below.
 #pragma once
 
 #include <string>
+#include <variant>
+#include <vector>
 
+#include "loads/acceleration_parameters.hpp"
+#include "loads/buoyancy_parameters.hpp"
+#include "loads/crowd_parameters.hpp"
+#include "loads/earth_pressure_parameters.hpp"
+#include "loads/ground_motion_parameters.hpp"
+#include "loads/moving_train_parameters.hpp"
+#include "loads/point_load_parameters.hpp"
+#include "loads/self_weight_parameters.hpp"
+#include "loads/settlement_parameters.hpp"
+#include "loads/temperature_parameters.hpp"
 #include "loads/time_function_parameters.hpp"
+#include "loads/traction_parameters.hpp"
+#include "loads/water_pressure_parameters.hpp"
 
 namespace voussoir {
 
-class ParameterSection;
-
-/// Weight of every block: density x volume x gravity, downwards (-y).
-struct SelfWeightParameters {
-  double gravity = 9.81;  ///< [m/s2]
-  void declare(ParameterSection&);
-};
-
-/// The same acceleration on every block, as an inertia force density x volume x (ax, ay).
-struct AccelerationParameters {
-  double ax = 0.0, ay = 0.0;  ///< [m/s2]
-  void declare(ParameterSection&);
-};
-
-/// Traction on a set of facets, dead (does not follow the deformation).
-struct TractionParameters {
-  std::string on;             ///< a set of facets
-  double tx = 0.0, ty = 0.0;  ///< [Pa]
-  double pressure = 0.0;      ///< [Pa] against the outward normal, added to (tx, ty)
-  void declare(ParameterSection&);
-};
-
-/// Prescribed motion of a support: translation and small rotation about a point.
-struct SettlementParameters {
-  std::string support;        ///< name of a support of the scene; only its held components move
-  double ux = 0.0, uy = 0.0;  ///< [m]
-  double rotation = 0.0;      ///< [rad] counter-clockwise
-  double about_x = 0.0, about_y = 0.0;  ///< [m] centre of rotation
-  void declare(ParameterSection&);
-};
-
-enum class LoadType { self_weight, acceleration, traction, settlement };
+/// Every type of load the program knows.
+using LoadKind = std::variant<SelfWeightParameters, AccelerationParameters, TractionParameters, SettlementParameters,
+                              PointLoadParameters, CrowdParameters, GroundMotionParameters, MovingTrainParameters,
+                              EarthPressureParameters, WaterPressureParameters, BuoyancyParameters,
+                              TemperatureParameters>;
 
 struct LoadParameters {
   std::string name;
-  LoadType type = LoadType::self_weight;
-  SelfWeightParameters self_weight;
-  AccelerationParameters acceleration;
-  TractionParameters traction;
-  SettlementParameters settlement;
+  LoadKind kind;
   TimeFunctionParameters time_function;
+
   void declare(ParameterSection&);
+  /// The type in words, which is the name of the effect.
+  std::string word() const;
+  std::string summary() const;
+  bool is_zero() const;
+  std::vector<SetOfLoad> sets() const;
+  /// Files of the load and of its time function.
+  std::vector<FileOfLoad> files();
 };
+
+/// Words of all types of load, in the order of LoadKind.
+std::vector<std::string> load_words();
+
+/// The parameters of a type of load, nullptr when the load is of another.
+template <class Parameters>
+Parameters* load_as(LoadParameters& load) {
+  return std::get_if<Parameters>(&load.kind);
+}
+template <class Parameters>
+const Parameters* load_as(const LoadParameters& load) {
+  return std::get_if<Parameters>(&load.kind);
+}
 
 }  // namespace voussoir

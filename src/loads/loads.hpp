@@ -1,6 +1,9 @@
-// Nodal forces and prescribed displacements of the loads of a scene; one source file per load.
+// Nodal forces and prescribed displacements of each type of load, as pure functions of a structure.
+//
+// All add factor times the load; forces are [N, dim x local node copies], owned and halo.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "blocks/structure.hpp"
@@ -9,7 +12,7 @@
 
 namespace voussoir {
 
-/// Adds factor x density x volume x acceleration [m/s2] to the forces [N, dim x local node copies].
+/// Adds factor x density x volume x acceleration [m/s2].
 template <int dim>
 void add_inertia_force(const Structure<dim>&, const Vector<dim>& acceleration, double factor,
                        std::vector<double>& force);
@@ -28,5 +31,44 @@ void add_traction(const Structure<dim>&, const TractionParameters&, int facet_se
 template <int dim>
 void add_settlement(const Structure<dim>&, const SettlementParameters&, const SupportParameters&, int facet_set,
                     double factor, std::vector<double>& displacement);
+
+/// A force at the node nearest to a point. Collective; throws InputError on every rank when it is too far.
+template <int dim>
+void add_point_load(const Structure<dim>&, const PointLoadParameters&, double factor, const std::string& where,
+                    std::vector<double>& force);
+
+/// The node nearest to a point, of equally near ones the one with the lowest number. Collective.
+struct NearestNode {
+  double distance = 0;  ///< [m]
+  int local = -1;       ///< on this rank, owned or halo
+};
+template <int dim>
+NearestNode nearest_node(const Structure<dim>&, const Vector<dim>& point);
+
+/// Vertical force per horizontal area on a part of an edge.
+template <int dim>
+void add_crowd(const Structure<dim>&, const CrowdParameters&, int facet_set, double factor,
+               std::vector<double>& force);
+
+/// Horizontal pressure of soil.
+template <int dim>
+void add_earth_pressure(const Structure<dim>&, const EarthPressureParameters&, int facet_set, double factor,
+                        std::vector<double>& force);
+
+/// Pressure of water below its level.
+template <int dim>
+void add_water_pressure(const Structure<dim>&, const WaterPressureParameters&, int facet_set, double factor,
+                        std::vector<double>& force);
+
+/// Weight of the displaced water, upwards.
+/// @param in_set  blocks that are lifted
+template <int dim>
+void add_buoyancy(const Structure<dim>&, const BuoyancyParameters&, const std::vector<char>& in_set, double factor,
+                  std::vector<double>& force);
+
+/// Forces that would give blocks their free thermal strain [-, per local block].
+template <int dim>
+void add_thermal_force(const Structure<dim>&, const std::vector<double>& strain, double factor,
+                       std::vector<double>& force);
 
 }  // namespace voussoir

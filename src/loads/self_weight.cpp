@@ -1,7 +1,28 @@
+// Weight and inertia: the acceleration times what each node weighs.
+#include "base/parameter_section.hpp"
+#include "base/text.hpp"
 #include "blocks/assembly.hpp"
+#include "loads/load.hpp"
 #include "loads/loads.hpp"
 
 namespace voussoir {
+
+void SelfWeightParameters::declare(ParameterSection& section) {
+  section.add("gravity", gravity, "m/s2", any_number(), "of the earth, downwards (-y) where masses are weighed");
+}
+
+std::string SelfWeightParameters::summary() const { return "self weight, gravity " + number_text(gravity) + " m/s2"; }
+bool SelfWeightParameters::is_zero() const { return gravity == 0; }
+
+void AccelerationParameters::declare(ParameterSection& section) {
+  section.add("ax", ax, "m/s2", any_number(), "acceleration to the right; 0.15 g = 1.4715");
+  section.add("ay", ay, "m/s2", any_number(), "acceleration upwards");
+}
+
+std::string AccelerationParameters::summary() const {
+  return "acceleration (" + number_text(ax) + ", " + number_text(ay) + ") m/s2";
+}
+bool AccelerationParameters::is_zero() const { return ax == 0 && ay == 0; }
 
 template <int dim>
 void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration, double factor,
@@ -24,5 +45,15 @@ void add_self_weight(const Structure<dim>& s, const SelfWeightParameters& weight
 
 template void add_inertia_force<2>(const Structure<2>&, const Vector<2>&, double, std::vector<double>&);
 template void add_self_weight<2>(const Structure<2>&, const SelfWeightParameters&, double, std::vector<double>&);
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const SelfWeightParameters& p, const LoadSite<2>& site) {
+  return pattern_of(site.structure, [&](auto& unit) { add_self_weight(site.structure, p, 1.0, unit); });
+}
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const AccelerationParameters& p, const LoadSite<2>& site) {
+  return pattern_of(site.structure, [&](auto& unit) { add_inertia_force<2>(site.structure, {p.ax, p.ay}, 1.0, unit); });
+}
 
 }  // namespace voussoir

@@ -1,36 +1,41 @@
-#include "blocks/supports.hpp"
+#include "base/parameter_section.hpp"
+#include "base/text.hpp"
+#include "loads/facets.hpp"
+#include "loads/load.hpp"
 #include "loads/loads.hpp"
 
 namespace voussoir {
 
+void TractionParameters::declare(ParameterSection& section) {
+  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
+              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  section.add("tx", tx, "Pa", any_number(), "traction to the right");
+  section.add("ty", ty, "Pa", any_number(), "traction upwards");
+  section.add("pressure", pressure, "Pa", any_number(), "against the outward normal, added to (tx, ty)");
+}
+
+std::string TractionParameters::summary() const {
+  return "traction (" + number_text(tx) + ", " + number_text(ty) + ") Pa, pressure " + number_text(pressure) +
+         " Pa on " + in_quotes(on);
+}
+
+bool TractionParameters::is_zero() const { return tx == 0 && ty == 0 && pressure == 0; }
+
 template <>
 void add_traction<2>(const Structure<2>& s, const TractionParameters& load, int facet_set, double factor,
                      std::vector<double>& force) {
-  for (const auto& b : s.blocks()) {
-    // The outward side of an edge is where the block is not: judged from the cell it belongs to.
-    for (const auto& f : b.mesh.facets) {
-      if (f.set != facet_set) continue;
-      const auto& x0 = b.mesh.position[f.node[0]];
-      const auto& x1 = b.mesh.position[f.node[1]];
-      const auto along = x1 - x0;
-      Vector<2> outward{along[1], -along[0]};
-      for (const auto& cell : b.mesh.cells) {
-        bool first = false, second = false;
-        Vector<2> middle{};
-        for (int i = 0; i < cell.count; ++i) {
-          first |= cell.node[i] == f.node[0];
-          second |= cell.node[i] == f.node[1];
-          middle = middle + (1.0 / cell.count) * b.mesh.position[cell.node[i]];
-        }
-        if (first && second && dot(outward, middle - x0) > 0) outward = -1.0 * outward;
-      }
-      const double area = norm(along) * s.model().thickness;
-      const auto normal = (1 / norm(outward)) * outward;
-      const Vector<2> traction{load.tx - load.pressure * normal[0], load.ty - load.pressure * normal[1]};
-      for (int i = 0; i < 2; ++i)  // linear shape functions: half to each end
-        for (int c = 0; c < 2; ++c) force[2 * (b.first_local + f.node[i]) + c] += factor * traction[c] * area / 2;
-    }
+  for (const auto& e : edges_of_set(s, facet_set)) {
+    const Vector<2> traction{factor * (load.tx - load.pressure * e.outward[0]),
+                             factor * (load.ty - load.pressure * e.outward[1])};
+    add_along(e, {0, 1}, s.model().thickness, [&](const Vector<2>&) { return traction; }, force);
   }
+}
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const TractionParameters& p, const LoadSite<2>& site) {
+  return pattern_of(site.structure, [&](auto& unit) {
+    add_traction(site.structure, p, site.facet_set(p.on), 1.0, unit);
+  });
 }
 
 }  // namespace voussoir

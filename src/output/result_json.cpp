@@ -63,6 +63,9 @@ std::string result_json(const RunSummary& run) {
   json["error_estimate"] = run.error_estimate;
   json["largest_displacement_m"] = run.largest_displacement;
   json["energy"] = energy_book(run.energy);
+  json["effects"] = Json::object();
+  for (const auto& [name, e] : run.effects)
+    json["effects"][name] = {{"in_play", e.in_play}, {"calls", e.calls}, {"seconds", e.seconds}, {"bytes", e.bytes}};
   json["seconds"] = run.seconds;
   const auto& memory = run.peak_memory;
   json["peak_memory_MB"] = memory.empty() ? 0.0 : *std::max_element(memory.begin(), memory.end());

@@ -25,6 +25,14 @@ struct MechanismSummary {
   double largest_displacement = 0;  ///< [m]
 };
 
+/// An effect the program knows, and what it cost.
+struct EffectSummary {
+  bool in_play = false;   ///< the scene names it
+  long long calls = 0;    ///< how often it was asked, all ranks
+  double seconds = 0;     ///< to make and to ask it, slowest rank
+  long long bytes = 0;    ///< held for it, all ranks
+};
+
 /// The same numbers on every rank, those of the whole structure; counts are sums over all steps unless a word says so.
 struct RunSummary {
   std::string scene;
@@ -40,6 +48,7 @@ struct RunSummary {
   double error_estimate = 0.0;            ///< [-] relative, energy norm, at the end
   double largest_displacement = 0.0;      ///< [m] at the end
   EnergySummary energy;
+  std::map<std::string, EffectSummary> effects;  ///< every effect the program knows
   std::map<std::string, double> seconds;  ///< per phase; the key "total" is the whole run
   std::vector<double> peak_memory;        ///< [MB] per rank
   Outcome outcome = Outcome::not_converged;

@@ -54,8 +54,8 @@ void find_files(Scene& scene, InputProblems& problems) {
     find_file(scene, mesh, path, problems);
   }
   for (LoadParameters& load : scene.loads)
-    if (load.time_function.type == TimeFunctionType::record)
-      find_file(scene, load.time_function.file, "scene > loads > " + load.name + " > time function > file", problems);
+    for (const auto& of_load : load.files())
+      find_file(scene, *of_load.file, "scene > loads > " + load.name + " > " + of_load.key, problems);
 }
 
 void check_stages(Scene& scene, InputProblems& problems) {
@@ -76,32 +76,17 @@ void check_stages(Scene& scene, InputProblems& problems) {
     if (!used.count(load)) scene.warnings.push_back("load " + in_quotes(load) + " never acts: no stage names it.");
 }
 
-bool is_zero(const LoadParameters& load) {
-  const TractionParameters& t = load.traction;
-  const SettlementParameters& s = load.settlement;
-  switch (load.type) {
-    case LoadType::self_weight:
-      return load.self_weight.gravity == 0;
-    case LoadType::acceleration:
-      return load.acceleration.ax == 0 && load.acceleration.ay == 0;
-    case LoadType::traction:
-      return t.tx == 0 && t.ty == 0 && t.pressure == 0;
-    case LoadType::settlement:
-      break;
-  }
-  return s.ux == 0 && s.uy == 0 && s.rotation == 0;
-}
-
 void check_loads(Scene& scene) {
   for (const LoadParameters& load : scene.loads) {
-    if (is_zero(load)) scene.warnings.push_back("load " + in_quotes(load.name) + " is zero.");
-    if (load.type != LoadType::settlement) continue;
+    if (load.is_zero()) scene.warnings.push_back("load " + in_quotes(load.name) + " is zero.");
+    const auto* settlement = load_as<SettlementParameters>(load);
+    if (!settlement) continue;
     for (const auto& support : scene.supports) {
       const std::string& held = support.parameters.components;
-      if (support.name != load.settlement.support) continue;
-      if (load.settlement.ux != 0 && held == "y")
+      if (support.name != settlement->support) continue;
+      if (settlement->ux != 0 && held == "y")
         scene.warnings.push_back("load " + in_quotes(load.name) + " has an ux that its support does not hold.");
-      if (load.settlement.uy != 0 && held == "x")
+      if (settlement->uy != 0 && held == "x")
         scene.warnings.push_back("load " + in_quotes(load.name) + " has an uy that its support does not hold.");
     }
   }
@@ -110,8 +95,10 @@ void check_loads(Scene& scene) {
 void check_supports(Scene& scene, InputProblems& problems) {
   const std::vector<std::string> supports = names_of(scene.supports);
   for (const LoadParameters& load : scene.loads) {
-    const std::string path = "scene > loads > " + load.name + " > support", &name = load.settlement.support;
-    if (load.type != LoadType::settlement || name.empty() || problems.concern(path)) continue;
+    const auto* settlement = load_as<SettlementParameters>(load);
+    if (!settlement) continue;
+    const std::string path = "scene > loads > " + load.name + " > support", &name = settlement->support;
+    if (name.empty() || problems.concern(path)) continue;
     if (!supports.empty() && std::find(supports.begin(), supports.end(), name) == supports.end())
       problems.add(path, " = " + in_quotes(name) + "\n  is no support of this scene" + did_you_mean(name, supports) +
                              ".\n  Supports: " + list_of(supports) + ".");
@@ -165,8 +152,9 @@ void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
   for (const auto& s : scene.supports)
     check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
   for (const LoadParameters& load : scene.loads)
-    if (load.type == LoadType::traction)
-      check_set("scene > loads > " + load.name + " > on", load.traction.on, "facets", facet_sets, problems);
+    for (const auto& set : load.sets())
+      check_set("scene > loads > " + load.name + " > " + set.key, set.name, set.of_blocks ? "blocks" : "facets",
+                set.of_blocks ? blocks : facet_sets, problems);
   problems.throw_if_any();
 }
 

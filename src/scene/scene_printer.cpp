@@ -3,6 +3,7 @@
 #include <iomanip>
 
 #include "base/text.hpp"
+#include "scene/scene_effects.hpp"
 #include "scene/scene_sections.hpp"
 #include "scene/scene_xml.hpp"
 #include "scene/xml_printer.hpp"
@@ -34,26 +35,6 @@ std::string mesh_text(const MeshParameters& mesh) {
   if (g.element_size > 0) text += ", element size " + number_text(g.element_size) + " m";
   for (const auto& [name, value] : g.geometry) text += ", " + name + " = " + number_text(value);
   return text;
-}
-
-std::string load_text(const LoadParameters& load) {
-  const TractionParameters& t = load.traction;
-  const SettlementParameters& s = load.settlement;
-  switch (load.type) {
-    case LoadType::self_weight:
-      return "self weight, gravity " + number_text(load.self_weight.gravity) + " m/s2";
-    case LoadType::acceleration:
-      return "acceleration (" + number_text(load.acceleration.ax) + ", " + number_text(load.acceleration.ay) + ") m/s2";
-    case LoadType::traction:
-      return "traction (" + number_text(t.tx) + ", " + number_text(t.ty) + ") Pa, pressure " + number_text(t.pressure) +
-             " Pa on " + in_quotes(t.on);
-    case LoadType::settlement:
-      break;
-  }
-  return "settlement of " + in_quotes(s.support) + " by (" + number_text(s.ux) + ", " + number_text(s.uy) + ") m" +
-         (s.rotation == 0 ? ""
-                          : ", turned by " + number_text(s.rotation) + " rad about (" + number_text(s.about_x) + ", " +
-                                number_text(s.about_y) + ") m");
 }
 
 std::string stage_text(const StageParameters& stage) {
@@ -94,7 +75,7 @@ void print_scene(std::ostream& os, const Scene& scene) {
             ", cohesion " + number_text(j.cohesion) + " Pa, tension strength " + number_text(j.tension_strength) +
             " Pa");
   for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");
-  for (const LoadParameters& load : scene.loads) row("load", load.name, load_text(load));
+  for (const LoadParameters& load : scene.loads) row("load", load.name, load.summary());
   for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
   row("selection", "", selection_text(scene.selection));
   row("newton", "",
@@ -105,6 +86,7 @@ void print_scene(std::ostream& os, const Scene& scene) {
   row("solver", "",
       scene.solver.method + ", tolerance " + number_text(scene.solver.tolerance) + ", at most " +
           counted(scene.solver.largest_iterations, "iteration"));
+  print_effects(os, scene);
   for (const std::string& warning : scene.warnings) os << "  warning: " << warning << '\n';
 }
 

@@ -19,23 +19,59 @@ Scene example() {
     support.on = std::string("foundation ") + part;
     scene.supports.push_back({part, support});
   }
-  const auto load = [&scene](const char* name, LoadType type) -> LoadParameters& {
-    scene.loads.emplace_back();
-    scene.loads.back().name = name;
-    scene.loads.back().type = type;
-    return scene.loads.back();
+  using Time = TimeFunctionType;
+  const auto load = [&scene](const char* name, auto kind, Time time = Time::constant) {
+    LoadParameters p;
+    p.name = name;
+    p.kind = kind;
+    p.time_function.type = time;
+    scene.loads.push_back(p);
   };
-  load("weight", LoadType::self_weight);
-  load("earthquake", LoadType::acceleration).acceleration.ax = 0.981;
-  TractionParameters& crowd = load("crowd", LoadType::traction).traction;
-  crowd.on = "deck central";
-  crowd.pressure = 5e3;
-  SettlementParameters& scour = load("scour", LoadType::settlement).settlement;
+  load("weight", SelfWeightParameters{});
+  AccelerationParameters tilt;
+  tilt.ax = 0.981;
+  load("tilt", tilt);
+  TractionParameters wind;
+  wind.on = "deck central";
+  wind.tx = 500;
+  load("wind", wind, Time::sine);
+  SettlementParameters scour;
   scour.support = "pier west";
   scour.uy = -0.01;
+  load("scour", scour, Time::ramp);
+  PointLoadParameters statue;
+  statue.fy = -20e3;
+  load("statue", statue);
+  CrowdParameters crowd;
+  crowd.on = "deck central";
+  crowd.x_from = 0;
+  crowd.x_to = 5;
+  load("crowd", crowd, Time::table);
+  scene.loads.back().time_function.times = "0, 60";
+  scene.loads.back().time_function.values = "0, 1";
+  GroundMotionParameters earthquake;
+  earthquake.ax = 2;
+  load("earthquake", earthquake, Time::sine_sweep);
+  MovingTrainParameters cart;
+  cart.on = "deck central";
+  cart.axle_loads = "10e3, 15e3";
+  cart.spacings = "2.5";
+  cart.speed = 2;
+  load("cart", cart);
+  EarthPressureParameters backfill;
+  backfill.on = "back west";
+  load("backfill", backfill);
+  WaterPressureParameters flood;
+  flood.on = "foundation pier west";
+  load("flood", flood, Time::record);
+  scene.loads.back().time_function.file = "records/flood.csv";
+  load("lift", BuoyancyParameters{});
+  TemperatureParameters summer;
+  summer.change = 25;
+  load("summer", summer, Time::pulse);
   scene.stages = {{"own weight", 1, {{"weight", 1.0}}},
                   {"crowd", 2, {{"crowd", 1.0}}},
-                  {"scour and shaking", 4, {{"scour", 1.0}, {"earthquake", 1.0}}}};
+                  {"scour and tilt", 4, {{"scour", 1.0}, {"tilt", 1.0}}}};
   return scene;
 }
 

@@ -1,11 +1,9 @@
 #include "simulation/model.hpp"
 
-#include <Teuchos_TimeMonitor.hpp>
 #include <algorithm>
 
 #include "base/check.hpp"
 #include "blocks/supports.hpp"
-#include "loads/loads.hpp"
 #include "mesh/partition.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/scene_fit.hpp"
@@ -44,17 +42,13 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
     Phase phase("joints");
     points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
     held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
-    first_support_.assign(held_.size(), -1);
-    for (std::size_t k = 0; k < scene.supports.size(); ++k) {
-      const auto& support = scene.supports[k].parameters;
-      hold(*structure_, support, facet_set(support.on), held_);
-      for (std::size_t i = 0; i < held_.size(); ++i)
-        if (held_[i] && first_support_[i] < 0) first_support_[i] = static_cast<int>(k);
-    }
+    for (const auto& [name, support] : scene.supports) hold(*structure_, support, facet_set(support.on), held_);
     set_laws();
   }
-  for (const auto& load : scene.loads)
-    time_function_.emplace_back(load.time_function, scene.file + ": scene > loads > " + load.name, *comm);
+  {
+    Phase phase("loads");
+    loads_ = std::make_unique<LoadsAtWork<dim>>(scene, source, *structure_);
+  }
   Phase phase("continuum");
   continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu);
 }
@@ -90,28 +84,9 @@ void Model<dim>::set_laws() {
 template <int dim>
 void Model<dim>::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                        std::vector<double>& prescribed) const {
-  force.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0.0);
-  prescribed.assign(force.size(), 0.0);
-  for (std::size_t n = 0; n < scene_.loads.size(); ++n) {
-    const auto& load = scene_.loads[n];
-    const auto it = factors.find(load.name);
-    if (it == factors.end() || it->second == 0) continue;
-    const double factor = it->second * time_function_[n](time);
-    if (load.type == LoadType::self_weight) add_self_weight(*structure_, load.self_weight, factor, force);
-    if (load.type == LoadType::acceleration)
-      add_inertia_force<dim>(*structure_, {load.acceleration.ax, load.acceleration.ay}, factor, force);
-    if (load.type == LoadType::traction)
-      add_traction(*structure_, load.traction, facet_set(load.traction.on), factor, force);
-    if (load.type != LoadType::settlement) continue;
-    for (std::size_t k = 0; k < scene_.supports.size(); ++k) {
-      const auto& [name, support] = scene_.supports[k];
-      if (name != load.settlement.support) continue;
-      std::vector<double> moved(force.size(), 0.0);
-      add_settlement(*structure_, load.settlement, support, facet_set(support.on), factor, moved);
-      for (std::size_t i = 0; i < moved.size(); ++i)
-        if (first_support_[i] == static_cast<int>(k)) prescribed[i] += moved[i];
-    }
-  }
+  force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
+  prescribed.resize(force.size());
+  loads_->add(factors, time, force, prescribed);
 }
 
 template class Model<2>;

@@ -8,8 +8,8 @@
 
 #include "homogenisation/continuum.hpp"
 #include "joints/contact_law.hpp"
-#include "loads/time_function.hpp"
 #include "scene/scene.hpp"
+#include "simulation/loads_at_work.hpp"
 
 namespace voussoir {
 
@@ -36,6 +36,7 @@ class Model {
   /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
   void loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
              std::vector<double>& prescribed) const;
+  const LoadsAtWork<dim>& loads() const { return *loads_; }
 
  private:
   void set_laws();
@@ -47,11 +48,10 @@ class Model {
   std::unique_ptr<ContactPoints<dim>> points_;
   std::unique_ptr<Continuum<dim>> continuum_;
   std::vector<char> held_;
-  std::vector<int> first_support_;  ///< per held component: the first support of the scene that holds it moves it
   std::vector<double> local_stiffness_;
   std::vector<PointLaw> law_;
   bool brittle_ = false;
-  std::vector<TimeFunction> time_function_;  ///< of each load of the scene
+  std::unique_ptr<LoadsAtWork<dim>> loads_;
 };
 
 extern template class Model<2>;

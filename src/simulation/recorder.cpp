@@ -117,15 +117,18 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
 
 template <int dim>
 std::vector<double> Recorder<dim>::stresses(const std::vector<double>& u) const {
+  const auto plane = model_.structure().model().plane;
   std::vector<double> stress;
   for (int b = 0; b < model_.structure().owned_blocks(); ++b) {
     const auto& block = model_.structure().blocks()[b];
+    const auto d = plane_elasticity(block.material, plane);
+    const double free = free_strain_.empty() ? 0.0 : free_strain_[b] * (d[0][0] + d[0][1]);
     for (const auto& cell : block.mesh.cells) {
       std::array<Vector<2>, 4> displacement{};
       for (int i = 0; i < cell.count; ++i)
         for (int c = 0; c < dim; ++c) displacement[i][c] = u[dim * (block.first_local + cell.node[i]) + c];
-      const auto value = element_stress(cell, cell_positions(block.mesh, cell), displacement, block.material,
-                                        model_.structure().model().plane);
+      auto value = element_stress(cell, cell_positions(block.mesh, cell), displacement, block.material, plane);
+      for (int i = 0; i < 2; ++i) value[i] -= free;
       stress.insert(stress.end(), value.begin(), value.end());
     }
   }

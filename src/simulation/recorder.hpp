@@ -28,6 +28,8 @@ class Recorder {
   void record(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
               const std::vector<double>& load, const StepReport&, const std::string& stage, double load_factor,
               bool write_fields, double seconds);
+  /// Strain that stresses do not see from the next step on, such as by heat [-, per local block; empty for none].
+  void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
   /// Writes the motion a collapse begins with as a last step.
   void record_mechanism(const std::vector<double>& mechanism, const ContactState&, const std::string& stage,
                         double load_factor);
@@ -52,6 +54,7 @@ class Recorder {
   EnergyBook energy_;
   RunSummary summary_;
   StatusCount count_;
+  std::vector<double> free_strain_;
   int written_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_printer.hpp"
+#include "simulation/effect_costs.hpp"
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
@@ -66,6 +67,7 @@ class Run {
         fail(collapse, report, steps, state);
         return summary;
       }
+      recorder_.set_free_strain(model_.loads().free_strain(steps.factors(), 0.0));
       const std::string stage = steps.stage();
       const double target = steps.target();
       steps.accept();
@@ -139,9 +141,11 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   say << source->block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on "
       << comm->getSize() << (comm->getSize() == 1 ? " rank\n" : " ranks\n");
+  for (const auto& remark : model.loads().remarks()) say << remark << "\n";
   auto summary = Run(model, options, say).all_steps();
   summary.seconds = seconds_of_phases({"mesh", "blocks", "joints", "continuum", "contact", "selection", "output"});
   summary.seconds["total"] = clock.totalElapsedTime(true);
+  summary.effects = effect_costs(model);
   summary.peak_memory = peak_memory_per_rank(*comm);
   write_result_json(options.folder + "/result.json", summary, *comm);
   return summary;

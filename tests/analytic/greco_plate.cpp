@@ -21,9 +21,9 @@ using namespace voussoir::test;
 LoadParameters pressure(const std::string& on, double size) {
   LoadParameters load;
   load.name = on;
-  load.type = LoadType::traction;
-  load.traction.on = on;
-  load.traction.pressure = size;
+  auto& traction = load.kind.emplace<TractionParameters>();
+  traction.on = on;
+  traction.pressure = size;
   return load;
 }
 

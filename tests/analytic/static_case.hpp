@@ -39,9 +39,9 @@ inline void add_support(Scene& scene, const std::string& facets, const std::stri
 inline void add_acceleration(Scene& scene, const std::string& name, double ax, double ay) {
   LoadParameters load;
   load.name = name;
-  load.type = LoadType::acceleration;
-  load.acceleration.ax = ax;
-  load.acceleration.ay = ay;
+  auto& acceleration = load.kind.emplace<AccelerationParameters>();
+  acceleration.ax = ax;
+  acceleration.ay = ay;
   scene.loads.push_back(load);
 }
 

@@ -73,9 +73,9 @@ Settled settle(double young_modulus, Teuchos::FancyOStream& out, bool& success) 
   add_acceleration(scene, "weight", 0, -9.81);
   LoadParameters move;
   move.name = "spread";
-  move.type = LoadType::settlement;
-  move.settlement.support = "springing right";
-  move.settlement.ux = spread;
+  auto& settlement = move.kind.emplace<SettlementParameters>();
+  settlement.support = "springing right";
+  settlement.ux = spread;
   scene.loads.push_back(move);
   StaticCase structure(scene, make_arch(arch));
   TEST_EQUALITY(in_words(structure.step({{"weight", 1.0}}).newton.outcome), "equilibrium");

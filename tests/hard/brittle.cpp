@@ -108,9 +108,9 @@ TEUCHOS_UNIT_TEST(Brittle, BrokenMortarDoesNotHeal) {
   add_gravity(scene, 0, -gravity);
   LoadParameters apart;
   apart.name = "apart";
-  apart.type = LoadType::settlement;
-  apart.settlement.support = "bottom";
-  apart.settlement.uy = -1e-4;  // [m] 0.5 MPa of tension between the stones, far beyond the strength of 15 kPa
+  auto& settlement = apart.kind.emplace<SettlementParameters>();
+  settlement.support = "bottom";
+  settlement.uy = -1e-4;  // [m] 0.5 MPa of tension between the stones, far beyond the strength of 15 kPa
   scene.loads.push_back(apart);
   apply_all_loads(scene);
   Experiment experiment(scene);

@@ -19,9 +19,9 @@ Scene in_units(Scene scene, double lengths_per_metre, double forces_per_newton) 
   stone.young_modulus *= forces_per_newton / std::pow(lengths_per_metre, 2);
   stone.density *= forces_per_newton / std::pow(lengths_per_metre, 4);
   for (auto& load : scene.loads) {
-    load.self_weight.gravity *= lengths_per_metre;
-    load.acceleration.ax *= lengths_per_metre;
-    load.settlement.ux *= lengths_per_metre;
+    if (auto* weight = load_as<SelfWeightParameters>(load)) weight->gravity *= lengths_per_metre;
+    if (auto* push = load_as<AccelerationParameters>(load)) push->ax *= lengths_per_metre;
+    if (auto* move = load_as<SettlementParameters>(load)) move->ux *= lengths_per_metre;
   }
   return scene;
 }
@@ -68,11 +68,11 @@ TEUCHOS_UNIT_TEST(Symmetries, MillimetresNewtonsAndTonnesGiveTheSameResult) {
 // The left springing moves outward instead of the right one. 14 voussoirs: see selection.cpp for odd numbers.
 TEUCHOS_UNIT_TEST(Symmetries, AReflectedArchMovesReflected) {
   Scene scene = arch_scene(14);
-  scene.loads[1].settlement.ux = 0.003;
-  scene.loads[1].settlement.uy = -0.002;  // breaks the symmetry between the springings
+  load_as<SettlementParameters>(scene.loads[1])->ux = 0.003;
+  load_as<SettlementParameters>(scene.loads[1])->uy = -0.002;  // breaks the symmetry between the springings
   const auto right = solved(scene);
-  scene.loads[1].settlement.support = "springing left";
-  scene.loads[1].settlement.ux *= -1;
+  load_as<SettlementParameters>(scene.loads[1])->support = "springing left";
+  load_as<SettlementParameters>(scene.loads[1])->ux *= -1;
   const auto left = solved(scene);
   auto reflected = right;
   int found = 0;

@@ -31,8 +31,8 @@ Scene stone_scene() {
 LoadParameters self_weight() {
   LoadParameters weight;
   weight.name = "weight";
-  weight.type = LoadType::self_weight;
-  weight.self_weight.gravity = standard_gravity;
+  auto& self_weight = weight.kind.emplace<SelfWeightParameters>();
+  self_weight.gravity = standard_gravity;
   return weight;
 }
 
@@ -61,8 +61,8 @@ Scene wall_scene(int courses) {
   scene.loads.push_back(self_weight());
   LoadParameters sideways;
   sideways.name = "sideways";
-  sideways.type = LoadType::acceleration;
-  sideways.acceleration.ax = 0.15 * standard_gravity;
+  auto& acceleration = sideways.kind.emplace<AccelerationParameters>();
+  acceleration.ax = 0.15 * standard_gravity;
   scene.loads.push_back(sideways);
   scene.stages = {stage("weight"), stage("sideways")};
   return scene;
@@ -77,9 +77,9 @@ Scene arch_scene(int voussoirs) {
   scene.loads.push_back(self_weight());
   LoadParameters spreading;
   spreading.name = "spreading";
-  spreading.type = LoadType::settlement;
-  spreading.settlement.support = "springing right";
-  spreading.settlement.ux = 0.005;
+  auto& settlement = spreading.kind.emplace<SettlementParameters>();
+  settlement.support = "springing right";
+  settlement.ux = 0.005;
   scene.loads.push_back(spreading);
   scene.stages = {stage("weight"), stage("spreading")};
   return scene;
@@ -106,18 +106,18 @@ void add_support(Scene& scene, const std::string& on, const std::string& compone
 void add_gravity(Scene& scene, double ax, double ay) {
   LoadParameters load;
   load.name = "gravity";
-  load.type = LoadType::acceleration;
-  load.acceleration.ax = ax;
-  load.acceleration.ay = ay;
+  auto& acceleration = load.kind.emplace<AccelerationParameters>();
+  acceleration.ax = ax;
+  acceleration.ay = ay;
   scene.loads.push_back(load);
 }
 
 void add_pressure(Scene& scene, const std::string& on, double pressure) {
   LoadParameters load;
   load.name = "pressure on " + on;
-  load.type = LoadType::traction;
-  load.traction.on = on;
-  load.traction.pressure = pressure;
+  auto& traction = load.kind.emplace<TractionParameters>();
+  traction.on = on;
+  traction.pressure = pressure;
   scene.loads.push_back(load);
 }
 

@@ -64,15 +64,18 @@ RunSummary complete_summary() {
   run.outcome = Outcome::collapse;
   run.message = "no equilibrium beyond this load";
   run.mechanism = MechanismSummary{7, "block 7", 0.25};
+  run.effects = {{"friction", EffectSummary{true, 3, 0.125, 48}}};
   run.seconds = {{"total", 2.5}, {"assembly", 0.5}};
   run.peak_memory = {100.0, 150.0};
   return run;
 }
 
-/// "energy.friction_J" for every value; phases of "seconds" other than the total are the row "seconds.*".
+/// "energy.friction_J" for every value; phases of "seconds" other than the total are the row "seconds.*", and
+/// every effect is "effects.*".
 void collect_keys(const Json& json, const std::string& prefix, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
-    const std::string name = prefix == "seconds." && key != "total" ? "seconds.*" : prefix + key;
+    const bool any = prefix == "effects." || (prefix == "seconds." && key != "total");
+    const std::string name = prefix + (any ? "*" : key);
     keys.insert(name);
     if (value.is_object()) collect_keys(value, name + ".", keys);
   }
@@ -118,6 +121,8 @@ TEUCHOS_UNIT_TEST(ResultJson, KeepsValuesAndWritesNullForWhatIsNotFinite) {
   TEST_ASSERT(json["largest_penetration_m"].is_null());
   TEST_EQUALITY(json["unknowns"].get<long long>(), 5'000'000'000);
   TEST_EQUALITY(json["outcome"].get<std::string>(), "collapse");
+  TEST_EQUALITY(json["effects"]["friction"]["bytes"].get<long long>(), 48);
+  TEST_EQUALITY(json["effects"]["friction"]["in_play"].get<bool>(), true);
   TEST_EQUALITY(json["peak_memory_MB"].get<double>(), 150.0);
   TEST_EQUALITY(json["mechanism"]["largest_mover_block"].get<int>(), 7);
 }

@@ -33,14 +33,15 @@ TEUCHOS_UNIT_TEST(ScenePrinter, NumbersAndTextsComeBackToTheLastBit) {
   scene.materials.at(0).parameters.young_modulus = 1e10 / 3;
   scene.materials.at(0).parameters.density = std::nextafter(2000.0, 3000.0);
   scene.joints.at(0).parameters.friction_coefficient = std::numeric_limits<double>::infinity();
-  scene.loads.at(1).acceleration.ax = -std::numeric_limits<double>::denorm_min();
+  load_as<AccelerationParameters>(scene.loads.at(1))->ax = -std::numeric_limits<double>::denorm_min();
   scene.mesh.gmsh.geometry["deformed"] = 0.1;
   const Scene back = read_scene_from_text(written(scene), "/elsewhere/x.xml");
   TEST_EQUALITY(back.title, scene.title);
   TEST_EQUALITY(back.materials.at(0).parameters.young_modulus, scene.materials.at(0).parameters.young_modulus);
   TEST_EQUALITY(back.materials.at(0).parameters.density, scene.materials.at(0).parameters.density);
   TEST_EQUALITY(back.joints.at(0).parameters.friction_coefficient, scene.joints.at(0).parameters.friction_coefficient);
-  TEST_EQUALITY(back.loads.at(1).acceleration.ax, scene.loads.at(1).acceleration.ax);
+  TEST_EQUALITY(load_as<AccelerationParameters>(back.loads.at(1))->ax,
+                load_as<AccelerationParameters>(scene.loads.at(1))->ax);
   TEST_EQUALITY(back.mesh.gmsh.geometry.at("deformed"), 0.1);
 }
 

@@ -16,7 +16,7 @@ TEUCHOS_UNIT_TEST(Model, ANodeOfTwoSupportsMovesOnce) {
   scene.supports.push_back({"again", {"springing right", "x"}});
   LoadParameters load = scene.loads.back();
   load.name = "again";
-  load.settlement.support = "again";
+  load_as<SettlementParameters>(load)->support = "again";
   scene.loads.push_back(load);
   const Experiment experiment(scene);
   std::vector<double> force, prescribed;

@@ -1,0 +1,44 @@
+#include "base/parameter_section.hpp"
+#include "base/text.hpp"
+#include "loads/facets.hpp"
+#include "loads/load.hpp"
+#include "loads/loads.hpp"
+
+namespace voussoir {
+
+void CrowdParameters::declare(ParameterSection& section) {
+  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
+              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  section.add("intensity", intensity, "Pa", any_number(), "vertical force per horizontal area; a dense crowd has 5000");
+  section.add("x from", x_from, "m", any_number(), "where it begins");
+  section.add("x to", x_to, "m", any_number(), "where it ends");
+  section.check(x_to > x_from, "x to", number_text(x_to) + " m",
+                "must be > x from = " + number_text(x_from) + " m (a crowd needs a place to stand)",
+                "Exchange the two values");
+}
+
+std::string CrowdParameters::summary() const {
+  return "crowd of " + number_text(intensity) + " Pa on " + in_quotes(on) + " from x = " + number_text(x_from) +
+         " m to " + number_text(x_to) + " m";
+}
+
+bool CrowdParameters::is_zero() const { return intensity == 0; }
+
+template <>
+void add_crowd<2>(const Structure<2>& s, const CrowdParameters& load, int facet_set, double factor,
+                  std::vector<double>& force) {
+  for (const auto& e : edges_of_set(s, facet_set)) {
+    const Vector<2> traction{0, -factor * load.intensity * std::abs(e.x[1][0] - e.x[0][0]) / e.length};
+    add_along(e, part_between(e, 0, load.x_from, load.x_to), s.model().thickness,
+              [&](const Vector<2>&) { return traction; }, force);
+  }
+}
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const CrowdParameters& p, const LoadSite<2>& site) {
+  return pattern_of(site.structure, [&](auto& unit) {
+    add_crowd(site.structure, p, site.facet_set(p.on), 1.0, unit);
+  });
+}
+
+}  // namespace voussoir

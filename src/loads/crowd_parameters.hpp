@@ -1,0 +1,23 @@
+// People or goods on an edge: vertical force per horizontal area, on a part of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/load_kind_parameters.hpp"
+
+namespace voussoir {
+
+struct CrowdParameters : LoadKindParameters {
+  static constexpr const char* word = "crowd";
+  static constexpr const char* text = "Vertical force per horizontal area on a part of an edge";
+  std::string on;                     ///< a set of facets
+  double intensity = 5e3;             ///< [Pa] per horizontal area, downwards
+  double x_from = -1e30, x_to = 1e30;  ///< [m]
+  void declare(ParameterSection&);
+  std::string summary() const;
+  bool is_zero() const;
+  std::vector<SetOfLoad> sets() const { return {{"on", on}}; }
+};
+
+}  // namespace voussoir

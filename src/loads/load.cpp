@@ -1,0 +1,56 @@
+#include "loads/load.hpp"
+
+#include <algorithm>
+
+#include "base/check.hpp"
+
+namespace voussoir {
+
+template <int dim>
+int LoadSite<dim>::facet_set(const std::string& name) const {
+  const auto& sets = source.facet_sets();
+  const auto it = std::find(sets.begin(), sets.end(), name);
+  VOUSSOIR_CHECK(it != sets.end());
+  return static_cast<int>(it - sets.begin());
+}
+
+template <int dim>
+bool LoadSite<dim>::in_block_set(const Block<dim>& block, const std::string& name) const {
+  if (name == "all") return true;
+  return std::any_of(block.sets.begin(), block.sets.end(), [&](int set) { return source.block_sets()[set] == name; });
+}
+
+template <int dim>
+std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<dim>& site) {
+  return std::visit([&](const auto& kind) { return make_load_of<dim>(kind, site); }, load.kind);
+}
+
+template <int dim>
+PatternLoad<dim>::PatternLoad(const std::vector<double>& unit, Of of) : of_(of) {
+  const auto count = static_cast<std::size_t>(
+      std::count_if(unit.begin(), unit.end(), [](double value) { return value != 0; }));
+  index_.reserve(count);
+  value_.reserve(count);
+  for (std::size_t i = 0; i < unit.size(); ++i)
+    if (unit[i] != 0) {
+      index_.push_back(static_cast<int>(i));
+      value_.push_back(unit[i]);
+    }
+}
+
+template <int dim>
+void PatternLoad<dim>::add(double factor, double, std::vector<double>& force, std::vector<double>& prescribed) const {
+  auto& to = of_ == Of::forces ? force : prescribed;
+  for (std::size_t k = 0; k < index_.size(); ++k) to[index_[k]] += factor * value_[k];
+}
+
+template <int dim>
+std::size_t PatternLoad<dim>::bytes() const {
+  return sizeof(*this) + index_.capacity() * sizeof(int) + value_.capacity() * sizeof(double);
+}
+
+template struct LoadSite<2>;
+template class PatternLoad<2>;
+template std::unique_ptr<Load<2>> make_load<2>(const LoadParameters&, const LoadSite<2>&);
+
+}  // namespace voussoir

@@ -1,0 +1,79 @@
+// A load at work: made once from what a scene says and the structure it acts on, then added at every load step.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "blocks/structure.hpp"
+#include "blocks/support_parameters.hpp"
+#include "loads/load_parameters.hpp"
+
+namespace voussoir {
+
+/// Where a load acts, and how messages call it. Needed while a load is made, not after.
+template <int dim>
+struct LoadSite {
+  const Structure<dim>& structure;
+  const BlockSource<dim>& source;  ///< knows the names of sets
+  const std::vector<std::pair<std::string, SupportParameters>>& supports;
+  std::string where;                      ///< "xml/wall.xml: scene > loads > push"
+
+  int facet_set(const std::string& name) const;
+  bool in_block_set(const Block<dim>&, const std::string& name) const;
+};
+
+template <int dim>
+class Load {
+ public:
+  virtual ~Load() = default;
+  /// Adds what the load is at a time, times a factor. No communication.
+  /// @param force       [N, dim x local node copies]
+  /// @param prescribed  [m, the same shape]
+  virtual void add(double factor, double time, std::vector<double>& force, std::vector<double>& prescribed) const = 0;
+  /// Adds factor times the strain that a block would take freely, in every direction of the plane [-, per local block].
+  virtual void add_free_strain(double, std::vector<double>&) const {}
+  virtual bool strains() const { return false; }
+  /// [bytes] held on this rank.
+  virtual std::size_t bytes() const = 0;
+  /// What a user should know of the load before the run; "" for nothing. The same on every rank.
+  virtual std::string remark() const { return ""; }
+};
+
+/// Makes a load of any type. Collective; throws InputError on every rank alike.
+template <int dim>
+std::unique_ptr<Load<dim>> make_load(const LoadParameters&, const LoadSite<dim>&);
+
+/// Makes a load of one type; defined in the file of the type.
+template <int dim, class Parameters>
+std::unique_ptr<Load<dim>> make_load_of(const Parameters&, const LoadSite<dim>&);
+
+/// Forces that keep their pattern: the factor times what they are for factor 1. Zeros are not held.
+template <int dim>
+class PatternLoad : public Load<dim> {
+ public:
+  enum class Of { forces, displacements };
+  /// @param unit  [N or m, dim x local node copies] for factor 1
+  explicit PatternLoad(const std::vector<double>& unit, Of = Of::forces);
+  void add(double factor, double time, std::vector<double>& force, std::vector<double>& prescribed) const override;
+  std::size_t bytes() const override;
+
+ private:
+  Of of_;
+  std::vector<int> index_;
+  std::vector<double> value_;
+};
+
+/// A pattern load from a function that adds forces for factor 1: add(unit).
+template <int dim, class Add>
+std::unique_ptr<Load<dim>> pattern_of(const Structure<dim>& s, const Add& add) {
+  std::vector<double> unit(static_cast<std::size_t>(dim) * s.nodes(), 0.0);
+  add(unit);
+  return std::make_unique<PatternLoad<dim>>(unit);
+}
+
+extern template class PatternLoad<2>;
+
+}  // namespace voussoir

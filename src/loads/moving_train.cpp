@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/parameter_section.hpp"
+#include "base/text.hpp"
+#include "linalg/gather.hpp"
+#include "loads/facets.hpp"
+#include "loads/load.hpp"
+
+namespace voussoir {
+namespace {
+
+/// An edge of the deck from left to right, known on every rank.
+struct DeckEdge {
+  double x[2];     ///< [m] rising
+  long long id[2];  ///< nodes
+  int local[2];    ///< the same on this rank, -1 elsewhere
+};
+
+/// Every rank knows the whole deck, so that all agree on the one edge that an axle stands on.
+class MovingTrain final : public Load<2> {
+ public:
+  MovingTrain(const MovingTrainParameters& p, const LoadSite<2>& site)
+      : position_(p.position), speed_(p.speed), axle_load_(p.axle_load), behind_(p.behind) {
+    const auto& s = site.structure;
+    std::vector<DeckEdge> mine;
+    for (const auto& e : edges_of_set(s, site.facet_set(p.on))) {
+      if (e.node[0] >= s.owned_nodes() || e.x[0][0] == e.x[1][0]) continue;
+      const int left = e.x[0][0] < e.x[1][0] ? 0 : 1;
+      mine.push_back({{e.x[left][0], e.x[1 - left][0]},
+                      {s.node_id()[e.node[left]], s.node_id()[e.node[1 - left]]},
+                      {-1, -1}});
+    }
+    deck_ = all_gather(mine, *s.comm());
+    std::sort(deck_.begin(), deck_.end(), [](const DeckEdge& a, const DeckEdge& b) {
+      return std::make_pair(a.x[0], a.id[0]) < std::make_pair(b.x[0], b.id[0]);
+    });
+    std::map<long long, int> local;
+    for (int i = 0; i < s.nodes(); ++i) local[s.node_id()[i]] = i;
+    for (auto& e : deck_)
+      for (int i = 0; i < 2; ++i)
+        if (const auto it = local.find(e.id[i]); it != local.end()) e.local[i] = it->second;
+  }
+
+  void add(double factor, double time, std::vector<double>& force, std::vector<double>&) const override {
+    const double front = position_ + speed_ * time, forwards = speed_ < 0 ? -1 : 1;
+    for (std::size_t k = 0; k < axle_load_.size(); ++k) {
+      const double x = front - forwards * behind_[k];
+      const auto after =
+          std::upper_bound(deck_.begin(), deck_.end(), x, [](double at, const DeckEdge& e) { return at < e.x[0]; });
+      if (after == deck_.begin()) continue;
+      const DeckEdge& e = *(after - 1);
+      if (x > e.x[1]) continue;  // beside the deck
+      const double s = (x - e.x[0]) / (e.x[1] - e.x[0]);
+      const double share[2] = {1 - s, s};
+      for (int i = 0; i < 2; ++i)
+        if (e.local[i] >= 0) force[2 * e.local[i] + 1] -= factor * axle_load_[k] * share[i];
+    }
+  }
+
+  std::size_t bytes() const override {
+    return sizeof(*this) + (axle_load_.capacity() + behind_.capacity()) * sizeof(double) +
+           deck_.capacity() * sizeof(DeckEdge);
+  }
+
+ private:
+  double position_, speed_;
+  std::vector<double> axle_load_, behind_;
+  std::vector<DeckEdge> deck_;
+};
+
+}  // namespace
+
+void MovingTrainParameters::declare(ParameterSection& section) {
+  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
+              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  section.add("axle loads", axle_loads, "force of each axle [N] on the modelled thickness, downwards: \"80e3, 80e3\"",
+              Presence::required, "Give a number for each axle, the first in front.");
+  section.add("spacings", spacings, "distances [m] from each axle to the next: \"2.5\"");
+  section.add("position", position, "m", any_number(), "x of the first axle at time 0, where static stages see it");
+  section.add("speed", speed, "m/s", any_number(), "along x; axles follow the first against its direction");
+  const auto loads = numbers_in(axle_loads), distances = numbers_in(spacings);
+  section.check(loads.has_value() && !loads->empty(), "axle loads", in_quotes(axle_loads), "must be numbers",
+                "Write them like \"80e3, 80e3\"");
+  const auto forwards = [](double d) { return d >= 0; };
+  section.check(distances.has_value() && std::all_of(distances->begin(), distances->end(), forwards), "spacings",
+                in_quotes(spacings), "must be numbers >= 0 (axles are counted from the front)",
+                "Write them like \"2.5, 4\"");
+  if (!loads || loads->empty() || !distances) return;
+  section.check(distances->size() + 1 == loads->size(), "spacings", in_quotes(spacings),
+                "must be one less than the " + std::to_string(loads->size()) + " axle loads",
+                "Give the distance from each axle to the next");
+  axle_load = *loads;
+  behind.assign(1, 0.0);
+  for (const double d : *distances) behind.push_back(behind.back() + d);
+  behind.resize(axle_load.size());
+}
+
+std::string MovingTrainParameters::summary() const {
+  return "moving train of axles " + axle_loads + " N at distances " + (spacings.empty() ? "-" : spacings) + " m on " +
+         in_quotes(on) + ", first at x = " + number_text(position) + " m, speed " + number_text(speed) + " m/s";
+}
+
+bool MovingTrainParameters::is_zero() const {
+  return std::all_of(axle_load.begin(), axle_load.end(), [](double load) { return load == 0; });
+}
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const MovingTrainParameters& p, const LoadSite<2>& site) {
+  return std::make_unique<MovingTrain>(p, site);
+}
+
+}  // namespace voussoir

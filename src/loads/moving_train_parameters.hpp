@@ -1,0 +1,25 @@
+// Axles that move along an edge.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/load_kind_parameters.hpp"
+
+namespace voussoir {
+
+struct MovingTrainParameters : LoadKindParameters {
+  static constexpr const char* word = "moving train";
+  static constexpr const char* text = "Axle loads that move along an edge";
+  std::string on;                             ///< a set of facets
+  std::string axle_loads, spacings;           ///< numbers, as text
+  double position = 0.0, speed = 0.0;         ///< [m] of the first axle at time 0, [m/s] along x
+  std::vector<double> axle_load;              ///< [N] on the modelled thickness, downwards
+  std::vector<double> behind;                 ///< [m] of each axle, how far it is behind the first
+  void declare(ParameterSection&);
+  std::string summary() const;
+  bool is_zero() const;
+  std::vector<SetOfLoad> sets() const { return {{"on", on}}; }
+};
+
+}  // namespace voussoir

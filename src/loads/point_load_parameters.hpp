@@ -1,0 +1,22 @@
+// A force at a point of the outside, given to the nearest node.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/load_kind_parameters.hpp"
+
+namespace voussoir {
+
+struct PointLoadParameters : LoadKindParameters {
+  static constexpr const char* word = "point load";
+  static constexpr const char* text = "A force at the node nearest to a point";
+  double x = 0.0, y = 0.0;    ///< [m]
+  double fx = 0.0, fy = 0.0;  ///< [N] on the modelled thickness
+  double tolerance = 0.05;    ///< [m] largest distance to a node
+  void declare(ParameterSection&);
+  std::string summary() const;
+  bool is_zero() const;
+};
+
+}  // namespace voussoir

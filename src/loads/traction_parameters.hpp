@@ -1,0 +1,23 @@
+// Traction on a set of facets, dead (does not follow the deformation).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "loads/load_kind_parameters.hpp"
+
+namespace voussoir {
+
+struct TractionParameters : LoadKindParameters {
+  static constexpr const char* word = "traction";
+  static constexpr const char* text = "Force per area on facets";
+  std::string on;             ///< a set of facets
+  double tx = 0.0, ty = 0.0;  ///< [Pa]
+  double pressure = 0.0;      ///< [Pa] against the outward normal, added to (tx, ty)
+  void declare(ParameterSection&);
+  std::string summary() const;
+  bool is_zero() const;
+  std::vector<SetOfLoad> sets() const { return {{"on", on}}; }
+};
+
+}  // namespace voussoir

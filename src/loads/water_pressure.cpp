@@ -1,0 +1,42 @@
+#include "base/parameter_section.hpp"
+#include "base/text.hpp"
+#include "loads/facets.hpp"
+#include "loads/load.hpp"
+#include "loads/loads.hpp"
+
+namespace voussoir {
+
+void WaterPressureParameters::declare(ParameterSection& section) {
+  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
+              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  section.add("level", level, "m", any_number(), "height y of the water");
+  section.add("density", density, "kg/m3", at_least(0.0), "of the water", "a density", "Fresh water has 1000.");
+  section.add("gravity", gravity, "m/s2", any_number(), "of the earth, downwards (-y) where masses are weighed");
+}
+
+std::string WaterPressureParameters::summary() const {
+  return "water pressure of " + number_text(density) + " kg/m3 below y = " + number_text(level) + " m on " +
+         in_quotes(on);
+}
+
+bool WaterPressureParameters::is_zero() const { return density == 0 || gravity == 0; }
+
+template <>
+void add_water_pressure<2>(const Structure<2>& s, const WaterPressureParameters& load, int facet_set, double factor,
+                           std::vector<double>& force) {
+  for (const auto& e : edges_of_set(s, facet_set))
+    add_along(e, part_between(e, 1, -1e30, load.level), s.model().thickness,
+              [&](const Vector<2>& x) {
+                return (-factor * load.density * load.gravity * (load.level - x[1])) * e.outward;
+              },
+              force);
+}
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const WaterPressureParameters& p, const LoadSite<2>& site) {
+  return pattern_of(site.structure, [&](auto& unit) {
+    add_water_pressure(site.structure, p, site.facet_set(p.on), 1.0, unit);
+  });
+}
+
+}  // namespace voussoir

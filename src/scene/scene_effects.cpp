@@ -1,0 +1,49 @@
+#include "scene/scene_effects.hpp"
+
+#include <iomanip>
+
+#include "base/text.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Names of the members that have a property.
+template <class Members, class Has>
+std::string names_with(const Members& members, const Has& has) {
+  std::vector<std::string> names;
+  for (const auto& m : members)
+    if (has(m)) names.push_back(m.name);
+  return names.empty() ? "" : list_of(names);
+}
+
+}  // namespace
+
+std::vector<Effect> effects_of(const Scene& scene) {
+  std::vector<Effect> effects;
+  for (const auto& word : load_words())
+    effects.push_back({word, names_with(scene.loads, [&](const LoadParameters& p) { return p.word() == word; })});
+  const auto joints = [&](const char* name, double JointLawParameters::*value) {
+    effects.push_back({name, names_with(scene.joints, [&](const auto& j) { return j.parameters.*value > 0; })});
+  };
+  joints("friction", &JointLawParameters::friction_coefficient);
+  joints("cohesion", &JointLawParameters::cohesion);
+  joints("tension strength", &JointLawParameters::tension_strength);
+  return effects;
+}
+
+void print_effects(std::ostream& os, const Scene& scene) {
+  std::vector<std::string> absent;
+  os << "effects in play\n";
+  for (const auto& e : effects_of(scene)) {
+    if (e.in_play())
+      os << "  " << std::left << std::setw(18) << e.name << ' ' << e.by << '\n';
+    else
+      absent.push_back(e.name);
+  }
+  os << "effects absent";
+  constexpr std::size_t most = 8;  // in a line, which then fits into 120 columns
+  for (std::size_t k = 0; k < absent.size(); ++k) os << (k % most == 0 ? "\n  " : ", ") << absent[k];
+  os << (absent.empty() ? ": none\n" : "\n");
+}
+
+}  // namespace voussoir

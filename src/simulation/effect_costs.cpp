@@ -1,0 +1,29 @@
+#include "simulation/effect_costs.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include "scene/scene_effects.hpp"
+
+namespace voussoir {
+namespace {
+
+// What a state between load steps and a law hold of a contact point for an effect of joints, whether it is in play or
+// not: contact points are all of one kind, so that the solver has one loop.
+constexpr long long bytes_of_friction = 3 * sizeof(double);  // tangential force, slip origin, coefficient; in the plane
+constexpr long long bytes_of_strength = sizeof(double);      // cohesion, and the same again for tension strength
+
+}  // namespace
+
+std::map<std::string, EffectSummary> effect_costs(const Model<2>& model) {
+  const auto& comm = *model.structure().comm();
+  auto costs = model.loads().costs(comm);
+  const long long mine = model.points().size();  // with ghosts
+  long long points = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
+  for (const auto& effect : effects_of(model.scene())) costs[effect.name].in_play = effect.in_play();
+  costs["friction"].bytes = points * bytes_of_friction;
+  costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_strength;
+  return costs;
+}
+
+}  // namespace voussoir

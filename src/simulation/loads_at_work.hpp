@@ -1,0 +1,50 @@
+// The loads a scene names, made for a structure: what they add at a load step, and what they cost.
+//
+// A type of load that a scene does not name is not here at all: it has no bytes and is never called.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "loads/load.hpp"
+#include "loads/time_function.hpp"
+#include "output/result_json.hpp"
+#include "scene/scene.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class LoadsAtWork {
+ public:
+  /// Makes every load of the scene. Collective; throws InputError on every rank alike.
+  LoadsAtWork(const Scene&, const BlockSource<dim>&, const Structure<dim>&);
+
+  /// Nodal forces [N] and prescribed displacements [m] under load factors by name, written over.
+  void add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+           std::vector<double>& prescribed) const;
+  /// Strain that blocks would take freely [-, per local block]; empty when no load strains blocks.
+  std::vector<double> free_strain(const std::map<std::string, double>& factors, double time) const;
+
+  /// Costs so far by type of load: calls and bytes of all ranks, seconds of the slowest. Collective.
+  std::map<std::string, EffectSummary> costs(const Teuchos::Comm<int>&) const;
+  /// What loads have to say before a run, a line each: "earthquake: x record ...".
+  std::vector<std::string> remarks() const;
+
+ private:
+  struct Named {
+    std::string name, word;  ///< in the scene; of its type
+    TimeFunction time_function;
+    std::unique_ptr<Load<dim>> load;
+    mutable long long calls = 0;
+    mutable double seconds = 0;
+  };
+
+  std::size_t blocks_;  ///< on this rank
+  std::vector<Named> loads_;
+};
+
+extern template class LoadsAtWork<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,241 @@
+// Loads on edges, of water, of axles and of heat against computations by hand, on any number of ranks.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "loads/ground_motion.hpp"
+#include "unit/loads/load_cases.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+// Sums of some hundred terms of one sign: 1e-13 is far above their round-off.
+constexpr double round_off = 1e-13;
+
+TEUCHOS_UNIT_TEST(PointLoad, ActsOnceAtTheNearestNode) {
+  const LoadCase wall;  // 2 m x 1 m
+  PointLoadParameters p;
+  p.x = 1.01;  // where two stones of the top course meet: four copies of one vertex share it or lie near it
+  p.y = 1.0;
+  p.fx = 30;
+  p.fy = -500;
+  const auto r = wall.resultant(p);
+  TEST_EQUALITY(r.x, 30.0);
+  TEST_EQUALITY(r.y, -500.0);
+  TEST_FLOATING_EQUALITY(r.moment, -500 * 1.0 - 30 * 1.0, round_off);  // at (1, 1)
+}
+
+TEUCHOS_UNIT_TEST(PointLoad, SaysHowFarTheNearestNodeIs) {
+  const LoadCase wall;
+  PointLoadParameters p;
+  p.x = 1.0;
+  p.y = 1.5;
+  p.fy = -1;
+  p.tolerance = 0.25;
+  std::string said;
+  try {
+    wall.resultant(p);
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  TEST_EQUALITY(said,
+                "scene > loads > tested > tolerance = 0.25 [m]\n  is exceeded: the node nearest to (1, 1.5) m is 0.5 m "
+                "away.\n  Move the point to the outside of the structure, or give a larger tolerance.");
+}
+
+TEUCHOS_UNIT_TEST(Crowd, StandsOnItsPartOfTheEdgeOnly) {
+  const LoadCase wall;
+  CrowdParameters p;
+  p.on = "top";
+  p.intensity = 4e3;
+  p.x_from = 0.3;  // within a cell at either end
+  p.x_to = 1.45;
+  const auto r = wall.resultant(p);
+  const double total = 4e3 * 1.15 * thickness;
+  TEST_EQUALITY(r.x, 0.0);
+  TEST_FLOATING_EQUALITY(r.y, -total, round_off);
+  TEST_FLOATING_EQUALITY(r.moment, -total * (0.3 + 1.45) / 2, round_off);
+}
+
+TEUCHOS_UNIT_TEST(Crowd, WeighsByHorizontalArea) {
+  ArchParameters arch;  // 5 m to the middle line, 1 m thick
+  arch.voussoirs = 7;
+  const LoadCase on_arch(make_arch(arch));
+  CrowdParameters p;
+  p.on = "extrados";
+  p.intensity = 1000;
+  TEST_FLOATING_EQUALITY(on_arch.resultant(p).y, -1000 * 11 * thickness, round_off);  // the span, whatever the slope
+}
+
+TEUCHOS_UNIT_TEST(EarthPressure, HasCoulombsCoefficients) {
+  EarthPressureParameters p;
+  p.friction_angle = 30;
+  TEST_FLOATING_EQUALITY(p.coefficient(), 0.5, 1e-15);
+  p.state = EarthPressureParameters::State::active;
+  TEST_FLOATING_EQUALITY(p.coefficient(), 1.0 / 3, 1e-15);
+  p.state = EarthPressureParameters::State::passive;
+  TEST_FLOATING_EQUALITY(p.coefficient(), 3.0, 1e-15);
+}
+
+TEUCHOS_UNIT_TEST(EarthPressure, GrowsWithDepthBelowItsSurface) {
+  const LoadCase wall;
+  EarthPressureParameters p;
+  p.on = "left";
+  p.unit_weight = 18e3;
+  p.surface = 0.8;  // 0.2 m below the top, within a cell
+  p.surcharge = 2e3;
+  p.state = EarthPressureParameters::State::active;
+  const auto r = wall.resultant(p);
+  // A triangle at a third of the depth and a rectangle at its half.
+  const double triangle = 18e3 * 0.8 * 0.8 / 2 / 3 * thickness, rectangle = 2e3 * 0.8 / 3 * thickness;
+  TEST_FLOATING_EQUALITY(r.x, triangle + rectangle, round_off);
+  TEST_EQUALITY(r.y, 0.0);
+  TEST_FLOATING_EQUALITY(r.moment, -(triangle * 0.8 / 3 + rectangle * 0.4), round_off);
+  p.on = "right";
+  TEST_FLOATING_EQUALITY(wall.resultant(p).x, -(triangle + rectangle), round_off);
+}
+
+TEUCHOS_UNIT_TEST(WaterPressure, IsDensityGravityDepthAgainstTheNormal) {
+  const LoadCase wall;
+  WaterPressureParameters p;
+  p.on = "left";
+  p.level = 0.7;
+  const double total = 1000 * 9.81 * 0.7 * 0.7 / 2 * thickness;
+  auto r = wall.resultant(p);
+  TEST_FLOATING_EQUALITY(r.x, total, round_off);
+  TEST_FLOATING_EQUALITY(r.moment, -total * 0.7 / 3, round_off);
+  p.on = "base";  // full depth on the whole base: uplift
+  r = wall.resultant(p);
+  TEST_FLOATING_EQUALITY(r.y, 1000 * 9.81 * 0.7 * 2 * thickness, round_off);
+  TEST_COMPARE(std::abs(r.x), <=, round_off * total);
+}
+
+TEUCHOS_UNIT_TEST(Buoyancy, IsTheWeightOfTheDisplacedWaterAtTheMiddleOfThePartBelow) {
+  for (const auto cells : {CellType::quadrilateral, CellType::triangle}) {
+    WallParameters p;
+    p.courses = p.blocks_per_course = 4;
+    p.cells = cells;
+    const LoadCase wall(make_wall(p));
+    BuoyancyParameters water;
+    water.level = 0.6;  // within a cell
+    const double total = 1000 * 9.81 * 2 * 0.6 * thickness;
+    const auto r = wall.resultant(water);
+    TEST_FLOATING_EQUALITY(r.y, total, round_off);
+    TEST_FLOATING_EQUALITY(r.moment, total * 1.0, round_off);
+    water.level = -1;
+    TEST_EQUALITY(wall.resultant(water).y, 0.0);
+    water.level = 5;
+    TEST_FLOATING_EQUALITY(wall.resultant(water).y, 1000 * 9.81 * 2 * thickness, round_off);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Buoyancy, LiftsTheBlocksItNames) {
+  const LoadCase wall;
+  BuoyancyParameters water;
+  water.blocks = "course 1";
+  water.level = 5;
+  TEST_FLOATING_EQUALITY(wall.resultant(water).y, 1000 * 9.81 * 2 * 0.25 * thickness, round_off);
+}
+
+MovingTrainParameters train() {
+  MovingTrainParameters p;
+  p.on = "top";
+  p.axle_load = {1000, 300, 200};
+  p.behind = {0, 0.5, 0.75};
+  p.position = -0.1;
+  p.speed = 2;
+  return p;
+}
+
+TEUCHOS_UNIT_TEST(MovingTrain, CarriesEachAxleWhereItIsAndNothingBesideTheDeck) {
+  const LoadCase wall;
+  const auto at = [&](double time) { return wall.resultant(train(), 1.0, time); };
+  TEST_EQUALITY(at(0).y, 0.0);  // all three before the deck
+  TEST_EQUALITY(at(0.1).y, -1000.0);
+  TEST_FLOATING_EQUALITY(at(0.1).moment, -1000 * 0.1, round_off);
+  TEST_FLOATING_EQUALITY(at(0.5).y, -1500.0, round_off);
+  TEST_FLOATING_EQUALITY(at(0.5).moment, -(1000 * 0.9 + 300 * 0.4 + 200 * 0.15), round_off);
+  TEST_FLOATING_EQUALITY(at(1.2).moment, -(300 * 1.8 + 200 * 1.55), round_off);  // the first has left
+  TEST_EQUALITY(at(2).y, 0.0);
+}
+
+// Where two stones meet the axle stands on one of them, not on both.
+TEUCHOS_UNIT_TEST(MovingTrain, ActsOnceAtEveryNodeOfTheDeck) {
+  const LoadCase wall;
+  MovingTrainParameters p = train();
+  p.axle_load = {1000};
+  p.behind = {0};
+  p.speed = 0;
+  for (int k = 0; k <= 16; ++k) {
+    p.position = k * 0.125;
+    TEST_EQUALITY(wall.resultant(p).y, -1000.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(MovingTrain, FollowsItsFirstAxleAgainstItsDirection) {
+  const LoadCase wall;
+  MovingTrainParameters p = train();
+  p.position = 1.0;
+  p.speed = -2;
+  TEST_FLOATING_EQUALITY(wall.resultant(p).moment, -(1000 * 1.0 + 300 * 1.5 + 200 * 1.75), round_off);
+}
+
+TEUCHOS_UNIT_TEST(GroundMotion, IsInertiaAgainstTheAccelerationOfTheGround) {
+  const LoadCase wall;
+  const double mass = density * 2 * 1 * thickness;
+  const std::string file = "ground_motion.csv";
+  if (everyone()->getRank() == 0) std::ofstream(file) << "t [s], a [g]\n0, 0\n1, 0.2\n3, -0.2\n";
+  GroundMotionParameters p;
+  p.record_x = file;
+  p.in_g = true;
+  p.ay = 0.5;
+  const auto r = wall.resultant(p, 0.5, 1.5);
+  TEST_FLOATING_EQUALITY(r.x, -0.5 * mass * 0.1 * 9.80665, round_off);
+  TEST_FLOATING_EQUALITY(r.y, -0.5 * mass * 0.5, round_off);
+  TEST_EQUALITY(wall.resultant(p, 1.0, 3.5).x, 0.0);  // the record is over
+  TEST_INEQUALITY(wall.made(p)->remark().find("its baseline drifts"), std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(GroundMotion, BringsTheGroundBackWhereTheBaselineIsCorrected) {
+  const PiecewiseLinear record({0, 1, 2.5, 4}, {0, 3, -1, 0.5});
+  // By hand: velocities 1.5, 3, 2.625; displacements 0.5, 4.625, 8.5625.
+  const auto drift = drift_of(record);
+  TEST_FLOATING_EQUALITY(drift.velocity, 2.625, 1e-14);
+  TEST_FLOATING_EQUALITY(drift.displacement, 8.5625, 1e-14);
+  TEST_FLOATING_EQUALITY(drift.peak_velocity, 3.0, 1e-14);
+  const auto corrected = drift_of(with_corrected_baseline(record));
+  TEST_COMPARE(std::abs(corrected.velocity), <=, 1e-14);      // some ten operations on numbers near 1
+  TEST_COMPARE(std::abs(corrected.displacement), <=, 1e-13);
+}
+
+// The forces of a block that may expand freely are those that its stiffness answers with exactly its free expansion.
+TEUCHOS_UNIT_TEST(Temperature, ForcesAreTheStiffnessTimesTheFreeExpansion) {
+  for (const auto plane : {Plane::stress, Plane::strain}) {
+    const LoadCase wall(plane);
+    TemperatureParameters p;
+    p.blocks = "course 2";
+    p.change = 30;
+    p.expansion = 1e-5;
+    const auto load = wall.made(p);
+    std::vector<double> force(2 * wall.s().nodes(), 0.0), none = force, strain(wall.s().blocks().size(), 0.0), answer;
+    load->add(0.5, 0, force, none);
+    load->add_free_strain(0.5, strain);
+    std::vector<double> u(force.size());
+    for (int i = 0; i < wall.s().nodes(); ++i)
+      for (int c = 0; c < 2; ++c) u[2 * i + c] = strain[wall.s().block_of_node()[i]] * wall.s().position()[i][c];
+    wall.s().apply_stiffness(u, answer);
+    double largest = 0, wrong = 0;
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      largest = std::max(largest, std::abs(force[i]));
+      wrong = std::max(wrong, std::abs(force[i] - answer[i]));
+    }
+    TEST_COMPARE(wrong, <=, 1e-12 * largest);  // sums of eight products a row
+    const double free = 0.5 * 30 * 1e-5 * (plane == Plane::strain ? 1.2 : 1.0);  // nu = 0.2
+    TEST_FLOATING_EQUALITY(*std::max_element(strain.begin(), strain.end()), free, 1e-15);
+    TEST_EQUALITY(*std::min_element(strain.begin(), strain.end()), 0.0);  // the other courses stay cold
+  }
+}
+
+}  // namespace
