@@ -14,16 +14,19 @@ constexpr long long bytes_of_strength = sizeof(double);      // cohesion, and th
 
 }  // namespace
 
-std::map<std::string, EffectSummary> effect_costs(const Model<2>& model) {
-  const auto& comm = *model.structure().comm();
-  auto costs = model.loads().costs(comm);
-  const long long mine = model.points().size();  // with ghosts
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const LoadsAtWork<2>& loads, long long mine,
+                                                  const Teuchos::Comm<int>& comm) {
+  auto costs = loads.costs(comm);
   long long points = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
-  for (const auto& effect : effects_of(model.scene())) costs[effect.name].in_play = effect.in_play();
+  for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
   costs["friction"].bytes = points * bytes_of_friction;
   costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_strength;
   return costs;
+}
+
+std::map<std::string, EffectSummary> effect_costs(const Model<2>& model) {
+  return effect_costs(model.scene(), model.loads(), model.points().size(), *model.structure().comm());
 }
 
 }  // namespace voussoir

@@ -1,6 +1,9 @@
 #include "simulation/prediction.hpp"
 
+#include <iomanip>
+
 #include "joints/contact_points.hpp"
+#include "simulation/effect_costs.hpp"
 
 namespace voussoir {
 namespace {
@@ -9,6 +12,32 @@ namespace {
 // Krylov iterations of a solve, seconds of an iteration per unknown on one core, bytes per unknown.
 constexpr int solves_bonded = 3, solves_adaptive = 40, solves_all = 45;
 constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
+
+/// Makes the loads and applies them once in full: bytes they hold and seconds of a load step.
+void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const Structure<2>& structure,
+                        const ContactPoints<2>& points, std::ostream& say) {
+  const auto& comm = *structure.comm();
+  const LoadsAtWork<2> loads(scene, source, structure);
+  const auto made = loads.costs(comm);
+  std::map<std::string, double> factors;
+  for (const auto& load : scene.loads) factors[load.name] = 1.0;
+  std::vector<double> force(2 * structure.nodes()), prescribed(force.size());
+  loads.add(factors, 0.0, force, prescribed);
+  say << "effects\n" << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16)
+      << "[s] per step" << "\n";
+  int absent = 0;
+  for (const auto& [name, cost] : effect_costs(scene, loads, points.size(), comm)) {
+    const auto before = made.find(name);
+    if (!cost.in_play && cost.bytes == 0) {
+      ++absent;
+      continue;
+    }
+    say << "  " << std::left << std::setw(18) << name << std::right << std::setw(12) << cost.bytes;
+    if (before != made.end()) say << std::setw(16) << std::setprecision(2) << cost.seconds - before->second.seconds;
+    say << std::setprecision(6) << (cost.in_play ? "\n" : "   absent, but part of every contact point\n");
+  }
+  say << "  absent, without cost: " << absent << " effects\n";
+}
 
 }  // namespace
 
@@ -28,10 +57,11 @@ void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RC
                                                                    : solves_adaptive;
   say << source.block_count() << " blocks, " << points.total_joints() << " joints, " << structure.total_nodes()
       << " nodes, " << 2 * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
-      << steps << " load steps of about " << solves << " linear solves each\n"
+      << steps << " load steps of about " << solves << " linear solves each, " << steps * solves << " in all\n"
       << "expected: " << unknowns * bytes_per_unknown / 1e6 << " MB in all, "
       << steps * solves * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize() << " s on "
       << comm->getSize() << " ranks (within a factor of three)\n";
+  print_effect_costs(scene, source, structure, points, say);
 }
 
 }  // namespace voussoir

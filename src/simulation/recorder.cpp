@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blocks/assembly.hpp"
-#include "blocks/element_matrices.hpp"
+#include "blocks/stresses.hpp"
 #include "simulation/phase.hpp"
 
 namespace voussoir {
@@ -116,26 +115,6 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
 }
 
 template <int dim>
-std::vector<double> Recorder<dim>::stresses(const std::vector<double>& u) const {
-  const auto plane = model_.structure().model().plane;
-  std::vector<double> stress;
-  for (int b = 0; b < model_.structure().owned_blocks(); ++b) {
-    const auto& block = model_.structure().blocks()[b];
-    const auto d = plane_elasticity(block.material, plane);
-    const double free = free_strain_.empty() ? 0.0 : free_strain_[b] * (d[0][0] + d[0][1]);
-    for (const auto& cell : block.mesh.cells) {
-      std::array<Vector<2>, 4> displacement{};
-      for (int i = 0; i < cell.count; ++i)
-        for (int c = 0; c < dim; ++c) displacement[i][c] = u[dim * (block.first_local + cell.node[i]) + c];
-      auto value = element_stress(cell, cell_positions(block.mesh, cell), displacement, block.material, plane);
-      for (int i = 0; i < 2; ++i) value[i] -= free;
-      stress.insert(stress.end(), value.begin(), value.end());
-    }
-  }
-  return stress;
-}
-
-template <int dim>
 void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
                                const std::vector<int>& status, const std::string& stage, double load_factor) {
   if (!fields_) return;
@@ -144,7 +123,7 @@ void Recorder<dim>::write_step(const ContactState& state, const std::vector<doub
   rows.stage = stage;
   rows.load_factor = load_factor;
   rows.displacement.assign(displacement.begin(), displacement.begin() + dim * model_.structure().owned_nodes());
-  rows.stress = stresses(displacement);
+  rows.stress = cell_stresses(model_.structure(), displacement, free_strain_);
   const auto gap = step_.gaps(displacement);
   for (int k = 0; k < model_.points().owned(); ++k) {
     rows.gap.push_back(gap[dim * k]);

@@ -41,7 +41,6 @@ class Recorder {
  private:
   void write_tables();
   std::vector<int> statuses(const ContactState&, const PointField& gap, const PointField& slip_before) const;
-  std::vector<double> stresses(const std::vector<double>& displacement) const;
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<int>& status,
                   const std::string& stage, double load_factor);
   void book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
