@@ -20,6 +20,16 @@ class EnergyBook {
     fracture_ += fracture;
   }
 
+  /// Names what a checkpoint keeps (output/checkpoint.hpp).
+  template <class Archive>
+  void keep(Archive& archive) {
+    archive.value("energy.elastic_J", elastic_);
+    archive.value("energy.kinetic_J", kinetic_);
+    archive.value("energy.external_work_J", external_work_);
+    archive.value("energy.friction_J", friction_);
+    archive.value("energy.fracture_J", fracture_);
+  }
+
   double elastic() const { return elastic_; }
   double kinetic() const { return kinetic_; }
   double external_work() const { return external_work_; }

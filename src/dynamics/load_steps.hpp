@@ -1,6 +1,7 @@
 // The way through the stages of a scene: equal increments, halved where they do not converge.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -56,6 +57,19 @@ class LoadSteps {
     return true;
   }
   int halvings() const { return halvings_; }
+  /// Names what a checkpoint keeps (output/checkpoint.hpp). After restoring, `before_` follows from the stages passed.
+  template <class Archive>
+  void keep(Archive& archive) {
+    auto stage = static_cast<int>(stage_);
+    archive.value("load_steps.stage", stage);
+    archive.value("load_steps.reached", reached_);
+    archive.value("load_steps.halvings", halvings_);
+    archive.value("load_steps.successes", successes_);
+    stage_ = static_cast<std::size_t>(stage);
+    before_.clear();
+    for (std::size_t k = 0; k < std::min(stage_, stages_.size()); ++k)
+      for (const auto& [load, end] : stages_[k].factors) before_[load] = end;
+  }
   /// Share of the planned increments done, for the remaining time.
   double progress() const {
     double done = 0;

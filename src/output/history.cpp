@@ -73,11 +73,17 @@ std::string History::heading() {
   return line;
 }
 
-History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm)
+History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows)
     : path_(std::move(path)), comm_(std::move(comm)) {
-  on_first_rank(*comm_, [this] {
-    file_.open(path_, std::ios::trunc);
-    put(heading());
+  on_first_rank(*comm_, [this, rows] {
+    std::string kept = heading() + '\n', line;
+    std::ifstream before(path_);
+    if (rows > 0) std::getline(before, line);
+    for (int k = 0; k < rows && std::getline(before, line); ++k) kept += line + '\n';
+    before.close();
+    replace_file(path_, kept);
+    file_.open(path_, std::ios::app);
+    if (!file_) throw ResourceError(cannot_write(path_, std::strerror(errno)));
   });
 }
 

@@ -29,8 +29,9 @@ struct HistoryRow {
 
 class History {
  public:
-  /// Makes the file with its heading. Collective; rank 0 writes. Throws ResourceError on all ranks.
-  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm);
+  /// Makes the file with its heading, and keeps the first `rows` rows of the file that is there: what a run wrote after
+  /// its checkpoint is cut off. Collective; rank 0 writes. Throws ResourceError on all ranks.
+  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows = 0);
   /// On return the row is in the file. Collective; the row of rank 0 counts.
   void append(const HistoryRow&);
 

@@ -20,6 +20,8 @@ const char* word(Outcome outcome) {
       return "equilibrium";
     case Outcome::collapse:
       return "collapse";
+    case Outcome::interrupted:
+      return "interrupted";
     case Outcome::not_converged:
       break;
   }

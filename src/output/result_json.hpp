@@ -11,7 +11,8 @@
 
 namespace voussoir {
 
-enum class Outcome { equilibrium, collapse, not_converged };
+/// An interrupted run has no result.json yet.
+enum class Outcome { equilibrium, collapse, not_converged, interrupted };
 
 /// Energy book at the end of the run. [J]
 struct EnergySummary {

@@ -27,6 +27,7 @@ void Narrator::begin(int step, const std::string& stage, double target, double p
   step_ = step;
   target_ = target;
   progress_ = progress;
+  if (first_progress_ < 0) first_progress_ = progress;
   solves_ = 0;
 }
 
@@ -49,8 +50,8 @@ void Narrator::end(const StepReport& report, const StatusCount& count, double se
         report.newton.newton_iterations, count.selected, count.open, count.slip, report.newton.krylov_iterations,
         report.error_estimate, summary.largest_displacement, seconds);
   // A remaining time is worth saying when a run takes more than ten seconds.
-  if (progress_ > 0 && spent_ > 10 && progress_ < 1)
-    print(say_, "   about %.0f s to go", spent_ / progress_ * (1 - progress_));
+  if (progress_ > first_progress_ && spent_ > 10 && progress_ < 1)
+    print(say_, "   about %.0f s to go", spent_ / (progress_ - first_progress_) * (1 - progress_));
   say_ << std::endl;
 }
 

@@ -21,6 +21,7 @@ class Narrator {
   std::ostream& say_;
   bool verbose_;
   double spent_ = 0, progress_ = 0;
+  double first_progress_ = -1;  ///< where this run began, which need not be the beginning
   int step_ = 0, solves_ = 0;
   double target_ = 0;
   std::string stage_;

@@ -17,11 +17,23 @@ struct StatusCount {
   long long selected = 0, open = 0, stick = 0, slip = 0;
 };
 
+/// What has been recorded so far: all that a checkpoint must keep of a recorder.
+struct Record {
+  EnergyBook energy;
+  RunSummary summary;
+  StatusCount count;
+  int written = 0;  ///< steps in fields.h5
+
+  template <class Archive>
+  void keep(Archive& archive);
+};
+
 template <int dim>
 class Recorder {
  public:
   /// Writes mesh and joints to folder/fields.h5, unless the scene wants no fields. Collective, like all its functions.
-  Recorder(const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder);
+  /// @param so_far  of an earlier run to go on with: its files are cut behind the steps recorded here
+  Recorder(const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder, const Record& so_far = {});
 
   /// Books and writes a step that was solved.
   /// @param before, load_before  state and nodal loads at its start
@@ -34,9 +46,12 @@ class Recorder {
   void record_mechanism(const std::vector<double>& mechanism, const ContactState&, const std::string& stage,
                         double load_factor);
 
-  const RunSummary& summary() const { return summary_; }
-  RunSummary& summary() { return summary_; }
-  const StatusCount& status() const { return count_; }
+  const RunSummary& summary() const { return record_.summary; }
+  RunSummary& summary() { return record_.summary; }
+  const StatusCount& status() const { return record_.count; }
+  Record& so_far() { return record_; }
+  /// Whether fields of an earlier run could not be read, so that fields.h5 begins anew.
+  bool fields_lost() const { return fields_lost_; }
 
  private:
   void write_tables();
@@ -50,12 +65,36 @@ class Recorder {
   const AdaptiveStep<dim>& step_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;
-  EnergyBook energy_;
-  RunSummary summary_;
-  StatusCount count_;
   std::vector<double> free_strain_;
-  int written_ = 0;
+  Record record_;
+  bool fields_lost_ = false;
 };
+
+template <class Archive>
+void Record::keep(Archive& archive) {
+  energy.keep(archive);
+  archive.value("steps", summary.steps);
+  archive.value("selection_rounds", summary.selection_rounds);
+  archive.value("newton_iterations", summary.newton_iterations);
+  archive.value("linear_solves", summary.linear_solves);
+  archive.value("krylov_iterations", summary.krylov_iterations);
+  archive.value("largest_penetration_m", summary.largest_penetration);
+  archive.value("complementarity_residual", summary.complementarity_residual);
+  archive.value("error_estimate", summary.error_estimate);
+  archive.value("largest_displacement_m", summary.largest_displacement);
+  archive.value("load_factor", summary.load_factor);
+  archive.value("selected_points", count.selected);
+  archive.value("open_points", count.open);
+  archive.value("stick_points", count.stick);
+  archive.value("slip_points", count.slip);
+  archive.value("fields_written", written);
+  summary.selected_points = count.selected;
+  summary.open_points = count.open;
+  summary.stick_points = count.stick;
+  summary.slip_points = count.slip;
+  summary.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
+                    energy.friction(), energy.fracture(), energy.imbalance()};
+}
 
 extern template class Recorder<2>;
 
