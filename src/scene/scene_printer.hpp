@@ -1,9 +1,7 @@
 // A scene for people and for files.
 #pragma once
 
-#include <map>
 #include <ostream>
-#include <string>
 
 #include "scene/scene.hpp"
 
@@ -14,9 +12,6 @@ void print_scene(std::ostream&, const Scene&);
 
 /// The scene as XML with every value written out, defaults included: reading it gives an equal scene, to the last bit.
 void write_scene(std::ostream&, const Scene&);
-
-/// The sections of write_scene() by name, to tell what two scenes differ in.
-std::map<std::string, std::string> section_texts(const Scene&);
 
 /// xml/reference.xml: a scene that shows and explains every parameter there is.
 void print_reference(std::ostream&);
