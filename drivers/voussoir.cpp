@@ -1,6 +1,7 @@
 // voussoir: computes how a masonry structure behaves, from a scene in XML.
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -10,9 +11,11 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "linalg/gather.hpp"
+#include "output/hdf5_file.hpp"
 #include "scene/scene_printer.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/stop_signals.hpp"
 
 namespace {
 
@@ -24,13 +27,15 @@ const char* const usage =
   --out=DIR           where results go (default: out/<name of the scene>)
   --set PATH=VALUE    change one parameter of the scene, such as selection/mode=all; may be repeated
   --overwrite         remove earlier results of DIR instead of keeping them beside
+  --restart           go on with the interrupted run in DIR; without --xml, with the scene it began with
   --validate          check scene and mesh, then stop
   --dry-run           also count unknowns and predict the cost, then stop
   --print-parameters  print every parameter with unit, default and range, as a scene
   --quiet             say nothing but errors
   --verbose           a line for every linear solve
   --version, --help
-Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing.
+SIGTERM and SIGUSR1 save the state and stop; so does a step that does not converge.
+Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing, 5 stopped by a signal.
 )";
 
 struct Arguments {
@@ -61,6 +66,8 @@ Arguments parse(const std::vector<std::string>& words) {
       a.overrides.push_back(value);
     else if (word == "--overwrite")
       a.run.overwrite = true;
+    else if (word == "--restart")
+      a.run.restart = true;
     else if (word == "--validate")
       a.run.validate = true;
     else if (word == "--dry-run")
@@ -74,6 +81,10 @@ Arguments parse(const std::vector<std::string>& words) {
     else
       throw InputError("voussoir: '" + word + "' is no option.\n  See voussoir --help.");
   }
+  if (a.run.restart && a.run.overwrite)
+    throw InputError("voussoir: --restart and --overwrite\n  contradict each other: one goes on with what the other "
+                     "removes.\n  Leave one of them out.");
+  if (a.run.restart && a.xml.empty() && !a.run.folder.empty()) a.xml = a.run.folder + "/scene.xml";
   if (a.xml.empty() && a.print.empty()) throw InputError("voussoir: no scene given.\n  Give one with --xml=FILE.");
   if (a.run.folder.empty()) a.run.folder = "out/" + std::filesystem::path(a.xml).stem().string();
   return a;
@@ -102,8 +113,12 @@ Scene read_on_all_ranks(const Arguments& a, const Teuchos::Comm<int>& comm) {
 int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, std::ostream& say) {
   if (a.run.validate || a.run.dry_run) return exit_done;
   say << "\n";
-  if (summary.outcome == Outcome::equilibrium)
-    say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.");
+  if (summary.outcome == Outcome::interrupted) {
+    say << "Stopped by a signal after step " << summary.steps << ". The state is saved; go on with\n  voussoir --xml="
+        << a.xml << " --out=" << a.run.folder << " --restart\n";
+    return exit_interrupted;
+  }
+  if (summary.outcome == Outcome::equilibrium) say << "Equilibrium under all loads.";
   if (summary.outcome == Outcome::collapse) say << "Collapse: " << summary.message << ".";
   if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
   say << " Results are in " << a.run.folder << "\n";
@@ -124,6 +139,7 @@ int run_program(const std::vector<std::string>& words) {
       if (first && a.print == "--print-parameters") print_reference(std::cout);
       return exit_done;
     }
+    listen_for_stop_signals();
     const auto scene = read_on_all_ranks(a, *comm);
     return finish(a, scene, run(scene, a.run, comm, say), say);
   } catch (const InputError& error) {
@@ -147,5 +163,8 @@ int run_program(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   int name_alone = 1;  // Kokkos would answer --help before we do
   Tpetra::ScopeGuard scope(&name_alone, &argv);
-  return run_program({argv + 1, argv + argc});
+  const int code = run_program({argv + 1, argv + argc});
+  if (!Hdf5File::any_broken()) return code;
+  std::cout << std::flush;
+  std::_Exit(code);
 }

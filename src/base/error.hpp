@@ -24,6 +24,7 @@ class ResourceError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum ExitCode { exit_done = 0, exit_input = 2, exit_no_convergence = 3, exit_resource = 4 };
+/// 5: a signal asked the run to stop; its state is saved.
+enum ExitCode { exit_done = 0, exit_input = 2, exit_no_convergence = 3, exit_resource = 4, exit_interrupted = 5 };
 
 }  // namespace voussoir

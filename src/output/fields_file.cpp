@@ -8,6 +8,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {
@@ -36,13 +37,46 @@ std::vector<long long> padded_corners(const MeshRows& mesh, int width) {
 
 }  // namespace
 
-FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim)
-    : comm_(std::move(comm)), dim_(dim), file_(path, comm_, Hdf5File::Mode::create) {
+bool cut_fields(const std::string& path, int steps, const Teuchos::Comm<int>& comm) {
+  int kept = 0;
+  on_first_rank(comm, [&] {
+    const std::string beside = path + ".part";
+    std::vector<std::string> paths{"/mesh", "/joints"};
+    for (int k = 1; k <= steps; ++k) paths.push_back(step_group(k));
+    std::error_code ignored;
+    const auto space = std::filesystem::file_size(path, ignored);
+    try {
+      if (steps == 0 || ignored) return;
+      copy_hdf5(path, beside, paths);
+      kept = 1;
+    } catch (const ResourceError& error) {
+      // A full disk is no damage: nothing is put aside for want of space.
+      std::filesystem::remove(beside, ignored);
+      if (std::filesystem::space(std::filesystem::absolute(path).parent_path(), ignored).available < 2 * space) throw;
+      const auto aside = std::filesystem::path(path).replace_extension(".damaged.h5");
+      std::filesystem::rename(path, aside, ignored);
+      return;
+    }
+    publish_file(beside, path);
+  });
+  Teuchos::broadcast(comm, 0, &kept);
+  return kept == 1;
+}
+
+FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim, int steps)
+    : comm_(std::move(comm)),
+      dim_(dim),
+      file_(path, comm_, steps > 0 ? Hdf5File::Mode::append : Hdf5File::Mode::create) {
   VOUSSOIR_EXPECT(dim == 2 || dim == 3);
   const std::filesystem::path fields(path);
   xdmf_path_ = std::filesystem::path(fields).replace_extension(".xdmf").string();
   xdmf_.fields = fields.filename().string();
   xdmf_.dim = dim;
+  for (int k = 1; k <= steps; ++k) {
+    const auto group = step_group(k);
+    const bool timed = file_.has_attribute(group, "time_s");
+    list(group, timed ? file_.read_attribute<double>(group, "time_s") : k);
+  }
 }
 
 FieldsFile::Rows FieldsFile::counted(const std::vector<long long>& ids) const {
@@ -55,13 +89,14 @@ FieldsFile::Rows FieldsFile::counted(const std::vector<long long>& ids) const {
 template <class T>
 void FieldsFile::write(const std::string& path, const Rows& rows, const std::vector<T>& values, int columns,
                        const std::string& unit, const std::string& text) {
-  file_.write_rows(path, rows.ids, values, Table{rows.total, columns, unit, text});
+  if (!file_.has(path)) file_.write_rows(path, rows.ids, values, Table{rows.total, columns, unit, text});
 }
 
 void FieldsFile::write_vectors(const std::string& path, const Rows& rows, const std::vector<double>& values,
                                const std::string& unit) {
   write(path, rows, values, dim_, unit);
-  if (dim_ < 3 && rows.total > 0) file_.write_padded_view(vectors_for_viewers(path, dim_), path, 3);
+  const std::string view = vectors_for_viewers(path, dim_);
+  if (dim_ < 3 && rows.total > 0 && !file_.has(view)) file_.write_padded_view(view, path, 3);
 }
 
 void FieldsFile::write_mesh(const MeshRows& mesh) {
@@ -82,7 +117,7 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   const Rows blocks = counted(mesh.block);
   write("/mesh/rank_of_block", blocks, std::vector<int>(mesh.block.size(), comm_->getRank()), 1, "-");
   write("/mesh/block_set", blocks, mesh.block_set, 1, "-", "index into block_set_names, -1 for none");
-  file_.write_texts("/mesh/block_set_names", mesh.block_set_names);
+  if (!file_.has("/mesh/block_set_names")) file_.write_texts("/mesh/block_set_names", mesh.block_set_names);
   xdmf_.nodes = nodes_.total;
   xdmf_.cells = cells_.total;
 }
@@ -110,7 +145,6 @@ void FieldsFile::write_step(const StepRows& step) {
   if (step.time) file_.write_attribute(group, "time_s", *step.time);
 
   write_vectors(group + "/displacement", nodes_, step.displacement, "m");
-  if (step.time) write_vectors(group + "/velocity", nodes_, step.velocity, "m/s");
   write(group + "/stress", cells_, step.stress, dim_ == 2 ? 3 : 6, "Pa",
         dim_ == 2 ? "xx, yy, xy; tension > 0" : "xx, xy, xz, yy, yz, zz; tension > 0");
   write(group + "/joint_gap_m", points_, step.gap, 1, "m", "> 0 open");
@@ -121,7 +155,7 @@ void FieldsFile::write_step(const StepRows& step) {
   write(group + "/joint_selected", points_, step.selected, 1, "-", "1 treated as contact, 0 not");
   file_.flush();
 
-  xdmf_.steps.push_back({group, step.time.value_or(static_cast<double>(step.number)), step.time.has_value()});
+  list(group, step.time.value_or(static_cast<double>(step.number)));
   on_first_rank(*comm_, [this] { replace_file(xdmf_path_, xdmf_text(xdmf_)); });
 }
 

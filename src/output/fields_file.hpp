@@ -46,10 +46,9 @@ struct StepRows {
   int number = 0;
   std::string stage;
   double load_factor = 0.0;
-  std::optional<double> time;  ///< [s] of a time step; load steps have none, and viewers show their number instead
+  std::optional<double> time;  ///< [s] in dynamics; load steps have none, and viewers show their number instead
 
   std::vector<double> displacement;      ///< [m] nodes x dim
-  std::vector<double> velocity;          ///< [m/s] nodes x dim, where there is a time
   std::vector<double> stress;            ///< [Pa] cells x 3: xx, yy, xy (3D: x 6: xx, xy, xz, yy, yz, zz); tension > 0
   std::vector<double> gap;               ///< [m] > 0 open
   std::vector<double> slip;              ///< [m]
@@ -59,11 +58,17 @@ struct StepRows {
   std::vector<int> selected;             ///< 1 treated as contact, 0 not
 };
 
+/// Cuts fields.h5 behind its first `steps` steps. A file that a kill left unreadable is put aside as fields.damaged.h5.
+/// Collective; throws ResourceError on all ranks when the file cannot be written.
+/// @return whether the steps are there; else the fields begin anew
+bool cut_fields(const std::string& path, int steps, const Teuchos::Comm<int>&);
+
 /// Writes in the order mesh, joints, steps. Every function is collective and throws ResourceError on all ranks.
 class FieldsFile {
  public:
-  /// @param path  "out/wall/fields.h5"; fields.xdmf goes beside it
-  FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim);
+  /// @param path   "out/wall/fields.h5"; fields.xdmf goes beside it
+  /// @param steps  steps to keep of the file that is there; 0 begins it anew. Mesh and joints are kept with them
+  FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim, int steps = 0);
 
   void write_mesh(const MeshRows&);
   void write_joints(const JointRows&);
@@ -75,6 +80,8 @@ class FieldsFile {
     std::vector<long long> ids;
     long long total = 0;
   };
+  /// A step that is in the file, for viewers.
+  void list(const std::string& group, double time) { xdmf_.steps.push_back({group, time}); }
   Rows counted(const std::vector<long long>& ids) const;
   template <class T>
   void write(const std::string& path, const Rows&, const std::vector<T>& values, int columns, const std::string& unit,

@@ -75,6 +75,10 @@ std::string last_error() {
   return reason.empty() ? "an unknown error of HDF5" : reason;
 }
 
+std::string cannot_read(const std::string& name, const std::string& reason) {
+  return name + ": cannot be read\n  because of: " + reason + ".\n  Give a file written by Voussoir, unchanged.";
+}
+
 MPI_Comm raw(const Teuchos::Comm<int>& comm) {
   const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
   return mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
@@ -90,14 +94,15 @@ class Hdf5File::Impl {
     on_first_rank(*comm, [this] { try_to_open(); });
     Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fapl_mpio(access, mpi, MPI_INFO_NULL);
+    const unsigned how = mode == Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
     const hid_t id = mode == Mode::create ? H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
-                                          : H5Fopen(name.c_str(), H5F_ACC_RDONLY, access);
+                                          : H5Fopen(name.c_str(), how, access);
     require(id >= 0);
     file_id = id;
   }
 
   ~Impl() {
-    if (file_id >= 0) H5Fclose(file_id);
+    if (file_id >= 0 && !broken) H5Fclose(file_id);
   }
 
   /// Every rank agrees before anyone throws.
@@ -113,7 +118,9 @@ class Hdf5File::Impl {
     MPI_Bcast(&length, 1, MPI_INT, failed, mpi);
     reason.resize(static_cast<std::size_t>(length));
     MPI_Bcast(reason.data(), length, MPI_CHAR, failed, mpi);
-    throw ResourceError(mode == Mode::create ? cannot_write(name, reason) : cannot_read(reason));
+    broken = mode != Mode::read;
+    any_broken |= broken;
+    throw ResourceError(mode == Mode::read ? cannot_read(name, reason) : cannot_write(name, reason));
   }
 
   Handle create(const std::string& path, hid_t type, hid_t space, hid_t properties) const {
@@ -126,7 +133,7 @@ class Hdf5File::Impl {
 
   /// The object an attribute belongs to; a group that is not there yet is made.
   Handle object(const std::string& path) const {
-    if (mode == Mode::create && !exists(path)) {
+    if (mode != Mode::read && !exists(path)) {
       Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
       H5Pset_create_intermediate_group(links, 1);
       Handle group(H5Gcreate2(file_id, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -181,20 +188,19 @@ class Hdf5File::Impl {
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
   MPI_Comm mpi;
   hid_t file_id = -1;
+  mutable bool broken = false;  ///< writing has failed; closing would fail half way
+  static inline bool any_broken = false;
 
  private:
   /// Asks the system first: its reason is clearer than that of MPI-IO.
   void try_to_open() const {
-    std::FILE* stream = std::fopen(name.c_str(), mode == Mode::create ? "wb" : "rb");
+    const char* how = mode == Mode::create ? "wb" : mode == Mode::append ? "r+b" : "rb";
+    std::FILE* stream = std::fopen(name.c_str(), how);
     const std::string reason = stream ? "" : std::strerror(errno);
     if (stream)
       std::fclose(stream);
     else
-      throw ResourceError(mode == Mode::create ? cannot_write(name, reason) : cannot_read(reason));
-  }
-
-  std::string cannot_read(const std::string& reason) const {
-    return name + ": cannot be read\n  because of: " + reason + ".\n  Give a file written by Voussoir, unchanged.";
+      throw ResourceError(mode == Mode::read ? cannot_read(name, reason) : cannot_write(name, reason));
   }
 };
 
@@ -323,7 +329,32 @@ T Hdf5File::read_attribute(const std::string& path, const std::string& name) con
   }
 }
 
+bool Hdf5File::has_attribute(const std::string& path, const std::string& name) const {
+  return H5Aexists_by_name(impl_->file_id, path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void Hdf5File::close() {
+  flush();  // fails where closing would
+  impl_->require(H5Fclose(std::exchange(impl_->file_id, -1)) >= 0);
+}
+
+bool Hdf5File::any_broken() { return Impl::any_broken; }
+
 void Hdf5File::flush() { impl_->require(H5Fflush(impl_->file_id, H5F_SCOPE_GLOBAL) >= 0); }
+
+void copy_hdf5(const std::string& from, const std::string& to, const std::vector<std::string>& paths) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const Handle source(H5Fopen(from.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!source.good()) throw ResourceError(cannot_read(from, last_error()));
+  Handle target(H5Fcreate(to.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  if (!target.good()) throw ResourceError(cannot_write(to, last_error()));
+  Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  for (const auto& path : paths)
+    if (H5Ocopy(source, path.c_str(), target, path.c_str(), H5P_DEFAULT, links) < 0)
+      throw ResourceError(cannot_read(from + ", " + path, last_error()));
+  if (!target.close()) throw ResourceError(cannot_write(to, last_error()));
+}
 
 template void Hdf5File::write_rows(const std::string&, const std::vector<long long>&, const std::vector<double>&,
                                    const Table&);

@@ -23,7 +23,7 @@ struct Table {
 
 class Hdf5File {
  public:
-  enum class Mode { create, read };  ///< create replaces what was there
+  enum class Mode { create, read, append };  ///< create replaces what was there, append adds to it
 
   Hdf5File(const std::string& file, Teuchos::RCP<const Teuchos::Comm<int>> comm, Mode mode);
   ~Hdf5File();
@@ -57,13 +57,23 @@ class Hdf5File {
   void write_attribute(const std::string& path, const std::string& name, const T& value);
   template <class T>
   T read_attribute(const std::string& path, const std::string& name) const;
+  bool has_attribute(const std::string& path, const std::string& name) const;
 
   /// Brings everything to disk: what was written so far survives when the run is killed.
   void flush();
+  /// Ends the file and tells when that failed, which the destructor cannot. Nothing else may follow.
+  void close();
+
+  /// Whether a file could not be written to its end. HDF5 1.10 then crashes when it ends, in MPI_Finalize: a program
+  /// must leave without.
+  static bool any_broken();
 
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Copies groups and tables of one file, with all they hold, into a new one. Not collective. Throws ResourceError.
+void copy_hdf5(const std::string& from, const std::string& to, const std::vector<std::string>& paths);
 
 }  // namespace voussoir

@@ -45,7 +45,6 @@ constexpr Column columns[] = {
     column<&HistoryRow::step>("step"),
     column<&HistoryRow::stage>("stage"),
     column<&HistoryRow::load_factor>("load_factor"),
-    column<&HistoryRow::time>("time_s"),
     column<&HistoryRow::selected_points>("selected_points"),
     column<&HistoryRow::open_points>("open_points"),
     column<&HistoryRow::stick_points>("stick_points"),
@@ -58,13 +57,10 @@ constexpr Column columns[] = {
     column<&HistoryRow::largest_penetration>("largest_penetration_m"),
     column<&HistoryRow::error_estimate>("error_estimate"),
     column<&HistoryRow::elastic>("elastic_J"),
-    column<&HistoryRow::kinetic>("kinetic_J"),
     column<&HistoryRow::external_work>("external_work_J"),
     column<&HistoryRow::friction>("friction_J"),
     column<&HistoryRow::fracture>("fracture_J"),
-    column<&HistoryRow::damping>("damping_J"),
     column<&HistoryRow::imbalance>("imbalance_J"),
-    column<&HistoryRow::imbalance_in_time>("imbalance_in_time_J"),
     column<&HistoryRow::largest_displacement>("largest_displacement_m"),
     column<&HistoryRow::seconds>("seconds"),
 };
@@ -77,11 +73,17 @@ std::string History::heading() {
   return line;
 }
 
-History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm)
+History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows)
     : path_(std::move(path)), comm_(std::move(comm)) {
-  on_first_rank(*comm_, [this] {
-    file_.open(path_, std::ios::trunc);
-    put(heading());
+  on_first_rank(*comm_, [this, rows] {
+    std::string kept = heading() + '\n', line;
+    std::ifstream before(path_);
+    if (rows > 0) std::getline(before, line);
+    for (int k = 0; k < rows && std::getline(before, line); ++k) kept += line + '\n';
+    before.close();
+    replace_file(path_, kept);
+    file_.open(path_, std::ios::app);
+    if (!file_) throw ResourceError(cannot_write(path_, std::strerror(errno)));
   });
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fstream>
-#include <limits>
 #include <string>
 
 #include <Teuchos_Comm.hpp>
@@ -15,25 +14,24 @@ struct HistoryRow {
   int step = 0;
   std::string stage;
   double load_factor = 0.0;  ///< of the stage, 0..1
-  double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] at the end of a time step
   long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;
   int selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
   double complementarity_residual = 0.0;  ///< [-]
   double largest_penetration = 0.0;       ///< [m]
   double error_estimate = 0.0;            ///< [-] relative, energy norm
-  double elastic = 0.0, kinetic = 0.0;    ///< [J] stored at the end of the step
+  double elastic = 0.0;                   ///< [J] stored at the end of the step
   double external_work = 0.0;             ///< [J] since the start, like friction, fracture and imbalance
-  double friction = 0.0, fracture = 0.0, damping = 0.0;  ///< [J]
+  double friction = 0.0, fracture = 0.0;  ///< [J]
   double imbalance = 0.0;                 ///< [J] what the energy book cannot explain
-  double imbalance_in_time = 0.0;         ///< [J] the part of it that arose in time steps
   double largest_displacement = 0.0;      ///< [m]
   double seconds = 0.0;
 };
 
 class History {
  public:
-  /// Makes the file with its heading. Collective; rank 0 writes. Throws ResourceError on all ranks.
-  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm);
+  /// Makes the file with its heading, and keeps the first `rows` rows of the file that is there: what a run wrote after
+  /// its checkpoint is cut off. Collective; rank 0 writes. Throws ResourceError on all ranks.
+  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows = 0);
   /// On return the row is in the file. Collective; the row of rank 0 counts.
   void append(const HistoryRow&);
 

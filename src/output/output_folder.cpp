@@ -1,9 +1,11 @@
 #include "output/output_folder.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -29,28 +31,52 @@ fs::path next_free(const fs::path& folder) {
   }
 }
 
+/// A byte that reaches the file system: an empty file can be made on a full disk.
 void prove_writable(const fs::path& folder) {
   const std::string probe = (folder / ".voussoir-probe").string();
   std::FILE* file = std::fopen(probe.c_str(), "wb");
-  if (!file) throw ResourceError(cannot_write(folder.string(), std::strerror(errno)));
-  std::fclose(file);
+  bool written = file && std::fputc('v', file) != EOF && std::fflush(file) == 0;
+  const int reason = errno;
+  if (file) written = std::fclose(file) == 0 && written;
   std::remove(probe.c_str());
+  if (!written) throw ResourceError(cannot_write(folder.string(), std::strerror(reason)));
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw ResourceError(folder.string() + ": " + why);
 }
 
 /// @return where the earlier results went
-std::string prepare(const std::string& name, bool overwrite) {
+std::string prepare(const std::string& name, Earlier earlier) {
+  // Everything a run writes but scene.xml, which tells nothing that the user does not have.
+  static const char* const results[] = {result_file,   checkpoint_file, "history.csv",
+                                        "fields.h5",   "fields.xdmf",   "report.html"};
   const fs::path folder = without_slash(name);
   try {
+    const bool ended = fs::exists(folder / result_file), can_go_on = fs::exists(folder / checkpoint_file);
+    if (earlier == Earlier::go_on) {
+      if (!can_go_on)
+        refuse(folder, ended ? "holds a run that has come to its end\n  so there is nothing to go on with.\n"
+                               "  Leave --restart out to compute it again."
+                             : "holds no checkpoint\n  so there is no state to go on from.\n"
+                               "  Give the folder of the run with --out=DIR, or leave --restart out.");
+      prove_writable(folder);
+      return "";
+    }
     std::string kept;
-    if (!overwrite && fs::exists(folder / "result.json")) {
+    const bool any = std::any_of(std::begin(results), std::end(results),
+                                 [&](const char* file) { return fs::exists(folder / file); });
+    if (any && earlier == Earlier::keep) {
+      if (can_go_on && !ended)
+        refuse(folder, "holds a run that was interrupted\n  and nothing was changed.\n  Go on with it by --restart, "
+                       "remove it by --overwrite, or give another folder with --out=DIR.");
       const fs::path older = next_free(folder);
       fs::rename(folder, older);
       kept = older.string();
     }
     fs::create_directories(folder);
-    for (const char* file : {"result.json", "history.csv", "fields.h5", "fields.xdmf", "report.html"})
-      fs::remove(folder / file);
     prove_writable(folder);
+    for (const char* file : results) fs::remove(folder / file);
     return kept;
   } catch (const fs::filesystem_error& error) {
     throw ResourceError(cannot_write(folder.string(), error.code().message()));
@@ -59,9 +85,9 @@ std::string prepare(const std::string& name, bool overwrite) {
 
 }  // namespace
 
-std::string prepare_output_folder(const std::string& folder, bool overwrite, const Teuchos::Comm<int>& comm) {
+std::string prepare_output_folder(const std::string& folder, Earlier earlier, const Teuchos::Comm<int>& comm) {
   std::string kept;
-  on_first_rank(comm, [&] { kept = prepare(folder, overwrite); });
+  on_first_rank(comm, [&] { kept = prepare(folder, earlier); });
   int length = static_cast<int>(kept.size());
   Teuchos::broadcast(comm, 0, &length);
   kept.resize(static_cast<std::size_t>(length));

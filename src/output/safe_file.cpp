@@ -1,15 +1,33 @@
 #include "output/safe_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 
 #include <Teuchos_CommHelpers.hpp>
 
 #include "base/error.hpp"
 
 namespace voussoir {
+namespace {
+
+/// Waits until a file or folder is on disk; folders of some file systems cannot be waited for, which is no fault.
+bool on_disk(const std::string& path, int how) {
+  const int file = ::open(path.c_str(), how);
+  if (file < 0) return false;
+  const bool synced = ::fsync(file) == 0 || errno == EINVAL;
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  return synced;
+}
+
+}  // namespace
 
 std::string cannot_write(const std::string& path, const std::string& reason) {
   return path + ": cannot be written\n  because of: " + reason +
@@ -32,6 +50,16 @@ void on_first_rank(const Teuchos::Comm<int>& comm, const std::function<void()>& 
   message.resize(static_cast<std::size_t>(length));
   Teuchos::broadcast(comm, 0, length, message.data());
   throw ResourceError(message);
+}
+
+void publish_file(const std::string& beside, const std::string& path) {
+  const auto parent = std::filesystem::path(path).parent_path();
+  if (on_disk(beside, O_RDONLY) && std::rename(beside.c_str(), path.c_str()) == 0 &&
+      on_disk(parent.empty() ? "." : parent.string(), O_RDONLY | O_DIRECTORY))
+    return;
+  const std::string reason = std::strerror(errno);
+  std::remove(beside.c_str());
+  throw ResourceError(cannot_write(path, reason));
 }
 
 void replace_file(const std::string& path, const std::string& content) {

@@ -15,6 +15,10 @@ void on_first_rank(const Teuchos::Comm<int>& comm, const std::function<void()>& 
 /// Not collective. Throws ResourceError.
 void replace_file(const std::string& path, const std::string& content);
 
+/// Puts the finished file `beside` in the place of `path`: on disk first, then under its name, so that a loss of power
+/// leaves the old file or the new one. Not collective. Throws ResourceError.
+void publish_file(const std::string& beside, const std::string& path);
+
 /// The three lines every message about a file that could not be written has: file, why, what to do.
 std::string cannot_write(const std::string& path, const std::string& reason);
 

@@ -1,6 +1,7 @@
 #include "scene/scene_printer.hpp"
 
 #include <iomanip>
+#include <sstream>
 
 #include "base/text.hpp"
 #include "scene/scene_effects.hpp"
@@ -39,10 +40,6 @@ std::string mesh_text(const MeshParameters& mesh) {
 
 std::string stage_text(const StageParameters& stage) {
   std::string text = counted(stage.increments, "increment");
-  if (stage.dynamic())
-    text = number_text(stage.duration) + " s in " +
-           (stage.time_step > 0 ? "time steps of " + number_text(stage.time_step) + " s" : "automatic time steps") +
-           (stage.at_once ? ", loads at once" : "");
   const char* separator = " to ";
   for (const auto& [load, factor] : stage.factors) {
     text += separator + number_text(factor) + " x " + load;
@@ -80,10 +77,6 @@ void print_scene(std::ostream& os, const Scene& scene) {
             " Pa");
   for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");
   for (const LoadParameters& load : scene.loads) row("load", load.name, load.summary());
-  for (const auto& [name, v] : scene.velocities)
-    row("velocity", name,
-        in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) + ") m/s" +
-            (v.rotation == 0 ? "" : ", turning by " + number_text(v.rotation) + " rad/s"));
   for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
   row("selection", "", selection_text(scene.selection));
   row("newton", "",
@@ -104,6 +97,21 @@ void write_scene(std::ostream& os, const Scene& scene) {
   os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ParameterList name=\"" << xml_escaped(scene.name) << "\">\n";
   declare(copy, printer);
   os << "</ParameterList>\n";
+}
+
+std::map<std::string, std::string> section_texts(const Scene& scene) {
+  std::ostringstream whole;
+  write_scene(whole, scene);
+  std::map<std::string, std::string> texts;
+  std::istringstream lines(whole.str());
+  const std::string begin = "  <ParameterList name=\"";  // sections alone are indented by two
+  std::string section;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(begin, 0) == 0) section = line.substr(begin.size(), line.find('"', begin.size()) - begin.size());
+    if (!section.empty()) texts[section] += line + '\n';
+    if (line == "  </ParameterList>") section.clear();
+  }
+  return texts;
 }
 
 }  // namespace voussoir

@@ -50,6 +50,7 @@ Scene example() {
   scene.loads.back().time_function.times = "0, 60";
   scene.loads.back().time_function.values = "0, 1";
   GroundMotionParameters earthquake;
+  earthquake.record_x = "records/synthetic-quake.csv";
   earthquake.ax = 2;
   load("earthquake", earthquake, Time::sine_sweep);
   MovingTrainParameters cart;

@@ -28,22 +28,28 @@ double tangential(const PointField& f, int k, int dim) {
 }  // namespace
 
 template <int dim>
-Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, const std::string& folder)
-    : model_(model), step_(step) {
+Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, const std::string& folder,
+                        const Record& so_far)
+    : model_(model), step_(step), record_(so_far) {
   Phase phase("output");
   const auto& comm = model.structure().comm();
-  history_ = std::make_unique<History>(folder + "/history.csv", comm);
+  history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps);
   if (model.scene().output.fields) {
-    fields_ = std::make_unique<FieldsFile>(folder + "/fields.h5", comm, dim);
+    const std::string path = folder + "/fields.h5";
+    const bool kept = so_far.written > 0 && cut_fields(path, so_far.written, *comm);
+    fields_lost_ = so_far.written > 0 && !kept;
+    if (!kept) record_.written = 0;
+    fields_ = std::make_unique<FieldsFile>(path, comm, dim, record_.written);
     write_tables();
   }
-  summary_.scene = model.scene().file;
-  summary_.ranks = comm->getSize();
-  summary_.blocks = model.source().block_count();
-  summary_.joints = model.points().total_joints();
-  summary_.nodes = model.structure().total_nodes();
-  summary_.unknowns = dim * summary_.nodes;
-  summary_.candidate_points = model.points().total();
+  auto& sum = record_.summary;
+  sum.scene = model.scene().file;
+  sum.ranks = comm->getSize();
+  sum.blocks = model.source().block_count();
+  sum.joints = model.points().total_joints();
+  sum.nodes = model.structure().total_nodes();
+  sum.unknowns = dim * sum.nodes;
+  sum.candidate_points = model.points().total();
 }
 
 template <int dim>
@@ -116,16 +122,12 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
 
 template <int dim>
 void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
-                               const std::vector<int>& status, const std::string& stage, double load_factor,
-                               std::optional<double> time) {
+                               const std::vector<int>& status, const std::string& stage, double load_factor) {
   if (!fields_) return;
   StepRows rows;
-  rows.number = ++written_;
+  rows.number = ++record_.written;
   rows.stage = stage;
   rows.load_factor = load_factor;
-  rows.time = time;
-  const auto owned = dim * model_.structure().owned_nodes();
-  if (time) rows.velocity.assign(state.velocity.begin(), state.velocity.begin() + owned);
   rows.displacement.assign(displacement.begin(), displacement.begin() + dim * model_.structure().owned_nodes());
   rows.stress = cell_stresses(model_.structure(), displacement, free_strain_);
   const auto gap = step_.gaps(displacement);
@@ -169,7 +171,7 @@ void Recorder<dim>::book(const ContactState& before, const std::vector<double>& 
     }
   }
   const auto& comm = *s.comm();
-  energy_.advance({total(comm, elastic), 0, total(comm, work), total(comm, friction), total(comm, fracture), 0});
+  record_.energy.advance(total(comm, elastic), 0.0, total(comm, work), total(comm, friction), total(comm, fracture));
 }
 
 template <int dim>
@@ -177,33 +179,15 @@ void Recorder<dim>::record(const ContactState& before, const std::vector<double>
                            const ContactState& after, const std::vector<double>& load, const StepReport& report,
                            const std::string& stage, double load_factor, bool write_fields, double seconds) {
   Phase phase("output");
-  book(before, load_before, after, load);
-  finish(before, after, report, stage, load_factor, {}, write_fields, seconds);
-}
-
-template <int dim>
-void Recorder<dim>::record(const ContactState& before, const ContactState& after, const TimeStepReport& report,
-                           const std::string& stage, double stage_share, double time, bool write_fields,
-                           double seconds) {
-  Phase phase("output");
-  energy_.advance({report.elastic, report.kinetic, report.external_work, report.friction, report.fracture,
-                   report.damping}, true);
-  summary_.time = time;
-  finish(before, after, report.step, stage, stage_share, time, write_fields, seconds);
-}
-
-/// Counts, the row of the history and the sums of the run.
-template <int dim>
-void Recorder<dim>::finish(const ContactState& before, const ContactState& after, const StepReport& report,
-                           const std::string& stage, double load_factor, std::optional<double> time,
-                           bool write_fields, double seconds) {
   const auto& comm = *model_.structure().comm();
   const auto gap = step_.gaps(after.displacement);
   const auto status = statuses(after, gap, before.slip_origin);
   long long mine[4] = {0, 0, 0, 0}, all[4];
   for (int s : status) ++mine[s];
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 4, mine, all);
-  count_ = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
+  auto& count = record_.count;
+  count = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
+  book(before, load_before, after, load);
   double largest = 0, largest_all = 0;
   for (int i = 0; i < model_.structure().owned_nodes(); ++i) {
     double square = 0;
@@ -212,38 +196,35 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(largest_all));
 
+  const auto& energy = record_.energy;
   HistoryRow row;
-  row.step = ++summary_.steps;
+  row.step = ++record_.summary.steps;
   row.stage = stage;
   row.load_factor = load_factor;
-  if (time) row.time = *time;
-  row.selected_points = count_.selected;
-  row.open_points = count_.open;
-  row.stick_points = count_.stick;
-  row.slip_points = count_.slip;
+  row.selected_points = count.selected;
+  row.open_points = count.open;
+  row.stick_points = count.stick;
+  row.slip_points = count.slip;
   row.selection_rounds = report.selection_rounds;
   row.newton_iterations = row.linear_solves = report.newton.newton_iterations;
   row.krylov_iterations = static_cast<int>(report.newton.krylov_iterations);
   row.complementarity_residual = report.newton.complementarity;
   row.largest_penetration = report.newton.penetration;
   row.error_estimate = report.error_estimate;
-  row.elastic = energy_.elastic();
-  row.kinetic = energy_.kinetic();
-  row.external_work = energy_.external_work();
-  row.friction = energy_.friction();
-  row.fracture = energy_.fracture();
-  row.damping = energy_.damping();
-  row.imbalance = energy_.imbalance();
-  row.imbalance_in_time = energy_.imbalance_in_time();
+  row.elastic = energy.elastic();
+  row.external_work = energy.external_work();
+  row.friction = energy.friction();
+  row.fracture = energy.fracture();
+  row.imbalance = energy.imbalance();
   row.largest_displacement = largest_all;
   row.seconds = seconds;
   history_->append(row);
 
-  auto& sum = summary_;
-  sum.selected_points = count_.selected;
-  sum.open_points = count_.open;
-  sum.stick_points = count_.stick;
-  sum.slip_points = count_.slip;
+  auto& sum = record_.summary;
+  sum.selected_points = count.selected;
+  sum.open_points = count.open;
+  sum.stick_points = count.stick;
+  sum.slip_points = count.slip;
   sum.selection_rounds += report.selection_rounds;
   sum.newton_iterations += report.newton.newton_iterations;
   sum.linear_solves += report.newton.newton_iterations;
@@ -252,11 +233,10 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = report.error_estimate;
   sum.largest_displacement = largest_all;
-  sum.energy = {energy_.elastic(),  energy_.kinetic(),  energy_.external_work(),
-                energy_.friction(), energy_.fracture(), energy_.imbalance(),
-                energy_.damping(),  energy_.imbalance_in_time()};
+  sum.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
+                energy.friction(), energy.fracture(), energy.imbalance()};
   sum.load_factor = load_factor;
-  if (write_fields) write_step(after, after.displacement, status, stage, load_factor, time);
+  if (write_fields) write_step(after, after.displacement, status, stage, load_factor);
 }
 
 template <int dim>
@@ -264,7 +244,7 @@ void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const
                                      const std::string& stage, double load_factor) {
   Phase phase("output");
   const auto gap = step_.gaps(mechanism);
-  write_step(state, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor, {});
+  write_step(state, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor);
 }
 
 template class Recorder<2>;

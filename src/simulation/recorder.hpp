@@ -2,14 +2,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "dynamics/energy_book.hpp"
 #include "output/fields_file.hpp"
 #include "output/history.hpp"
 #include "output/result_json.hpp"
-#include "simulation/dynamic_step.hpp"
+#include "simulation/adaptive_step.hpp"
 
 namespace voussoir {
 
@@ -18,11 +17,23 @@ struct StatusCount {
   long long selected = 0, open = 0, stick = 0, slip = 0;
 };
 
+/// What has been recorded so far: all that a checkpoint must keep of a recorder.
+struct Record {
+  EnergyBook energy;
+  RunSummary summary;
+  StatusCount count;
+  int written = 0;  ///< steps in fields.h5
+
+  template <class Archive>
+  void keep(Archive& archive);
+};
+
 template <int dim>
 class Recorder {
  public:
   /// Writes mesh and joints to folder/fields.h5, unless the scene wants no fields. Collective, like all its functions.
-  Recorder(const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder);
+  /// @param so_far  of an earlier run to go on with: its files are cut behind the steps recorded here
+  Recorder(const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder, const Record& so_far = {});
 
   /// Books and writes a step that was solved.
   /// @param before, load_before  state and nodal loads at its start
@@ -31,27 +42,22 @@ class Recorder {
               bool write_fields, double seconds);
   /// Strain that stresses do not see from the next step on, such as by heat [-, per local block; empty for none].
   void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
-  /// Books and writes a time step that was solved.
-  /// @param stage_share  of the stage reached;  @param time [s]
-  void record(const ContactState& before, const ContactState& after, const TimeStepReport&, const std::string& stage,
-              double stage_share, double time, bool write_fields, double seconds);
-  /// Books the energy of the velocities that a structure is given. [J]
-  void give(double kinetic) { energy_.give(kinetic); }
   /// Writes the motion a collapse begins with as a last step.
   void record_mechanism(const std::vector<double>& mechanism, const ContactState&, const std::string& stage,
                         double load_factor);
 
-  const RunSummary& summary() const { return summary_; }
-  RunSummary& summary() { return summary_; }
-  const StatusCount& status() const { return count_; }
+  const RunSummary& summary() const { return record_.summary; }
+  RunSummary& summary() { return record_.summary; }
+  const StatusCount& status() const { return record_.count; }
+  Record& so_far() { return record_; }
+  /// Whether fields of an earlier run could not be read, so that fields.h5 begins anew.
+  bool fields_lost() const { return fields_lost_; }
 
  private:
   void write_tables();
   std::vector<int> statuses(const ContactState&, const PointField& gap, const PointField& slip_before) const;
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<int>& status,
-                  const std::string& stage, double load_factor, std::optional<double> time);
-  void finish(const ContactState& before, const ContactState& after, const StepReport&, const std::string& stage,
-              double load_factor, std::optional<double> time, bool write_fields, double seconds);
+                  const std::string& stage, double load_factor);
   void book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
             const std::vector<double>& load);
 
@@ -59,12 +65,36 @@ class Recorder {
   const AdaptiveStep<dim>& step_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;
-  EnergyBook energy_;
-  RunSummary summary_;
-  StatusCount count_;
   std::vector<double> free_strain_;
-  int written_ = 0;
+  Record record_;
+  bool fields_lost_ = false;
 };
+
+template <class Archive>
+void Record::keep(Archive& archive) {
+  energy.keep(archive);
+  archive.value("steps", summary.steps);
+  archive.value("selection_rounds", summary.selection_rounds);
+  archive.value("newton_iterations", summary.newton_iterations);
+  archive.value("linear_solves", summary.linear_solves);
+  archive.value("krylov_iterations", summary.krylov_iterations);
+  archive.value("largest_penetration_m", summary.largest_penetration);
+  archive.value("complementarity_residual", summary.complementarity_residual);
+  archive.value("error_estimate", summary.error_estimate);
+  archive.value("largest_displacement_m", summary.largest_displacement);
+  archive.value("load_factor", summary.load_factor);
+  archive.value("selected_points", count.selected);
+  archive.value("open_points", count.open);
+  archive.value("stick_points", count.stick);
+  archive.value("slip_points", count.slip);
+  archive.value("fields_written", written);
+  summary.selected_points = count.selected;
+  summary.open_points = count.open;
+  summary.stick_points = count.stick;
+  summary.slip_points = count.slip;
+  summary.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
+                    energy.friction(), energy.fracture(), energy.imbalance()};
+}
 
 extern template class Recorder<2>;
 

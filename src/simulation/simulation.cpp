@@ -1,14 +1,14 @@
 #include "simulation/simulation.hpp"
 
 #include <Teuchos_Time.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "dynamics/load_steps.hpp"
-#include "dynamics/step_control.hpp"
 #include "mesh/block_source.hpp"
 #include "mesh/mesh_check.hpp"
 #include "output/output_folder.hpp"
@@ -19,7 +19,9 @@
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
 #include "simulation/recorder.hpp"
+#include "simulation/saved_run.hpp"
 #include "simulation/scene_fit.hpp"
+#include "simulation/stop_signals.hpp"
 
 namespace voussoir {
 namespace {
@@ -34,139 +36,143 @@ void write_scene_file(const Scene& scene, const std::string& folder, const Teuch
   });
 }
 
-/// The steps of a scene.
+constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "output"};
+
+/// A signal was seen within a step; the step is given up.
+struct StopWithinStep {};
+
+/// The load steps of a scene.
 class Run {
  public:
-  Run(const Model<2>& model, const RunOptions& options, std::ostream& say)
-      : model_(model), step_(model), recorder_(model, step_, options.folder), narrator_(say, options.verbose) {
-    step_.narrate = [this](const NewtonProgress& p) { narrator_.solve(p); };
+  /// @param clock  of the whole run
+  Run(const Model<2>& model, const RunOptions& options, const Teuchos::Time& clock, std::ostream& say)
+      : model_(model),
+        clock_(clock),
+        say_(say),
+        step_(model),
+        steps_(model.scene().stages, model.scene().load_steps),
+        state_(step_.initial_state()),
+        load_(state_.displacement.size(), 0.0),
+        saved_(model, options.folder) {
+    for (const char* phase : phases) seconds_[phase] = 0;
+    seconds_["total"] = 0;
+    Record so_far;
+    if (options.restart) restore(so_far);
+    recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
+    if (recorder_->fields_lost())
+      say << "fields.h5 was damaged when the run was interrupted; its fields begin anew from here.\n";
+    narrator_ = std::make_unique<Narrator>(say, options.verbose);
+    step_.narrate = [this](const NewtonProgress& p) {
+      narrator_->solve(p);
+      if (stop_signal_on_any_rank(*model_.structure().comm())) throw StopWithinStep{};
+    };
     step_.narrate_round = [this](int round, long long selected, double estimate) {
-      narrator_.round(round, selected, estimate);
+      narrator_->round(round, selected, estimate);
     };
   }
 
   RunSummary all_steps() {
-    const auto& scene = model_.scene();
-    LoadSteps steps(scene.stages, scene.load_steps);
-    state_ = step_.initial_state();
-    load_.assign(state_.displacement.size(), 0.0);
-    auto& summary = recorder_.summary();
+    auto& summary = recorder_->summary();
     summary.outcome = Outcome::equilibrium;
-    while (!steps.finished() && (steps.dynamic() ? time_step(steps) : load_step(steps))) {
+    while (!steps_.finished()) {
+      const auto before = state_;
+      try {
+        if (!one_step(before)) return summary;
+      } catch (const StopWithinStep&) {
+        state_ = before;
+        return interrupted();
+      }
+      if (steps_.finished()) break;
+      if (stop_signal_on_any_rank(*model_.structure().comm())) return interrupted();
+      saved_.save_when_due(here());
     }
     return summary;
   }
 
+  /// What can still be gone on with is kept.
+  void end() {
+    if (recorder_->summary().outcome == Outcome::equilibrium) saved_.remove();
+  }
+  /// Seconds by phase, of all parts of the run.
+  std::map<std::string, double> seconds() const {
+    auto all = seconds_;
+    for (const auto& [phase, seconds] : seconds_of_phases(phases)) all[phase] += seconds;
+    all["total"] += clock_.totalElapsedTime(true);
+    return all;
+  }
+
  private:
-  bool load_step(LoadSteps& steps) {
-    const auto& summary = recorder_.summary();
-    dynamics_.reset();
-    state_.velocity.clear();
-    const auto before = state_;
-    std::vector<double> load, prescribed;
-    model_.loads(steps.factors(), steps.time(), load, prescribed);
-    narrator_.begin(summary.steps + 1, steps.stage(), steps.target(), steps.progress());
+  /// False when the run ends here.
+  bool one_step(const ContactState& before) {
+    auto& summary = recorder_->summary();
+    std::vector<double> next_load, prescribed;
+    model_.loads(steps_.factors(), 0.0, next_load, prescribed);
+    narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
-    const auto report = step_.solve(state_, load, prescribed);
+    const auto report = step_.solve(state_, next_load, prescribed);
     const double seconds = clock.totalElapsedTime(true);
+    const std::string stage = steps_.stage();
+    const double target = steps_.target();
     if (report.newton.outcome != NewtonOutcome::converged) {
-      narrator_.failed(report, steps.stage(), steps.target());
-      failed_ = state_;
-      state_ = before;
-      if (steps.halve()) return true;
-      fail(report, step_.mechanism(), steps);
+      narrator_->failed(report, stage, target);
+      const auto failed = std::exchange(state_, before);
+      if (steps_.halve()) return true;
+      fail(failed, report);
       return false;
     }
-    recorder_.set_free_strain(model_.loads().free_strain(steps.factors(), steps.time()));
-    const std::string stage = steps.stage();
-    const double target = steps.target();
-    steps.accept();
-    recorder_.record(before, load_, state_, load, report, stage, target, writes(steps), seconds);
-    narrator_.end(report, recorder_.status(), seconds, summary);
-    load_ = load;
+    recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), 0.0));
+    steps_.accept();
+    const bool write = steps_.finished() || (summary.steps + 1) % model_.scene().output.every == 0;
+    recorder_->record(before, load_, state_, next_load, report, stage, target, write, seconds);
+    narrator_->end(report, recorder_->status(), seconds, summary);
+    load_ = next_load;
     return true;
   }
 
-  bool time_step(LoadSteps& steps) {
-    const auto& summary = recorder_.summary();
-    begin_time(steps);
-    const double time_step = control_->time_step();
-    steps.set_time_step(time_step);
-    dynamics_->set_time_step(time_step);
-    const auto before = state_;
-    const double target = steps.target(), time = steps.time(target);
-    std::vector<double> load, prescribed, unused;
-    const double middle = (steps.reached() + target) / 2;
-    model_.loads(steps.factors(middle), steps.time(middle), load, unused);
-    model_.loads(steps.factors(target), time, unused, prescribed);
-    narrator_.begin(summary.steps + 1, steps.stage(), time, steps.progress());
-    Teuchos::Time clock("step", true);
-    const auto report = dynamics_->solve(state_, load, prescribed);
-    const double seconds = clock.totalElapsedTime(true);
-    if (report.step.newton.outcome != NewtonOutcome::converged) {
-      narrator_.failed(report.step, steps.stage(), time);
-      failed_ = state_;
-      state_ = before;
-      if (control_->halve()) {
-        narrator_.say("  Time step halved to " + number_text(control_->time_step()) + " s.");
-        return true;
-      }
-      fail(report.step, dynamics_->mechanism(), steps);
-      return false;
-    }
-    recorder_.set_free_strain(model_.loads().free_strain(steps.factors(), time));
-    const std::string stage = steps.stage();
-    const double duration = steps.stage_parameters().duration;
-    steps.accept();
-    const bool write = writes(steps);
-    recorder_.record(before, state_, report, stage, target, time, write, seconds);
-    narrator_.end(report.step, recorder_.status(), seconds, summary, write);
-    if (control_->accept(report.error, target * duration) && !write)
-      narrator_.say("  Time step " + number_text(control_->time_step()) + " s from t = " + number_text(time) + " s.");
-    if (steps.stage_reached()) control_.reset();
-    model_.loads(steps.last_factors(), time, load_, unused);
-    return true;
-  }
-
-  /// Mass matrices and initial velocities before the first time step, the time step before every stage.
-  void begin_time(const LoadSteps& steps) {
-    if (!dynamics_) {
-      dynamics_ = std::make_unique<DynamicStep<2>>(model_);
-      dynamics_->narrate = step_.narrate;
-      dynamics_->narrate_round = step_.narrate_round;
-      recorder_.give(dynamics_->begin(state_));
-    }
-    if (control_) return;
-    const auto& stage = steps.stage_parameters();
-    const auto& time = model_.scene().time;
-    control_ = std::make_unique<StepControl>(stage.duration, stage.time_step, dynamics_->courant_time(),
-                                             time.largest_courant, time.error_tolerance, time.largest_halvings);
-  }
-
-  bool writes(const LoadSteps& steps) const {
-    return steps.finished() || (recorder_.summary().steps + 1) % model_.scene().output.every == 0;
-  }
-
-  void fail(const StepReport& report, const std::vector<double>& mechanism, const LoadSteps& steps) {
+  void fail(const ContactState& failed, const StepReport& report) {
     const bool collapse = report.newton.outcome == NewtonOutcome::collapse;
-    auto& summary = recorder_.summary();
+    auto& summary = recorder_->summary();
+    saved_.save(here());
     summary.outcome = collapse ? Outcome::collapse : Outcome::not_converged;
-    summary.load_factor = steps.reached();
-    summary.message = "stage '" + steps.stage() + "', load factor " + std::to_string(steps.target()) + ": " +
+    summary.load_factor = steps_.reached();
+    summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(steps_.target()) + ": " +
                       report.newton.reason;
     if (!collapse) return;
-    recorder_.record_mechanism(mechanism, failed_, steps.stage(), steps.target());
-    summary.mechanism = largest_mover(model_, mechanism);
+    recorder_->record_mechanism(step_.mechanism(), failed, steps_.stage(), steps_.target());
+    summary.mechanism = largest_mover(model_, step_.mechanism());
+  }
+
+  RunState here() {
+    seconds_so_far_ = seconds();
+    return {steps_, state_, load_, recorder_->so_far(), seconds_so_far_};
+  }
+
+  RunSummary interrupted() {
+    saved_.save(here());
+    recorder_->summary().outcome = Outcome::interrupted;
+    return recorder_->summary();
+  }
+
+  void restore(Record& so_far) {
+    const auto changed = saved_.restore({steps_, state_, load_, so_far, seconds_});
+    say_ << "Going on after step " << so_far.summary.steps << ", stage '" << steps_.stage() << "' at "
+         << steps_.reached() << "\n";
+    for (const auto& section : changed)
+      say_ << "  changed since the run was saved: " << section << "\n";
   }
 
   const Model<2>& model_;
+  const Teuchos::Time& clock_;
+  std::ostream& say_;
   AdaptiveStep<2> step_;
-  Recorder<2> recorder_;
-  Narrator narrator_;
-  std::unique_ptr<DynamicStep<2>> dynamics_;  ///< in stages with a duration
-  std::unique_ptr<StepControl> control_;      ///< of the stage
-  ContactState state_, failed_;
-  std::vector<double> load_;  ///< [N] at the end of the last step
+  LoadSteps steps_;
+  ContactState state_;
+  std::vector<double> load_;
+  SavedRun saved_;
+  std::map<std::string, double> seconds_;              ///< by phase, of earlier parts of the run
+  std::map<std::string, double> seconds_so_far_;  ///< the same with this part
+  std::unique_ptr<Recorder<2>> recorder_;
+  std::unique_ptr<Narrator> narrator_;
 };
 
 }  // namespace
@@ -178,9 +184,7 @@ std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos
     source = make_block_source<2>(scene.mesh, *comm);
     check_fit(scene, *source);
     std::vector<std::string> supported;
-    // Blocks may fly where no static equilibrium is sought: then no support is asked for.
-    if (!only_time(scene.stages))
-      for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
+    for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
     if (scene.mesh.type == MeshType::gmsh)
       check_blocks(*source, supported, *comm);
     else
@@ -205,20 +209,27 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
     predict(scene, *source, comm, say);
     return {};
   }
-  const std::string kept = prepare_output_folder(options.folder, options.overwrite, *comm);
+  const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
+  const std::string kept = prepare_output_folder(options.folder, earlier, *comm);
   if (!kept.empty()) say << "Earlier results were kept in " << kept << "\n";
-  write_scene_file(scene, options.folder, *comm);
+  if (!options.restart) write_scene_file(scene, options.folder, *comm);
   const Model<2> model(scene, *source, comm);
   say << source->block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on "
       << comm->getSize() << (comm->getSize() == 1 ? " rank\n" : " ranks\n");
   for (const auto& remark : model.loads().remarks()) say << remark << "\n";
-  auto summary = Run(model, options, say).all_steps();
-  summary.seconds = seconds_of_phases({"mesh", "blocks", "joints", "continuum", "contact", "selection", "output"});
-  summary.seconds["total"] = clock.totalElapsedTime(true);
+  Run run(model, options, clock, say);
+  if (options.restart) {
+    on_first_rank(*comm, [&] { std::filesystem::remove(options.folder + "/" + result_file); });
+    write_scene_file(scene, options.folder, *comm);
+  }
+  auto summary = run.all_steps();
+  if (summary.outcome == Outcome::interrupted) return summary;
+  summary.seconds = run.seconds();
   summary.effects = effect_costs(model);
   summary.peak_memory = peak_memory_per_rank(*comm);
-  write_result_json(options.folder + "/result.json", summary, *comm);
+  write_result_json(options.folder + "/" + result_file, summary, *comm);
+  run.end();
   return summary;
 }
 

@@ -16,6 +16,7 @@ namespace voussoir {
 struct RunOptions {
   std::string folder;      ///< where results go
   bool overwrite = false;  ///< remove earlier results instead of keeping them beside
+  bool restart = false;    ///< go on from the checkpoint in the folder
   bool validate = false;   ///< check the scene and its mesh, then stop
   bool dry_run = false;    ///< also count unknowns and predict the cost, then stop
   bool verbose = false;    ///< a line for every linear solve

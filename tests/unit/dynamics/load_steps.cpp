@@ -1,101 +1,115 @@
-// The way through the stages. Shares are sums of a few halves and quarters, exact in binary; others to 1e-12, a few
-// hundred roundings of 1e-16 with room.
+// The way through stages, and that it can be left and taken up again anywhere.
 #include "dynamics/load_steps.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <any>
+
+#include "dynamics/energy_book.hpp"
 
 namespace {
 
 using namespace voussoir;
 
-StageParameters stage(const std::string& name, int increments, std::map<std::string, double> factors) {
-  StageParameters s;
-  s.name = name;
-  s.increments = increments;
-  s.factors = std::move(factors);
-  return s;
+/// An archive in memory: saves on its first use, restores when it is turned round.
+struct Memory {
+  std::map<std::string, std::any> values;
+  bool restoring = false;
+  template <class T>
+  void value(const std::string& name, T& v) {
+    if (restoring)
+      v = std::any_cast<T>(values.at(name));
+    else
+      values[name] = v;
+  }
+};
+
+std::vector<StageParameters> stages() {
+  StageParameters weight, push, unload;
+  weight.name = "weight";
+  weight.factors = {{"weight", 1.0}};
+  push.name = "push";
+  push.increments = 3;
+  push.factors = {{"push", 0.7}};
+  unload.name = "unload";
+  unload.increments = 2;
+  unload.factors = {{"push", 0.0}};
+  return {weight, push, unload};
 }
 
-TEUCHOS_UNIT_TEST(LoadSteps, GoToTheFactorsOfAStageInEqualIncrements) {
-  const std::vector<StageParameters> stages{stage("weight", 1, {{"weight", 1.0}}), stage("crowd", 4, {{"crowd", 2.0}})};
-  LoadSteps steps(stages, {});
-  TEST_EQUALITY(steps.factors().at("weight"), 1.0);
-  steps.accept();
-  TEST_EQUALITY(steps.stage(), "crowd");
-  for (int k = 1; k <= 4; ++k) {
-    TEST_EQUALITY(steps.target(), 0.25 * k);
-    TEST_EQUALITY(steps.factors().at("crowd"), 0.5 * k);
-    TEST_EQUALITY(steps.factors().at("weight"), 1.0);  // not named: keeps its factor
+TEUCHOS_UNIT_TEST(LoadSteps, ReachEveryStageExactlyAndKeepEarlierLoads) {
+  const auto all = stages();
+  LoadSteps steps(all, {});
+  std::vector<double> push;
+  while (!steps.finished()) {
+    const auto factors = steps.factors();
+    push.push_back(factors.count("push") ? factors.at("push") : 0.0);
+    TEST_EQUALITY_CONST(factors.at("weight"), 1.0);
     steps.accept();
   }
-  TEST_ASSERT(steps.finished());
-  TEST_EQUALITY(steps.progress(), 1.0);
+  TEST_EQUALITY_CONST(push.size(), 6u);
+  TEST_EQUALITY_CONST(push[0], 0.0);
+  TEST_FLOATING_EQUALITY(push[1], 0.7 / 3, 1e-15);
+  TEST_EQUALITY_CONST(push[3], 0.7);  // the end of a stage is no sum of increments
+  TEST_EQUALITY_CONST(push[5], 0.0);
+  TEST_EQUALITY_CONST(steps.progress(), 1.0);
 }
 
-TEUCHOS_UNIT_TEST(LoadSteps, StartAStageFromWhereTheLastOneLeftALoad) {
-  const std::vector<StageParameters> stages{stage("on", 1, {{"crowd", 2.0}}), stage("off", 2, {{"crowd", 1.0}})};
-  LoadSteps steps(stages, {});
-  steps.accept();
-  TEST_EQUALITY(steps.factors().at("crowd"), 1.5);
-}
-
-TEUCHOS_UNIT_TEST(LoadSteps, HalveAStepAndTryTheLargerOneAgainAfterTwo) {
-  const std::vector<StageParameters> stages{stage("crowd", 1, {{"crowd", 1.0}})};
-  LoadSteps steps(stages, {});
-  TEST_ASSERT(steps.halve());
-  TEST_ASSERT(steps.halve());
-  TEST_EQUALITY(steps.target(), 0.25);
-  steps.accept();
-  steps.accept();
-  TEST_EQUALITY(steps.reached(), 0.5);
-  TEST_EQUALITY(steps.halvings(), 1);
-  TEST_EQUALITY(steps.target(), 1.0);
-  TEST_EQUALITY(steps.progress(), 0.5);
-}
-
-TEUCHOS_UNIT_TEST(LoadSteps, StopHalvingAtTheLargestNumber) {
-  const std::vector<StageParameters> stages{stage("crowd", 1, {{"crowd", 1.0}})};
+TEUCHOS_UNIT_TEST(LoadSteps, HalveAsOftenAsAllowedAndGrowAgainAfterTwoStepsThatWork) {
+  const auto all = stages();
   LoadStepParameters parameters;
-  parameters.largest_halvings = 1;
-  LoadSteps steps(stages, parameters);
+  parameters.largest_halvings = 2;
+  LoadSteps steps(all, parameters);
+  steps.accept();
+  TEST_ASSERT(steps.halve());
   TEST_ASSERT(steps.halve());
   TEST_ASSERT(!steps.halve());
-  TEST_EQUALITY(steps.target(), 0.5);
-}
-
-TEUCHOS_UNIT_TEST(LoadSteps, CountTimeInStagesWithADurationAlone) {
-  std::vector<StageParameters> stages{stage("weight", 1, {{"weight", 1.0}}), stage("shaking", 1, {{"push", 1.0}}),
-                                      stage("after", 1, {{"push", 0.0}})};
-  stages[1].duration = 2;
-  stages[2].duration = 1;
-  stages[2].at_once = true;
-  LoadSteps steps(stages, {});
-  TEST_ASSERT(!steps.dynamic());
+  TEST_FLOATING_EQUALITY(steps.target(), 1.0 / 12, 1e-15);
   steps.accept();
-  TEST_EQUALITY(steps.time(), 0.0);
-  TEST_ASSERT(steps.dynamic());
-  steps.set_time_step(0.1);
-  TEST_FLOATING_EQUALITY(steps.target(), 0.05, 1e-12);
-  TEST_FLOATING_EQUALITY(steps.factors(steps.target() / 2).at("push"), 0.025, 1e-12);
-  int taken = 0;
-  for (; steps.stage() == "shaking" && taken < 100; ++taken) steps.accept();
-  TEST_EQUALITY(taken, 20);
-  TEST_ASSERT(steps.stage_reached());
-  TEST_FLOATING_EQUALITY(steps.time(), 2.0, 1e-12);
-  TEST_EQUALITY(steps.last_factors().at("push"), 1.0);
-  TEST_EQUALITY(steps.factors(0.5).at("push"), 0.0);  // at once
-  while (!steps.finished()) steps.accept();
-  TEST_FLOATING_EQUALITY(steps.time(), 3.0, 1e-12);
+  steps.accept();
+  TEST_EQUALITY_CONST(steps.halvings(), 1);
 }
 
-TEUCHOS_UNIT_TEST(LoadSteps, KnowWhetherAnyOrAllStagesTakeTime) {
-  std::vector<StageParameters> stages{stage("weight", 1, {}), stage("shaking", 1, {})};
-  TEST_ASSERT(!any_time(stages) && !only_time(stages));
-  stages[1].duration = 1;
-  TEST_ASSERT(any_time(stages) && !only_time(stages));
-  stages[0].duration = 1;
-  TEST_ASSERT(only_time(stages));
-  TEST_ASSERT(!only_time({}));
+TEUCHOS_UNIT_TEST(LoadSteps, GoOnFromAnywhereAsIfTheyHadNeverStopped) {
+  const auto all = stages();
+  // Left after every number of steps, with a halving in the second stage, which leaves an odd share behind.
+  for (int left = 0; left < 7; ++left) {
+    LoadSteps one(all, {});
+    for (int k = 0; k < left && !one.finished(); ++k) {
+      if (k == 2) one.halve();
+      one.accept();
+    }
+    Memory memory;
+    one.keep(memory);
+    memory.restoring = true;
+    LoadSteps other(all, {});
+    other.keep(memory);
+    while (!one.finished()) {
+      TEST_EQUALITY(other.stage(), one.stage());
+      TEST_EQUALITY(other.target(), one.target());
+      TEST_ASSERT(other.factors() == one.factors());
+      TEST_EQUALITY(other.halvings(), one.halvings());
+      TEST_EQUALITY(other.progress(), one.progress());
+      one.accept();
+      other.accept();
+    }
+    TEST_ASSERT(other.finished());
+  }
+}
+
+TEUCHOS_UNIT_TEST(EnergyBook, IsKeptWhole) {
+  EnergyBook book, back;
+  book.advance(1.0, 2.0, 4.5, 0.25, 0.125);
+  book.advance(1.5, 2.5, 0.5, 0.25, 0.125);
+  Memory memory;
+  book.keep(memory);
+  memory.restoring = true;
+  back.keep(memory);
+  TEST_EQUALITY_CONST(back.elastic(), 1.5);
+  TEST_EQUALITY_CONST(back.kinetic(), 2.5);
+  TEST_EQUALITY_CONST(back.external_work(), 5.0);
+  TEST_EQUALITY_CONST(back.friction(), 0.5);
+  TEST_EQUALITY_CONST(back.fracture(), 0.25);
+  TEST_EQUALITY_CONST(back.imbalance(), -0.25);
 }
 
 }  // namespace

@@ -178,13 +178,13 @@ TEUCHOS_UNIT_TEST(History, HasOneRowPerStepAndOneFieldPerColumn) {
   std::getline(lines, first);
   std::getline(lines, second);
   TEST_EQUALITY(heading,
-                "step,stage,load_factor,time_s,selected_points,open_points,stick_points,slip_points,selection_rounds,"
+                "step,stage,load_factor,selected_points,open_points,stick_points,slip_points,selection_rounds,"
                 "newton_iterations,linear_solves,krylov_iterations,complementarity_residual,largest_penetration_m,"
-                "error_estimate,elastic_J,kinetic_J,external_work_J,friction_J,fracture_J,damping_J,imbalance_J,"
-                "imbalance_in_time_J,largest_displacement_m,seconds");
-  // A third in the shortest text that reads back as the same number; time and estimate, not numbers, are empty.
-  TEST_EQUALITY(first, "3,\"push, \"\"west\"\"\",0.1,,0,0,0,0,0,12,0,0,0,0,,0,0,0,0,0,0,0,0,0.3333333333333333,0");
-  TEST_EQUALITY(second, "3,push,0.1,,0,0,0,0,0,12,0,0,0,0,,0,0,0,0,0,0,0,0,0.3333333333333333,0");
+                "error_estimate,elastic_J,external_work_J,friction_J,fracture_J,imbalance_J,largest_displacement_m,"
+                "seconds");
+  // A third in the shortest text that reads back as the same number; the estimate, not a number, is empty.
+  TEST_EQUALITY(first, "3,\"push, \"\"west\"\"\",0.1,0,0,0,0,0,12,0,0,0,0,,0,0,0,0,0,0.3333333333333333,0");
+  TEST_EQUALITY(second, "3,push,0.1,0,0,0,0,0,12,0,0,0,0,,0,0,0,0,0,0.3333333333333333,0");
   TEST_ASSERT(!std::getline(lines, rest));
 }
 
@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(History, AFileThatCannotBeWrittenIsNamedOnAllRanks) {
 
 TEUCHOS_UNIT_TEST(OutputFolder, IsMadeWithItsParents) {
   const std::string folder = fresh_folder("parents") + "/out/wall/";
-  const std::string kept = prepare_output_folder(folder, false, *world());
+  const std::string kept = prepare_output_folder(folder, Earlier::keep, *world());
   TEST_EQUALITY(kept, "");
   TEST_ASSERT(fs::is_directory(folder));
   TEST_ASSERT(fs::is_empty(folder));
@@ -207,11 +207,11 @@ TEUCHOS_UNIT_TEST(OutputFolder, IsMadeWithItsParents) {
 TEUCHOS_UNIT_TEST(OutputFolder, AFinishedRunIsKeptUnderTheNextFreeNumber) {
   const std::string folder = fresh_folder("kept") + "/wall";
   for (const std::string run : {"first", "second"}) {
-    prepare_output_folder(folder, false, *world());
+    prepare_output_folder(folder, Earlier::keep, *world());
     write(folder + "/result.json", run);
     write(folder + "/fields.h5", run);
   }
-  const std::string kept = prepare_output_folder(folder + "/", false, *world());
+  const std::string kept = prepare_output_folder(folder + "/", Earlier::keep, *world());
   TEST_EQUALITY(kept, folder + ".2");
   TEST_EQUALITY(content(folder + ".1/fields.h5"), "first");
   TEST_EQUALITY(content(folder + ".2/result.json"), "second");
@@ -220,11 +220,11 @@ TEUCHOS_UNIT_TEST(OutputFolder, AFinishedRunIsKeptUnderTheNextFreeNumber) {
 
 TEUCHOS_UNIT_TEST(OutputFolder, OverwritingRemovesResultsAndNothingElse) {
   const std::string folder = fresh_folder("overwrite") + "/wall";
-  prepare_output_folder(folder, false, *world());
+  prepare_output_folder(folder, Earlier::keep, *world());
   write(folder + "/result.json", "old");
   write(folder + "/fields.xdmf", "old");
   write(folder + "/notes.txt", "mine");
-  const std::string kept = prepare_output_folder(folder, true, *world());
+  const std::string kept = prepare_output_folder(folder, Earlier::remove, *world());
   TEST_EQUALITY(kept, "");
   TEST_ASSERT(!fs::exists(folder + "/result.json"));
   TEST_ASSERT(!fs::exists(folder + "/fields.xdmf"));
@@ -236,9 +236,9 @@ TEUCHOS_UNIT_TEST(OutputFolder, AFolderThatCannotBeMadeIsNamedOnAllRanks) {
   // A folder below a regular file cannot exist, not even for root.
   const std::string blocked = fresh_folder("blocked") + "/file";
   write(blocked, "not a folder");
-  for (const bool overwrite : {false, true}) {
+  for (const auto earlier : {Earlier::keep, Earlier::remove}) {
     const std::string message =
-        message_of_resource_error([&] { prepare_output_folder(blocked + "/wall", overwrite, *world()); });
+        message_of_resource_error([&] { prepare_output_folder(blocked + "/wall", earlier, *world()); });
     TEST_ASSERT(contains(message, blocked + "/wall: cannot be written"));
     TEST_ASSERT(contains(message, "Not a directory"));
   }

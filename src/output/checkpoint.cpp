@@ -1,0 +1,89 @@
+#include "output/checkpoint.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <type_traits>
+
+#include "base/check.hpp"
+#include "output/safe_file.hpp"
+
+namespace voussoir {
+namespace {
+
+const char* const numbers = "/run";
+
+std::string beside(const std::string& path) { return path + ".part"; }
+
+}  // namespace
+
+Checkpoint::Checkpoint(const std::string& path, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, Way way)
+    : path_(path),
+      comm_(comm),
+      way_(way),
+      file_(std::make_unique<Hdf5File>(way == Way::save ? beside(path) : path, comm,
+                                       way == Way::save ? Hdf5File::Mode::create : Hdf5File::Mode::read)) {}
+
+Checkpoint::~Checkpoint() {
+  if (saving() && file_ && comm_->getRank() == 0) std::remove(beside(path_).c_str());
+}
+
+template <class T>
+void Checkpoint::value(const std::string& name, T& v) {
+  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, int>) {
+    auto wide = static_cast<long long>(v);
+    value(name, wide);
+    v = static_cast<T>(wide);
+  } else if (saving()) {
+    file_->write_attribute(numbers, name, v);
+  } else {
+    v = file_->read_attribute<T>(numbers, name);
+  }
+}
+
+template <class T>
+void Checkpoint::rows(const std::string& name, const LocalRows& local, int columns, std::vector<T>& values) {
+  using Stored = std::conditional_t<std::is_same_v<T, double>, double, int>;
+  const std::string path = "/state/" + name;
+  if (saving()) {
+    const int here = values.empty() ? 0 : 1;
+    int anywhere = 0;
+    Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
+    if (!anywhere) return;
+    VOUSSOIR_EXPECT(values.size() == local.ids.size() * columns);
+    const std::vector<long long> ids(local.ids.begin(), local.ids.begin() + local.owned);
+    const std::vector<Stored> owned(values.begin(), values.begin() + local.owned * columns);
+    file_->write_rows(path, ids, owned, Table{local.total, columns, ""});
+    return;
+  }
+  values.clear();
+  if (!file_->has(path)) return;
+  std::vector<std::size_t> order(local.ids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return local.ids[a] < local.ids[b]; });
+  std::vector<long long> ascending;
+  for (const auto k : order) ascending.push_back(local.ids[k]);
+  const auto stored = file_->read_rows<Stored>(path, ascending);
+  values.resize(local.ids.size() * columns);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    std::transform(stored.begin() + static_cast<long>(k) * columns, stored.begin() + static_cast<long>(k + 1) * columns,
+                   values.begin() + static_cast<long>(order[k]) * columns, [](Stored v) { return static_cast<T>(v); });
+}
+
+void Checkpoint::publish() {
+  file_->close();
+  on_first_rank(*comm_, [this] { publish_file(beside(path_), path_); });
+  file_.reset();
+}
+
+template void Checkpoint::value(const std::string&, bool&);
+template void Checkpoint::value(const std::string&, int&);
+template void Checkpoint::value(const std::string&, long long&);
+template void Checkpoint::value(const std::string&, double&);
+template void Checkpoint::value(const std::string&, std::string&);
+template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<char>&);
+template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<int>&);
+template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<double>&);
+
+}  // namespace voussoir

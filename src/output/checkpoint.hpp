@@ -1,0 +1,51 @@
+// A checkpoint: the state of a run in one HDF5 file, which is there whole or not at all.
+//
+// It is written beside the last one and takes its place when it is on disk, so a kill at any moment leaves one of the
+// two. One function per module names what it keeps, and the same calls save and restore: the two cannot drift apart.
+//
+//   template <class Archive> void keep(Archive& archive) { archive.value("friction_J", friction_); }
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "output/hdf5_file.hpp"
+
+namespace voussoir {
+
+/// Rows of a table as a rank holds them: the owned ones first, then its halo, each part ascending.
+struct LocalRows {
+  std::vector<long long> ids;
+  long long owned = 0;
+  long long total = 0;  ///< of all ranks
+};
+
+/// Every function is collective and throws ResourceError on all ranks.
+class Checkpoint {
+ public:
+  enum class Way { save, restore };
+
+  /// @param path  "out/wall/checkpoint.h5"; saving writes beside it until publish()
+  Checkpoint(const std::string& path, const Teuchos::RCP<const Teuchos::Comm<int>>&, Way);
+  ~Checkpoint();
+
+  bool saving() const { return way_ == Way::save; }
+  /// A number or text that all ranks know. T is bool, int, long long, double or std::string.
+  template <class T>
+  void value(const std::string& name, T&);
+  /// A table by global rows, so that any number of ranks can restore it. A table that is empty everywhere is left out
+  /// and restored empty. T is char, int or double.
+  template <class T>
+  void rows(const std::string& name, const LocalRows&, int columns, std::vector<T>&);
+  /// Puts what was saved in the place of the last checkpoint.
+  void publish();
+
+ private:
+  std::string path_;
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  Way way_;
+  std::unique_ptr<Hdf5File> file_;
+};
+
+}  // namespace voussoir

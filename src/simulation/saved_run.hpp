@@ -1,0 +1,47 @@
+// The checkpoint of a run: all it needs to go on from between two steps as if it had never stopped.
+//
+// Everything is stored by number of block, node and contact point, which do not depend on ranks. On the same number of
+// ranks the continued run is equal to the last bit, on another number to the tolerance of the solver.
+#pragma once
+
+#include <Teuchos_Time.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dynamics/load_steps.hpp"
+#include "simulation/recorder.hpp"
+
+namespace voussoir {
+
+/// Where a run stands between two steps.
+struct RunState {
+  LoadSteps& steps;
+  ContactState& state;
+  std::vector<double>& load;  ///< [N] nodal loads at the end of the last step
+  Record& record;
+  std::map<std::string, double>& seconds;  ///< by phase, of all earlier parts of the run
+};
+
+class SavedRun {
+ public:
+  SavedRun(const Model<2>&, const std::string& folder);
+
+  /// Saves, whatever the time. Collective.
+  void save(const RunState&);
+  /// Saves when the scene asks for it after this step. Collective.
+  void save_when_due(const RunState&);
+  /// Takes a run up again. Collective; throws InputError when the checkpoint is of another structure.
+  /// @return sections of the scene that have changed since it was saved
+  std::vector<std::string> restore(const RunState&) const;
+  /// The run has come to its end: nothing to go on from.
+  void remove() const;
+
+ private:
+  const Model<2>& model_;
+  std::string path_;
+  Teuchos::Time clock_{"since the last checkpoint", true};
+  int steps_since_ = 0;
+};
+
+}  // namespace voussoir
