@@ -1,11 +1,16 @@
 #include "output/output_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -46,13 +51,27 @@ void prove_writable(const fs::path& folder) {
   throw ResourceError(folder.string() + ": " + why);
 }
 
+/// A lock on an existing folder; -1 where the file system knows no locks. Throws when another run holds it.
+int lock(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  const bool taken = errno == EWOULDBLOCK;
+  ::close(file);
+  if (taken)
+    refuse(folder, "another run is writing here\n  and two would spoil each other's results.\n"
+                   "  Wait for its end, or give another folder with --out=DIR.");
+  return -1;
+}
+
+/// @param held  the lock on the folder
 /// @return where the earlier results went
-std::string prepare(const std::string& name, Earlier earlier) {
+std::string prepare(const std::string& name, Earlier earlier, int& held) {
   // Everything a run writes but scene.xml, which tells nothing that the user does not have.
   static const char* const results[] = {result_file,   checkpoint_file, "history.csv",
                                         "fields.h5",   "fields.xdmf",   "report.html"};
   const fs::path folder = without_slash(name);
   try {
+    held = lock(folder);
     const bool ended = fs::exists(folder / result_file), can_go_on = fs::exists(folder / checkpoint_file);
     if (earlier == Earlier::go_on) {
       if (!can_go_on)
@@ -73,8 +92,10 @@ std::string prepare(const std::string& name, Earlier earlier) {
       const fs::path older = next_free(folder);
       fs::rename(folder, older);
       kept = older.string();
+      ::close(std::exchange(held, -1));  // it is that of the renamed folder
     }
     fs::create_directories(folder);
+    if (held < 0) held = lock(folder);
     prove_writable(folder);
     for (const char* file : results) fs::remove(folder / file);
     return kept;
@@ -85,14 +106,21 @@ std::string prepare(const std::string& name, Earlier earlier) {
 
 }  // namespace
 
-std::string prepare_output_folder(const std::string& folder, Earlier earlier, const Teuchos::Comm<int>& comm) {
-  std::string kept;
-  on_first_rank(comm, [&] { kept = prepare(folder, earlier); });
-  int length = static_cast<int>(kept.size());
+OutputFolder::OutputFolder(const std::string& folder, Earlier earlier, const Teuchos::Comm<int>& comm) {
+  try {
+    on_first_rank(comm, [&] { kept_ = prepare(folder, earlier, lock_); });
+  } catch (...) {
+    if (lock_ >= 0) ::close(lock_);
+    throw;
+  }
+  int length = static_cast<int>(kept_.size());
   Teuchos::broadcast(comm, 0, &length);
-  kept.resize(static_cast<std::size_t>(length));
-  Teuchos::broadcast(comm, 0, length, kept.data());
-  return kept;
+  kept_.resize(static_cast<std::size_t>(length));
+  Teuchos::broadcast(comm, 0, length, kept_.data());
+}
+
+OutputFolder::~OutputFolder() {
+  if (lock_ >= 0) ::close(lock_);
 }
 
 }  // namespace voussoir

@@ -14,12 +14,26 @@ enum class Earlier {
   go_on    ///< continue them: they must hold a checkpoint
 };
 
-/// Makes `folder`, parents included, and proves that it can be written. Collective; throws ResourceError on all ranks.
+/// A folder that is ready to be written to, by this run alone as long as the object lives.
 ///
 /// Results are never lost by accident: a folder that holds some is renamed to folder.1 (or the next free number), and
-/// one that holds a run that did not end, but left a checkpoint, is not touched at all unless told to.
-/// @return where the earlier results went, empty when there were none to keep; the same on all ranks
-std::string prepare_output_folder(const std::string& folder, Earlier, const Teuchos::Comm<int>& comm);
+/// one that holds a run that did not end, but left a checkpoint, is not touched at all unless told to. A folder that
+/// another run writes to is refused; the lock ends with the process, however that ends.
+class OutputFolder {
+ public:
+  /// Makes `folder`, parents included, and proves that it can be written. Collective; all ranks throw ResourceError.
+  OutputFolder(const std::string& folder, Earlier, const Teuchos::Comm<int>& comm);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Where the earlier results went, empty when there were none to keep; the same on all ranks.
+  const std::string& kept() const { return kept_; }
+
+ private:
+  std::string kept_;
+  int lock_ = -1;  ///< of the first rank
+};
 
 /// The files of a run by name.
 inline const char* const result_file = "result.json";

@@ -210,8 +210,8 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
     return {};
   }
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
-  const std::string kept = prepare_output_folder(options.folder, earlier, *comm);
-  if (!kept.empty()) say << "Earlier results were kept in " << kept << "\n";
+  const OutputFolder folder(options.folder, earlier, *comm);
+  if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
   if (!options.restart) write_scene_file(scene, options.folder, *comm);
   const Model<2> model(scene, *source, comm);
   say << source->block_count() << " blocks, " << model.points().total_joints() << " joints, "

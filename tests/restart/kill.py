@@ -8,23 +8,50 @@ without kills to the last bit. The seed is printed; SEED=... repeats a failure.
 """
 
 import os
+import pathlib
 import random
 import signal
+import subprocess
 import sys
 import time
 
 from runs import Program, differences, empty
 
 
+def children(pid):
+    """A process and all it has started; mpiexec gives its ranks groups of their own."""
+    parents = {}
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            name, rest = stat.read_text().rsplit(")", 1)
+            if rest.split()[0] != "Z":
+                parents[int(name.split()[0])] = int(rest.split()[1])
+        except OSError:
+            pass  # ended meanwhile
+    found = [pid]
+    for parent in found:
+        found += [child for child, of in parents.items() if of == parent]
+    return found
+
+
 def kill(process, seconds):
-    """True when the process was still running after so many seconds; then it is not any more."""
+    """True when the process was still running after so many seconds; then neither it nor its ranks are any more."""
     try:
         process.wait(timeout=seconds)
         return False
-    except Exception:  # noqa: still running
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-        return True
+    except subprocess.TimeoutExpired:
+        pass
+    doomed = children(process.pid)
+    for pid in doomed:
+        try:
+            os.kill(pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+    process.wait()
+    while any(pathlib.Path(f"/proc/{pid}/cmdline").exists() and pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()
+              for pid in doomed):
+        time.sleep(0.01)
+    return True
 
 
 def main():

@@ -197,6 +197,28 @@ class Safety(unittest.TestCase):
         self.assertEqual(done.returncode, INPUT)
         self.assertEqual(self.snapshot(out), before)
 
+    def test_two_runs_in_one_folder_are_refused(self):
+        out = empty("safety/two")
+        process = PROGRAM.start(out)
+        while process.poll() is None and rows(out) < 1:
+            time.sleep(0.01)
+        done = PROGRAM.run(out, "--overwrite")
+        self.assertIsNone(process.poll(), "the first run has ended too early to tell")
+        self.assertEqual(done.returncode, RESOURCE)
+        self.assertIn("another run is writing here", done.stderr)
+        self.assertEqual(process.wait(timeout=100), 0)
+        self.assertEqual(rows(out), STEPS)
+
+    def test_a_signal_before_the_first_step_is_heard(self):
+        out = empty("safety/early")
+        process = PROGRAM.start(out)
+        while process.poll() is None and not (out / "scene.xml").exists():
+            time.sleep(0.002)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=100), INTERRUPTED)
+        self.assertEqual(PROGRAM.run(out, "--restart").returncode, 0)
+        self.assertEqual(rows(out), STEPS)
+
     def test_a_damaged_checkpoint_is_named(self):
         out = empty("safety/damaged")
         self.assertEqual(stop_after(3, out, signal.SIGUSR1), INTERRUPTED)

@@ -175,22 +175,33 @@ TEUCHOS_UNIT_TEST(OutputFolder, AnInterruptedRunIsLeftAloneUnlessToldOtherwise) 
   const std::string folder = fresh_folder("interrupted");
   if (world()->getRank() == 0) std::ofstream(folder + "/" + checkpoint_file) << "state";
   world()->barrier();
-  TEST_THROW(prepare_output_folder(folder, Earlier::keep, *world()), ResourceError);
+  TEST_THROW(OutputFolder(folder, Earlier::keep, *world()).kept(), ResourceError);
   TEST_ASSERT(fs::exists(folder + "/" + checkpoint_file));
-  prepare_output_folder(folder, Earlier::go_on, *world());
+  OutputFolder(folder, Earlier::go_on, *world()).kept();
   TEST_ASSERT(fs::exists(folder + "/" + checkpoint_file));
   world()->barrier();  // before the first rank removes what the others look for
-  prepare_output_folder(folder, Earlier::remove, *world());
+  OutputFolder(folder, Earlier::remove, *world()).kept();
   TEST_ASSERT(!fs::exists(folder + "/" + checkpoint_file));
-  TEST_THROW(prepare_output_folder(folder, Earlier::go_on, *world()), ResourceError);
+  TEST_THROW(OutputFolder(folder, Earlier::go_on, *world()).kept(), ResourceError);
+}
+
+TEUCHOS_UNIT_TEST(OutputFolder, BelongsToOneRunAtATime) {
+  const std::string folder = fresh_folder("locked") + "/wall";
+  {
+    const OutputFolder first(folder, Earlier::keep, *world());
+    for (const auto earlier : {Earlier::keep, Earlier::remove, Earlier::go_on})
+      TEST_THROW(OutputFolder(folder, earlier, *world()), ResourceError);
+  }
+  world()->barrier();
+  TEST_NOTHROW(OutputFolder(folder, Earlier::keep, *world()));
 }
 
 TEUCHOS_UNIT_TEST(OutputFolder, WhatAKilledRunLeftBeforeItsFirstCheckpointIsKeptBeside) {
   const std::string folder = fresh_folder("killed") + "/wall";
-  prepare_output_folder(folder, Earlier::keep, *world());
+  OutputFolder(folder, Earlier::keep, *world()).kept();
   if (world()->getRank() == 0) std::ofstream(folder + "/history.csv") << "rows";
   world()->barrier();
-  const std::string kept = prepare_output_folder(folder, Earlier::keep, *world());
+  const std::string kept = OutputFolder(folder, Earlier::keep, *world()).kept();
   TEST_EQUALITY(kept, folder + ".1");
   TEST_ASSERT(fs::exists(folder + ".1/history.csv"));
   TEST_ASSERT(fs::is_empty(folder));

@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(History, AFileThatCannotBeWrittenIsNamedOnAllRanks) {
 
 TEUCHOS_UNIT_TEST(OutputFolder, IsMadeWithItsParents) {
   const std::string folder = fresh_folder("parents") + "/out/wall/";
-  const std::string kept = prepare_output_folder(folder, Earlier::keep, *world());
+  const std::string kept = OutputFolder(folder, Earlier::keep, *world()).kept();
   TEST_EQUALITY(kept, "");
   TEST_ASSERT(fs::is_directory(folder));
   TEST_ASSERT(fs::is_empty(folder));
@@ -207,11 +207,11 @@ TEUCHOS_UNIT_TEST(OutputFolder, IsMadeWithItsParents) {
 TEUCHOS_UNIT_TEST(OutputFolder, AFinishedRunIsKeptUnderTheNextFreeNumber) {
   const std::string folder = fresh_folder("kept") + "/wall";
   for (const std::string run : {"first", "second"}) {
-    prepare_output_folder(folder, Earlier::keep, *world());
+    OutputFolder(folder, Earlier::keep, *world()).kept();
     write(folder + "/result.json", run);
     write(folder + "/fields.h5", run);
   }
-  const std::string kept = prepare_output_folder(folder + "/", Earlier::keep, *world());
+  const std::string kept = OutputFolder(folder + "/", Earlier::keep, *world()).kept();
   TEST_EQUALITY(kept, folder + ".2");
   TEST_EQUALITY(content(folder + ".1/fields.h5"), "first");
   TEST_EQUALITY(content(folder + ".2/result.json"), "second");
@@ -220,11 +220,11 @@ TEUCHOS_UNIT_TEST(OutputFolder, AFinishedRunIsKeptUnderTheNextFreeNumber) {
 
 TEUCHOS_UNIT_TEST(OutputFolder, OverwritingRemovesResultsAndNothingElse) {
   const std::string folder = fresh_folder("overwrite") + "/wall";
-  prepare_output_folder(folder, Earlier::keep, *world());
+  OutputFolder(folder, Earlier::keep, *world()).kept();
   write(folder + "/result.json", "old");
   write(folder + "/fields.xdmf", "old");
   write(folder + "/notes.txt", "mine");
-  const std::string kept = prepare_output_folder(folder, Earlier::remove, *world());
+  const std::string kept = OutputFolder(folder, Earlier::remove, *world()).kept();
   TEST_EQUALITY(kept, "");
   TEST_ASSERT(!fs::exists(folder + "/result.json"));
   TEST_ASSERT(!fs::exists(folder + "/fields.xdmf"));
@@ -238,7 +238,7 @@ TEUCHOS_UNIT_TEST(OutputFolder, AFolderThatCannotBeMadeIsNamedOnAllRanks) {
   write(blocked, "not a folder");
   for (const auto earlier : {Earlier::keep, Earlier::remove}) {
     const std::string message =
-        message_of_resource_error([&] { prepare_output_folder(blocked + "/wall", earlier, *world()); });
+        message_of_resource_error([&] { OutputFolder(blocked + "/wall", earlier, *world()).kept(); });
     TEST_ASSERT(contains(message, blocked + "/wall: cannot be written"));
     TEST_ASSERT(contains(message, "Not a directory"));
   }
