@@ -118,7 +118,8 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
         << a.xml << " --out=" << a.run.folder << " --restart\n";
     return exit_interrupted;
   }
-  if (summary.outcome == Outcome::equilibrium) say << "Equilibrium under all loads.";
+  if (summary.outcome == Outcome::equilibrium)
+    say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.");
   if (summary.outcome == Outcome::collapse) say << "Collapse: " << summary.message << ".";
   if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
   say << " Results are in " << a.run.folder << "\n";

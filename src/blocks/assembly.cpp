@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/check.hpp"
 #include "blocks/element_matrices.hpp"
 
 namespace voussoir {
@@ -13,9 +14,11 @@ std::array<Vector<2>, 4> cell_positions(const Block<2>& block, const Cell& cell)
   return x;
 }
 
-LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane plane, double thickness) {
-  const int nodes = static_cast<int>(block.position.size());
-  std::vector<std::vector<int>> neighbours(nodes);
+namespace {
+
+/// Rows and columns of a block's matrices: nodes of the same cell are coupled, in all components. Values are 0.
+LocalCsr coupled_nodes(const Block<2>& block) {
+  std::vector<std::vector<int>> neighbours(block.position.size());
   for (const auto& cell : block.cells)
     for (int i = 0; i < cell.count; ++i)
       for (int j = 0; j < cell.count; ++j) neighbours[cell.node[i]].push_back(cell.node[j]);
@@ -30,21 +33,48 @@ LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane 
     }
   }
   k.value.assign(k.column.size(), 0.0);
+  return k;
+}
 
+double& entry(LocalCsr& k, int row, int column) {
+  const auto first = k.column.begin() + static_cast<long>(k.start[row]);
+  const auto last = k.column.begin() + static_cast<long>(k.start[row + 1]);
+  return k.value[std::lower_bound(first, last, column) - k.column.begin()];
+}
+
+}  // namespace
+
+LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane plane, double thickness) {
+  LocalCsr k = coupled_nodes(block);
   for (const auto& cell : block.cells) {
     const auto ke = element_stiffness(cell, cell_positions(block, cell), material, plane, thickness);
     const int n = 2 * cell.count;
-    for (int i = 0; i < n; ++i) {
-      const int row = 2 * cell.node[i / 2] + i % 2;
-      for (int j = 0; j < n; ++j) {
-        const int column = 2 * cell.node[j / 2] + j % 2;
-        const auto first = k.column.begin() + static_cast<long>(k.start[row]);
-        const auto last = k.column.begin() + static_cast<long>(k.start[row + 1]);
-        k.value[std::lower_bound(first, last, column) - k.column.begin()] += ke[i * n + j];
-      }
-    }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        entry(k, 2 * cell.node[i / 2] + i % 2, 2 * cell.node[j / 2] + j % 2) += ke[i * n + j];
   }
   return k;
+}
+
+LocalCsr block_mass(const Block<2>& block, double density, double thickness, Mass kind) {
+  LocalCsr m = coupled_nodes(block);
+  for (const auto& cell : block.cells) {
+    const auto product = element_products(cell, cell_positions(block, cell), thickness);
+    for (int i = 0; i < cell.count; ++i)
+      for (int j = 0; j < cell.count; ++j)
+        for (int c = 0; c < 2; ++c) {
+          const int row = 2 * cell.node[i] + c;
+          entry(m, row, kind == Mass::lumped ? row : 2 * cell.node[j] + c) += density * product[i * cell.count + j];
+        }
+  }
+  return m;
+}
+
+LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr& b) {
+  VOUSSOIR_CHECK(a.column.size() == b.column.size());
+  LocalCsr c = a;
+  for (std::size_t k = 0; k < c.value.size(); ++k) c.value[k] = factor_a * a.value[k] + factor_b * b.value[k];
+  return c;
 }
 
 std::vector<double> nodal_volumes(const Block<2>& block, double thickness) {

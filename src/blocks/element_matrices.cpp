@@ -65,6 +65,21 @@ std::vector<double> element_stiffness(const Cell& cell, const std::array<Vector<
   return k;
 }
 
+std::vector<double> element_products(const Cell& cell, const std::array<Vector<2>, 4>& x, double thickness) {
+  const int n = cell.count;
+  std::vector<double> m(n * n, 0.0);
+  if (n == 3) {  // one point is too few for products of linear functions: area / 12 x (1 + delta_ij)
+    const double area = shape_values(cell, x).front().weight;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) m[i * n + j] = area * thickness / 12 * (i == j ? 2 : 1);
+    return m;
+  }
+  for (const auto& s : shape_values(cell, x))
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) m[i * n + j] += s.weight * thickness * s.value[i] * s.value[j];
+  return m;
+}
+
 std::array<double, 4> element_volumes(const Cell& cell, const std::array<Vector<2>, 4>& x, double thickness) {
   std::array<double, 4> volume{};
   for (const auto& s : shape_values(cell, x))

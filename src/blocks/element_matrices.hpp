@@ -27,6 +27,10 @@ std::vector<ShapeValues> shape_values(const Cell& cell, const std::array<Vector<
 std::vector<double> element_stiffness(const Cell& cell, const std::array<Vector<2>, 4>& x, const Material&, Plane,
                                       double thickness);
 
+/// Integrals of products of shape functions over the cell, times thickness, row-major [count x count, m3]: times the
+/// density they are the consistent mass of one component.
+std::vector<double> element_products(const Cell& cell, const std::array<Vector<2>, 4>& x, double thickness);
+
 /// Integral of each shape function over the cell, times thickness [m3].
 std::array<double, 4> element_volumes(const Cell& cell, const std::array<Vector<2>, 4>& x, double thickness);
 

@@ -9,6 +9,9 @@ class ParameterSection;
 
 enum class Plane { stress, strain };
 
+/// Consistent: integrals of products of shape functions. Lumped: each node has the mass of its share of the volume.
+enum class Mass { consistent, lumped };
+
 struct ModelParameters {
   Plane plane = Plane::stress;
   double thickness = 1.0;  ///< [m] out of plane

@@ -34,7 +34,7 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
   for (BlockId b : halo) add_block(source, b, first, material_of);
   group_copies();
-  node_exchange_ = std::make_unique<Exchange>(node_id_, owned_nodes_, comm);
+  node_exchange_ = std::make_shared<Exchange>(node_id_, owned_nodes_, comm);
 
   Vector<dim> low, high, all_low, all_high;
   low.fill(std::numeric_limits<double>::max());
@@ -104,6 +104,13 @@ template <int dim>
 void Structure<dim>::apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const {
   y.resize(u.size());
   for (const auto& b : blocks_) b.stiffness.multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
+}
+
+template <int dim>
+Structure<dim> Structure<dim>::with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const {
+  Structure other = *this;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) other.blocks_[b].stiffness = matrix_of(static_cast<int>(b));
+  return other;
 }
 
 template class Structure<2>;

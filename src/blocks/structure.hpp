@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "blocks/material.hpp"
@@ -56,6 +57,9 @@ class Structure {
 
   /// y = K u on local node copies [dim nodes], owned and halo; no communication.
   void apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const;
+  /// The same structure with other matrices in the place of the stiffness of its blocks.
+  /// @param matrix_of  matrix of each local block, in the rows and columns of its stiffness
+  Structure with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const;
   /// Diagonal of the bounding box of the whole structure [m].
   double size() const { return size_; }
 
@@ -74,7 +78,7 @@ class Structure {
   std::vector<Vector<dim>> position_;
   std::vector<VertexId> vertex_;
   std::vector<int> block_of_node_, copies_start_, copy_;
-  std::unique_ptr<Exchange> node_exchange_;
+  std::shared_ptr<const Exchange> node_exchange_;
   double size_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A stage of loading, reached in equal increments.
+// A stage of loading: load steps in equal increments, or a stretch of time.
 #pragma once
 
 #include <map>
@@ -11,8 +11,12 @@ class ParameterSection;
 /// Loads that a stage does not name keep the factor they had; before the first stage all are 0.
 struct StageParameters {
   std::string name;
-  int increments = 1;                     ///< equal load steps of this stage
+  int increments = 1;                     ///< equal load steps of a stage without duration
   std::map<std::string, double> factors;  ///< sublist "loads": load name -> factor at the end of the stage
+  double duration = 0;                    ///< [s] 0 = load steps without mass
+  double time_step = 0;                   ///< [s] of a stage with duration; 0 = automatic
+  bool at_once = false;                   ///< with duration: factors jump to their values instead of going linearly
+  bool dynamic() const { return duration > 0; }
   void declare(ParameterSection&);
 };
 

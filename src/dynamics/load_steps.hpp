@@ -1,4 +1,4 @@
-// The way through the stages of a scene: equal increments, halved where they do not converge.
+// The way through the stages of a scene: equal increments, halved where they do not converge, or steps of time.
 #pragma once
 
 #include <algorithm>
@@ -14,27 +14,38 @@ class LoadSteps {
  public:
   LoadSteps(const std::vector<StageParameters>& stages, const LoadStepParameters& parameters)
       : stages_(stages), parameters_(parameters) {
-    for (const auto& stage : stages) planned_ += stage.increments;
+    for (const auto& stage : stages) planned_ += weight(stage);
   }
 
   bool finished() const { return stage_ == stages_.size(); }
   const std::string& stage() const { return stages_[stage_].name; }
+  const StageParameters& stage_parameters() const { return stages_[stage_]; }
+  bool dynamic() const { return stages_[stage_].dynamic(); }
+  /// The time step of a stage with duration [s]; must be set before its steps.
+  void set_time_step(double time_step) { time_step_ = time_step; }
   /// Share of the stage that the next step ends at, 0 < . <= 1.
   double target() const {
-    const double step = 1.0 / stages_[stage_].increments / (1 << halvings_);
+    const auto& stage = stages_[stage_];
+    const double step = stage.dynamic() ? time_step_ / stage.duration : 1.0 / stage.increments / (1 << halvings_);
     return reached_ + step > 1 - step / 1e6 ? 1.0 : reached_ + step;
   }
   /// Share of the stage reached so far.
   double reached() const { return reached_; }
-  /// Factors of the loads at the end of the next step.
-  std::map<std::string, double> factors() const {
+  /// Time of stages with duration since the start, at a share of this stage [s].
+  double time(double share) const { return time_before_ + (finished() ? 0 : share * stages_[stage_].duration); }
+  double time() const { return time(finished() ? 0 : reached_); }
+  /// Factors of the loads at a share of this stage.
+  std::map<std::string, double> factors(double share) const {
     auto factors = before_;
+    const double part = dynamic() && stages_[stage_].at_once ? 1.0 : share;
     for (const auto& [load, end] : stages_[stage_].factors) {
       const double start = before_.count(load) ? before_.at(load) : 0.0;
-      factors[load] = start + target() * (end - start);
+      factors[load] = start + part * (end - start);
     }
     return factors;
   }
+  /// Factors of the loads at the end of the next step.
+  std::map<std::string, double> factors() const { return factors(target()); }
 
   /// The step was solved: go on.
   void accept() {
@@ -45,11 +56,16 @@ class LoadSteps {
     }
     if (reached_ < 1) return;
     for (const auto& [load, end] : stages_[stage_].factors) before_[load] = end;
+    time_before_ += stages_[stage_].duration;
     ++stage_;
     reached_ = stage_ == stages_.size() ? 1 : 0;
     halvings_ = 0;
   }
-  /// The step failed: halve it. False when it has been halved often enough.
+  /// True when the last step ended a stage.
+  bool stage_reached() const { return finished() || reached_ == 0; }
+  /// Factors where the last step ended.
+  std::map<std::string, double> last_factors() const { return stage_reached() ? before_ : factors(reached_); }
+  /// The load step failed: halve it. False when it has been halved often enough.
   bool halve() {
     if (halvings_ == parameters_.largest_halvings) return false;
     ++halvings_;
@@ -57,7 +73,7 @@ class LoadSteps {
     return true;
   }
   int halvings() const { return halvings_; }
-  /// Names what a checkpoint keeps (output/checkpoint.hpp). After restoring, `before_` follows from the stages passed.
+  /// Names what a checkpoint keeps (output/checkpoint.hpp). Restored, what was before follows from the stages passed.
   template <class Archive>
   void keep(Archive& archive) {
     auto stage = static_cast<int>(stage_);
@@ -67,24 +83,44 @@ class LoadSteps {
     archive.value("load_steps.successes", successes_);
     stage_ = static_cast<std::size_t>(stage);
     before_.clear();
-    for (std::size_t k = 0; k < std::min(stage_, stages_.size()); ++k)
+    time_before_ = 0;
+    for (std::size_t k = 0; k < std::min(stage_, stages_.size()); ++k) {
       for (const auto& [load, end] : stages_[k].factors) before_[load] = end;
+      time_before_ += stages_[k].duration;
+    }
   }
-  /// Share of the planned increments done, for the remaining time.
+  /// Share of the way done, for the remaining time.
   double progress() const {
     double done = 0;
-    for (std::size_t k = 0; k < stage_; ++k) done += stages_[k].increments;
-    return finished() ? 1 : (done + reached_ * stages_[stage_].increments) / planned_;
+    for (std::size_t k = 0; k < stage_; ++k) done += weight(stages_[k]);
+    return finished() ? 1 : (done + reached_ * weight(stages_[stage_])) / planned_;
   }
 
  private:
+  // A stage of time has hundreds of steps where one of loads has a few.
+  static double weight(const StageParameters& stage) { return stage.dynamic() ? 100.0 : stage.increments; }
+
   const std::vector<StageParameters>& stages_;
   LoadStepParameters parameters_;
   std::map<std::string, double> before_;
   std::size_t stage_ = 0;
-  int halvings_ = 0, planned_ = 0;
+  int halvings_ = 0;
   int successes_ = 0;  ///< steps solved since the last halving or doubling
-  double reached_ = 0;
+  double planned_ = 0, reached_ = 0, time_step_ = 0, time_before_ = 0;
 };
+
+/// True when a scene has stages and all of them have a duration: no static equilibrium is ever sought.
+inline bool only_time(const std::vector<StageParameters>& stages) {
+  for (const auto& stage : stages)
+    if (!stage.dynamic()) return false;
+  return !stages.empty();
+}
+
+/// True when a stage of a scene has a duration.
+inline bool any_time(const std::vector<StageParameters>& stages) {
+  for (const auto& stage : stages)
+    if (stage.dynamic()) return true;
+  return false;
+}
 
 }  // namespace voussoir

@@ -18,6 +18,9 @@ void JointLawParameters::declare(ParameterSection& section) {
   section.add("tension strength", tension_strength, "Pa", at_least(0.0).or_infinite(),
               "tension a joint bears, lost for good once a point has opened or slipped", "a strength",
               "Dry joints have 0, lime mortar 0.02e6 to 0.2e6.");
+  section.add("initial gap", initial_gap, "m", at_least(0.0),
+              "opening of these joints at the start; the mesh shows them closed",
+              "blocks do not lie in each other", "Give 0 for blocks that touch.");
 }
 
 }  // namespace voussoir

@@ -13,6 +13,7 @@ struct JointLawParameters {
   double friction_coefficient = 0.6;  ///< [-] may be inf
   double cohesion = 0.0;              ///< [Pa] shear strength without compression, lost once opened or slipped; inf too
   double tension_strength = 0.0;      ///< [Pa] lost likewise; may be inf
+  double initial_gap = 0.0;           ///< [m] opening at the start of joints that are drawn closed
   void declare(ParameterSection&);
 };
 

@@ -75,7 +75,7 @@ FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm
   for (int k = 1; k <= steps; ++k) {
     const auto group = step_group(k);
     const bool timed = file_.has_attribute(group, "time_s");
-    list(group, timed ? file_.read_attribute<double>(group, "time_s") : k);
+    list(group, timed ? file_.read_attribute<double>(group, "time_s") : k, timed);
   }
 }
 
@@ -145,6 +145,7 @@ void FieldsFile::write_step(const StepRows& step) {
   if (step.time) file_.write_attribute(group, "time_s", *step.time);
 
   write_vectors(group + "/displacement", nodes_, step.displacement, "m");
+  if (step.time) write_vectors(group + "/velocity", nodes_, step.velocity, "m/s");
   write(group + "/stress", cells_, step.stress, dim_ == 2 ? 3 : 6, "Pa",
         dim_ == 2 ? "xx, yy, xy; tension > 0" : "xx, xy, xz, yy, yz, zz; tension > 0");
   write(group + "/joint_gap_m", points_, step.gap, 1, "m", "> 0 open");
@@ -155,7 +156,7 @@ void FieldsFile::write_step(const StepRows& step) {
   write(group + "/joint_selected", points_, step.selected, 1, "-", "1 treated as contact, 0 not");
   file_.flush();
 
-  list(group, step.time.value_or(static_cast<double>(step.number)));
+  list(group, step.time.value_or(static_cast<double>(step.number)), step.time.has_value());
   on_first_rank(*comm_, [this] { replace_file(xdmf_path_, xdmf_text(xdmf_)); });
 }
 

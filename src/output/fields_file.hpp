@@ -46,9 +46,10 @@ struct StepRows {
   int number = 0;
   std::string stage;
   double load_factor = 0.0;
-  std::optional<double> time;  ///< [s] in dynamics; load steps have none, and viewers show their number instead
+  std::optional<double> time;  ///< [s] of a time step; load steps have none, and viewers show their number instead
 
   std::vector<double> displacement;      ///< [m] nodes x dim
+  std::vector<double> velocity;          ///< [m/s] nodes x dim, where there is a time
   std::vector<double> stress;            ///< [Pa] cells x 3: xx, yy, xy (3D: x 6: xx, xy, xz, yy, yz, zz); tension > 0
   std::vector<double> gap;               ///< [m] > 0 open
   std::vector<double> slip;              ///< [m]
@@ -81,7 +82,7 @@ class FieldsFile {
     long long total = 0;
   };
   /// A step that is in the file, for viewers.
-  void list(const std::string& group, double time) { xdmf_.steps.push_back({group, time}); }
+  void list(const std::string& group, double time, bool moving) { xdmf_.steps.push_back({group, time, moving}); }
   Rows counted(const std::vector<long long>& ids) const;
   template <class T>
   void write(const std::string& path, const Rows&, const std::vector<T>& values, int columns, const std::string& unit,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include <Teuchos_Comm.hpp>
@@ -14,15 +15,17 @@ struct HistoryRow {
   int step = 0;
   std::string stage;
   double load_factor = 0.0;  ///< of the stage, 0..1
+  double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] at the end of a time step
   long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;
   int selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
   double complementarity_residual = 0.0;  ///< [-]
   double largest_penetration = 0.0;       ///< [m]
   double error_estimate = 0.0;            ///< [-] relative, energy norm
-  double elastic = 0.0;                   ///< [J] stored at the end of the step
+  double elastic = 0.0, kinetic = 0.0;    ///< [J] stored at the end of the step
   double external_work = 0.0;             ///< [J] since the start, like friction, fracture and imbalance
-  double friction = 0.0, fracture = 0.0;  ///< [J]
+  double friction = 0.0, fracture = 0.0, damping = 0.0;  ///< [J]
   double imbalance = 0.0;                 ///< [J] what the energy book cannot explain
+  double imbalance_in_time = 0.0;         ///< [J] the part of it that arose in time steps
   double largest_displacement = 0.0;      ///< [m]
   double seconds = 0.0;
 };

@@ -30,7 +30,8 @@ const char* word(Outcome outcome) {
 
 Json energy_book(const EnergySummary& energy) {
   return {{"elastic_J", energy.elastic},   {"kinetic_J", energy.kinetic},   {"external_work_J", energy.external_work},
-          {"friction_J", energy.friction}, {"fracture_J", energy.fracture}, {"imbalance_J", energy.imbalance}};
+          {"friction_J", energy.friction}, {"fracture_J", energy.fracture}, {"damping_J", energy.damping},
+          {"imbalance_J", energy.imbalance}, {"imbalance_in_time_J", energy.imbalance_in_time}};
 }
 
 }  // namespace
@@ -56,6 +57,7 @@ std::string result_json(const RunSummary& run) {
   json["stick_points"] = run.stick_points;
   json["slip_points"] = run.slip_points;
   json["steps"] = run.steps;
+  json["time_s"] = run.time;
   json["selection_rounds"] = run.selection_rounds;
   json["newton_iterations"] = run.newton_iterations;
   json["linear_solves"] = run.linear_solves;

@@ -17,6 +17,7 @@ enum class Outcome { equilibrium, collapse, not_converged, interrupted };
 /// Energy book at the end of the run. [J]
 struct EnergySummary {
   double elastic = 0.0, kinetic = 0.0, external_work = 0.0, friction = 0.0, fracture = 0.0, imbalance = 0.0;
+  double damping = 0.0, imbalance_in_time = 0.0;
 };
 
 /// The motion a collapse begins with.
@@ -43,6 +44,7 @@ struct RunSummary {
   long long candidate_points = 0;
   long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;  ///< at the end
   int steps = 0;
+  double time = 0.0;  ///< [s] of stages with duration
   long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
   double largest_penetration = 0.0;       ///< [m] largest of all steps
   double complementarity_residual = 0.0;  ///< [-] largest of all steps

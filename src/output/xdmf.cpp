@@ -22,21 +22,25 @@ class Writer {
   }
 
  private:
-  void collection(const char* name, void (Writer::*grid)(const std::string&)) {
+  void collection(const char* name, void (Writer::*grid)(const XdmfContent::Step&)) {
     text_ << "<Grid Name=\"" << name << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
     for (const auto& step : content_.steps) {
       text_ << "<Grid Name=\"" << name << "\" GridType=\"Uniform\">\n<Time Value=\"" << step.time << "\"/>\n";
-      (this->*grid)(step.group);
+      (this->*grid)(step);
       text_ << "</Grid>\n";
     }
     text_ << "</Grid>\n";
   }
 
-  void blocks(const std::string& group) {
+  void blocks(const XdmfContent::Step& step) {
+    const auto& group = step.group;
     topology(cell_name(), content_.cells, content_.corners, "/mesh/cells");
     geometry("/mesh/coordinates", content_.nodes);
     attribute("displacement [m]", "Vector", "Node", Number::real, content_.nodes, 3,
               vectors_for_viewers(group + "/displacement", content_.dim));
+    if (step.moving)
+      attribute("velocity [m/s]", "Vector", "Node", Number::real, content_.nodes, 3,
+                vectors_for_viewers(group + "/velocity", content_.dim));
     if (content_.dim == 2)
       attribute("stress xx, yy, xy [Pa]", "Vector", "Cell", Number::real, content_.cells, 3, group + "/stress");
     else
@@ -45,7 +49,8 @@ class Writer {
     attribute("rank", "Scalar", "Cell", Number::integer, content_.cells, 1, "/mesh/rank_of_cell");
   }
 
-  void joints(const std::string& group) {
+  void joints(const XdmfContent::Step& step) {
+    const auto& group = step.group;
     const long long points = content_.points;
     topology("Polyvertex", points, 1, "/joints/point");
     geometry("/joints/position", points);

@@ -13,6 +13,7 @@ struct XdmfContent {
   struct Step {
     std::string group;  ///< "/steps/0007"
     double time = 0.0;
+    bool moving = false;  ///< it has a velocity
   };
   std::string fields;  ///< name of the HDF5 file, seen from the folder of the XDMF file
   int dim = 2;

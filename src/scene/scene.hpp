@@ -7,6 +7,7 @@
 #include "blocks/material_parameters.hpp"
 #include "blocks/support_parameters.hpp"
 #include "dynamics/load_step_parameters.hpp"
+#include "dynamics/time_parameters.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
 #include "joints/joint_law_parameters.hpp"
 #include "linalg/solver_parameters.hpp"
@@ -36,6 +37,8 @@ struct Scene {
   std::vector<LoadParameters> loads;
   std::vector<StageParameters> stages;
   LoadStepParameters load_steps;
+  TimeParameters time;
+  std::vector<Named<InitialVelocityParameters>> velocities;
   SelectionParameters selection;
   NewtonParameters newton;
   PreconditionerParameters preconditioner;

@@ -62,7 +62,7 @@ void check_stages(Scene& scene, InputProblems& problems) {
   const std::vector<std::string> loads = names_of(scene.loads);
   std::set<std::string> used;
   for (const StageParameters& stage : scene.stages) {
-    if (stage.factors.empty())
+    if (stage.factors.empty() && !stage.dynamic())
       scene.warnings.push_back("stage " + in_quotes(stage.name) + " names no load, so nothing changes in it.");
     for (const auto& [load, factor] : stage.factors) {
       used.insert(load);
@@ -74,6 +74,12 @@ void check_stages(Scene& scene, InputProblems& problems) {
   }
   for (const std::string& load : loads)
     if (!used.count(load)) scene.warnings.push_back("load " + in_quotes(load) + " never acts: no stage names it.");
+}
+
+void check_velocities(Scene& scene) {
+  const bool moves = std::any_of(scene.stages.begin(), scene.stages.end(), [](const auto& s) { return s.dynamic(); });
+  if (!scene.velocities.empty() && !moves)
+    scene.warnings.push_back("initial velocities have no effect: no stage has a duration.");
 }
 
 void check_loads(Scene& scene) {
@@ -125,10 +131,15 @@ void check_scene(Scene& scene, InputProblems& problems) {
                   "Add <ParameterList name=\"stone\"> with Young modulus, Poisson ratio and density.", problems);
   require_members(scene.joints.size(), "scene > joints", " law for the joints",
                   "Add <ParameterList name=\"dry\"> with a friction coefficient.", problems);
-  require_members(scene.supports.size(), "scene > supports", " support (without one the structure falls)",
-                  "Add <ParameterList name=\"ground\"> with the set of facets it is \"on\".", problems);
-  require_members(scene.loads.size(), "scene > loads", " load",
-                  "Add <ParameterList name=\"weight\"> with type = self weight.", problems);
+  // What moves through time alone may fly free of supports and loads.
+  const bool flies = !scene.stages.empty() && std::all_of(scene.stages.begin(), scene.stages.end(),
+                                                          [](const auto& stage) { return stage.dynamic(); });
+  if (!flies) {
+    require_members(scene.supports.size(), "scene > supports", " support (without one the structure falls)",
+                    "Add <ParameterList name=\"ground\"> with the set of facets it is \"on\".", problems);
+    require_members(scene.loads.size(), "scene > loads", " load",
+                    "Add <ParameterList name=\"weight\"> with type = self weight.", problems);
+  }
   require_members(scene.stages.size(), "scene > steps > stages", " stage",
                   "Add <ParameterList name=\"own weight\"> with a sublist \"loads\" that gives weight the factor 1.",
                   problems);
@@ -136,6 +147,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_stages(scene, problems);
   check_supports(scene, problems);
   check_loads(scene);
+  check_velocities(scene);
 }
 
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
@@ -149,6 +161,8 @@ void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
     check_set("scene > joints > " + j.name + " > between", j.parameters.between, "blocks", blocks, problems);
     check_set("scene > joints > " + j.name + " > and", j.parameters.and_, "blocks", blocks, problems);
   }
+  for (const auto& v : scene.velocities)
+    check_set("scene > initial velocities > " + v.name + " > blocks", v.parameters.blocks, "blocks", blocks, problems);
   for (const auto& s : scene.supports)
     check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
   for (const LoadParameters& load : scene.loads)

@@ -40,6 +40,10 @@ std::string mesh_text(const MeshParameters& mesh) {
 
 std::string stage_text(const StageParameters& stage) {
   std::string text = counted(stage.increments, "increment");
+  if (stage.dynamic())
+    text = number_text(stage.duration) + " s in " +
+           (stage.time_step > 0 ? "time steps of " + number_text(stage.time_step) + " s" : "automatic time steps") +
+           (stage.at_once ? ", loads at once" : "");
   const char* separator = " to ";
   for (const auto& [load, factor] : stage.factors) {
     text += separator + number_text(factor) + " x " + load;
@@ -77,6 +81,10 @@ void print_scene(std::ostream& os, const Scene& scene) {
             " Pa");
   for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");
   for (const LoadParameters& load : scene.loads) row("load", load.name, load.summary());
+  for (const auto& [name, v] : scene.velocities)
+    row("velocity", name,
+        in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) + ") m/s" +
+            (v.rotation == 0 ? "" : ", turning by " + number_text(v.rotation) + " rad/s"));
   for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
   row("selection", "", selection_text(scene.selection));
   row("newton", "",

@@ -28,13 +28,15 @@ void add_family(ParameterSection& section, const std::string& name, const std::s
 const auto itself = [](auto& member) -> auto& { return member; };
 const auto its_parameters = [](auto& member) -> auto& { return member.parameters; };
 
-/// Section "steps": bounds of the load steps, and the stages.
+/// Section "steps": bounds of the load steps, time, and the stages.
 struct Steps {
   LoadStepParameters& load_steps;
+  TimeParameters& time;
   std::vector<StageParameters>& stages;
 
   void declare(ParameterSection& section) {
     load_steps.declare(section);
+    section.add_section("time", time, "how stages with a duration are stepped through");
     add_family(section, "stages", "stages of loading, one after the other as written here", "own weight", stages,
                itself);
   }
@@ -53,8 +55,10 @@ void declare(Scene& scene, ParameterSection& section) {
   add_family(section, "supports", "where the structure is held", "ground", scene.supports, its_parameters);
   add_family(section, "loads", "what acts on the structure; stages say when and how much", "weight", scene.loads,
              itself);
-  Steps steps{scene.load_steps, scene.stages};
-  section.add_section("steps", steps, "quasi-static loading");
+  add_family(section, "initial velocities", "velocities of blocks when the first stage with a duration begins",
+             "falling block", scene.velocities, its_parameters);
+  Steps steps{scene.load_steps, scene.time, scene.stages};
+  section.add_section("steps", steps, "loading: load steps, and stages that take time");
   section.add_section("selection", scene.selection, "which contact points are resolved as contact");
   section.add_section("newton", scene.newton, "accuracy of the nonlinear loop");
   section.add_section("preconditioner", scene.preconditioner, "parts of the preconditioner");

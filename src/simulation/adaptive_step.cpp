@@ -52,20 +52,12 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   state.lambda.assign(static_cast<std::size_t>(dim) * points, 0.0);
   state.slip_origin = state.lambda;
   state.selected.assign(points, 0);
+  // Open joints cannot begin bonded.
+  const auto& gap = model_.initial_gap();
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
   state.broken.assign(points, 0);
   return state;
-}
-
-template <int dim>
-PointField AdaptiveStep<dim>::gaps(const std::vector<double>& u) const {
-  PointField gap(static_cast<std::size_t>(dim) * model_.points().size());
-  for (int k = 0; k < model_.points().size(); ++k) {
-    const auto& p = model_.points().points()[k];
-    for (int a = 0; a < dim; ++a)
-      for (int c = 0; c < dim; ++c)
-        gap[dim * k + a] += (u[dim * p.node_j + c] - u[dim * p.node_i + c]) * p.axis[a][c];
-  }
-  return gap;
 }
 
 template <int dim>
@@ -119,7 +111,7 @@ double AdaptiveStep<dim>::estimate(const ContactState& state, const std::vector<
     eta[k] = r * r / (2 * model_.local_stiffness()[k]);
     sum += eta[k];
   }
-  const double energy = elastic_energy(state.displacement);
+  const double energy = std::max(elastic_energy(state.displacement), known_energy);
   sum = total(comm, sum);
   return energy > 0 ? std::sqrt(sum / energy) : 0.0;
 }
@@ -186,8 +178,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
                                              const std::vector<double>& prescribed) {
   const auto& scene = model_.scene();
   const typename ContactProblem<dim>::Parts parts{model_.structure(),       model_.points(), model_.continuum(),
-                                                  model_.held(),            model_.local_stiffness(), {},
-                                                  scene.preconditioner,     solver_};
+                                                  model_.held(),            model_.local_stiffness(),
+                                                  model_.initial_gap(),     scene.preconditioner, solver_};
   StepReport report;
   law_ = current_law(state);
   const bool everything = scene.selection.mode == SelectionMode::all;

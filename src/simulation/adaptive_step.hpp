@@ -24,6 +24,8 @@ class AdaptiveStep {
 
   std::function<void(const NewtonProgress&)> narrate;
   std::function<void(int round, long long selected, double error_estimate)> narrate_round;
+  /// Energy of the structure that the estimate may refer to [J], where displacement does not tell: in time steps.
+  double known_energy = 0;
 
   /// State before the first load step: nothing has moved; everything or nothing is selected, as the scene asks.
   ContactState initial_state() const;
@@ -37,7 +39,7 @@ class AdaptiveStep {
   /// Motion of a collapse on node copies, largest component 1.
   const std::vector<double>& mechanism() const { return mechanism_; }
   /// Gap and slip of every point [m].
-  PointField gaps(const std::vector<double>& displacement) const;
+  PointField gaps(const std::vector<double>& displacement) const { return model_.gaps(displacement); }
 
  private:
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);

@@ -98,7 +98,7 @@ void ContactProblem<dim>::evaluate_direction(const TpetraVector& d, TpetraVector
 
 template <int dim>
 void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
-  forces_.assign(copies_.size(), 0.0);
+  forces_.assign(static_cast<std::size_t>(dim) * parts_.structure.nodes(), 0.0);
   add_contact_forces(parts_.points, space_->cluster(), lambda, 1.0, forces_);
   double* value = local_view_to_write(r);
   const auto& cluster = space_->cluster();

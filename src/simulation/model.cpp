@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
+#include "dynamics/load_steps.hpp"
 #include "mesh/partition.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/scene_fit.hpp"
@@ -49,8 +51,32 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
     Phase phase("loads");
     loads_ = std::make_unique<LoadsAtWork<dim>>(scene, source, *structure_);
   }
+  if (only_time(scene.stages)) return;
   Phase phase("continuum");
   continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu);
+}
+
+template <int dim>
+Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule& rule, double tolerance)
+    : own_scene_(std::make_unique<const Scene>([&] {
+        Scene scene = at_rest.scene_;
+        scene.newton.tolerance = tolerance;
+        return scene;
+      }())),
+      scene_(*own_scene_),
+      source_(at_rest.source_),
+      points_(at_rest.points_),
+      held_(at_rest.held_),
+      law_(at_rest.law_),
+      initial_gap_(at_rest.initial_gap_),
+      brittle_(at_rest.brittle_) {
+  const auto& rest = *at_rest.structure_;
+  structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
+    return sum(rule.stiffness_factor(), rest.blocks()[b].stiffness, rule.mass_factor(), mass.blocks()[b].stiffness);
+  }));
+  set_local_stiffness(&mass, rule);
+  Phase phase("continuum");
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene_.solver.muelu);
 }
 
 template <int dim>
@@ -74,11 +100,48 @@ void Model<dim>::set_laws() {
     const auto& law = scene_.joints[joints[p.joint].family].parameters;
     law_.push_back({law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
     brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
-    // Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness.
-    const double ei = blocks[structure_->block_of_node()[p.node_i]].material.young_modulus;
-    const double ej = blocks[structure_->block_of_node()[p.node_j]].material.young_modulus;
-    local_stiffness_.push_back(2 * ei * ej / (ei + ej) * structure_->model().thickness);
+    initial_gap_.push_back(law.initial_gap);
   }
+  set_local_stiffness(nullptr, {});
+  const bool closed = std::all_of(scene_.joints.begin(), scene_.joints.end(),
+                                  [](const auto& joint) { return joint.parameters.initial_gap == 0; });
+  if (closed) initial_gap_.clear();
+}
+
+/// Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness. In a time step the
+/// inertia of the nodes stiffens them.
+template <int dim>
+void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointRule& rule) {
+  std::vector<double> inertia(structure_->nodes(), 0.0);
+  if (mass) {
+    std::vector<double> along_x(dim * inertia.size(), 0.0), weight;
+    for (std::size_t i = 0; i < inertia.size(); ++i) along_x[dim * i] = 1;
+    mass->apply_stiffness(along_x, weight);
+    for (std::size_t i = 0; i < inertia.size(); ++i) inertia[i] = rule.mass_factor() * weight[dim * i];
+  }
+  const auto side = [&](int node) {
+    const auto& material = structure_->blocks()[structure_->block_of_node()[node]].material;
+    return (mass ? rule.stiffness_factor() : 1.0) * material.young_modulus * structure_->model().thickness +
+           inertia[node];
+  };
+  local_stiffness_.clear();
+  for (const auto& p : points_->points()) {
+    const double i = side(p.node_i), j = side(p.node_j);
+    local_stiffness_.push_back(2 * i * j / (i + j));
+  }
+}
+
+template <int dim>
+std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
+  std::vector<double> gap(static_cast<std::size_t>(dim) * points_->size());
+  for (int k = 0; k < points_->size(); ++k) {
+    const auto& p = points_->points()[k];
+    for (int a = 0; a < dim; ++a)
+      for (int c = 0; c < dim; ++c)
+        gap[dim * k + a] += (u[dim * p.node_j + c] - u[dim * p.node_i + c]) * p.axis[a][c];
+    if (!initial_gap_.empty()) gap[dim * k] += initial_gap_[k];
+  }
+  return gap;
 }
 
 template <int dim>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/continuum.hpp"
 #include "joints/contact_law.hpp"
 #include "scene/scene.hpp"
@@ -18,11 +19,17 @@ class Model {
  public:
   /// Builds blocks, joints and the continuum of a scene whose mesh has been checked. Collective.
   Model(const Scene&, const BlockSource<dim>&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
+  /// The model of one time step: blocks have the matrix S of the midpoint rule, the continuum is that of S, and points
+  /// see it. Loads are those of the model at rest. Collective.
+  /// @param mass  the structure with the mass of its blocks [kg] in the place of their stiffness
+  /// @param tolerance  of Newton
+  Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule&, double tolerance);
 
   const Scene& scene() const { return scene_; }
   const BlockSource<dim>& source() const { return source_; }
   const Structure<dim>& structure() const { return *structure_; }
   const ContactPoints<dim>& points() const { return *points_; }
+  /// The bonded continuum; not there for the model at rest when a scene has no load steps.
   const Continuum<dim>& continuum() const { return *continuum_; }
   /// 1 where a support prescribes the displacement [dim x local node copies].
   const std::vector<char>& held() const { return held_; }
@@ -31,6 +38,11 @@ class Model {
   /// Law of each point, unbroken.
   const std::vector<PointLaw>& law() const { return law_; }
   bool brittle() const { return brittle_; }
+  /// Opening of each point at zero displacement [m]; empty when all joints are closed.
+  const std::vector<double>& initial_gap() const { return initial_gap_; }
+  /// Gap and slip of every point under a displacement [m], [points x dim].
+  std::vector<double> gaps(const std::vector<double>& displacement) const;
+  void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
 
   /// Nodal forces [N] and prescribed displacements [m] under load factors by name of the load.
   /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
@@ -40,16 +52,19 @@ class Model {
 
  private:
   void set_laws();
+  void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   int facet_set(const std::string& name) const;
 
+  std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance
   const Scene& scene_;
   const BlockSource<dim>& source_;
   std::unique_ptr<Structure<dim>> structure_;
-  std::unique_ptr<ContactPoints<dim>> points_;
+  std::shared_ptr<ContactPoints<dim>> points_;
   std::unique_ptr<Continuum<dim>> continuum_;
   std::vector<char> held_;
   std::vector<double> local_stiffness_;
   std::vector<PointLaw> law_;
+  std::vector<double> initial_gap_;
   bool brittle_ = false;
   std::unique_ptr<LoadsAtWork<dim>> loads_;
 };

@@ -44,9 +44,13 @@ void Narrator::round(int round, long long selected, double error_estimate) {
         error_estimate);
 }
 
-void Narrator::end(const StepReport& report, const StatusCount& count, double seconds, const RunSummary& summary) {
+void Narrator::end(const StepReport& report, const StatusCount& count, double seconds, const RunSummary& summary,
+                   bool tell) {
   spent_ += seconds;
-  print(say_, "%5d %8.4f %7d %9lld %7lld %7lld %7lld %9.2e %9.2e %8.2f", step_, target_,
+  // Of thousands of time steps, one in a hundred is worth a line.
+  if (!tell && progress_ < told_ + 0.01) return;
+  told_ = progress_;
+  print(say_, "%5d %8.4g %7d %9lld %7lld %7lld %7lld %9.2e %9.2e %8.2f", step_, target_,
         report.newton.newton_iterations, count.selected, count.open, count.slip, report.newton.krylov_iterations,
         report.error_estimate, summary.largest_displacement, seconds);
   // A remaining time is worth saying when a run takes more than ten seconds.
@@ -55,8 +59,10 @@ void Narrator::end(const StepReport& report, const StatusCount& count, double se
   say_ << std::endl;
 }
 
+void Narrator::say(const std::string& line) { say_ << line << std::endl; }
+
 void Narrator::failed(const StepReport& report, const std::string& stage, double target) {
-  print(say_, "step %d, stage '%s' at %.4f: %s\n", step_, stage.c_str(), target,
+  print(say_, "step %d, stage '%s' at %.4g: %s\n", step_, stage.c_str(), target,
         report.newton.outcome == NewtonOutcome::collapse ? "collapse" : "stopped");
   print(say_, "  after %d linear solves, |R| = %.1e and contact law %.1e of the largest force: %s.\n",
         report.newton.newton_iterations, report.newton.residual, report.newton.complementarity,

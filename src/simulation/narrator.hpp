@@ -14,13 +14,14 @@ class Narrator {
   void begin(int step, const std::string& stage, double target, double progress);
   void solve(const NewtonProgress&);
   void round(int round, long long selected, double error_estimate);
-  void end(const StepReport&, const StatusCount&, double seconds, const RunSummary&);
+  void end(const StepReport&, const StatusCount&, double seconds, const RunSummary&, bool tell = true);
+  void say(const std::string& line);
   void failed(const StepReport&, const std::string& stage, double target);
 
  private:
   std::ostream& say_;
   bool verbose_;
-  double spent_ = 0, progress_ = 0;
+  double spent_ = 0, progress_ = 0, told_ = 0;
   double first_progress_ = -1;  ///< where this run began, which need not be the beginning
   int step_ = 0, solves_ = 0;
   double target_ = 0;

@@ -122,12 +122,16 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
 
 template <int dim>
 void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
-                               const std::vector<int>& status, const std::string& stage, double load_factor) {
+                               const std::vector<int>& status, const std::string& stage, double load_factor,
+                               std::optional<double> time) {
   if (!fields_) return;
   StepRows rows;
   rows.number = ++record_.written;
   rows.stage = stage;
   rows.load_factor = load_factor;
+  rows.time = time;
+  const auto owned = dim * model_.structure().owned_nodes();
+  if (time) rows.velocity.assign(state.velocity.begin(), state.velocity.begin() + owned);
   rows.displacement.assign(displacement.begin(), displacement.begin() + dim * model_.structure().owned_nodes());
   rows.stress = cell_stresses(model_.structure(), displacement, free_strain_);
   const auto gap = step_.gaps(displacement);
@@ -171,7 +175,7 @@ void Recorder<dim>::book(const ContactState& before, const std::vector<double>& 
     }
   }
   const auto& comm = *s.comm();
-  record_.energy.advance(total(comm, elastic), 0.0, total(comm, work), total(comm, friction), total(comm, fracture));
+  record_.energy.advance({total(comm, elastic), 0, total(comm, work), total(comm, friction), total(comm, fracture), 0});
 }
 
 template <int dim>
@@ -179,6 +183,26 @@ void Recorder<dim>::record(const ContactState& before, const std::vector<double>
                            const ContactState& after, const std::vector<double>& load, const StepReport& report,
                            const std::string& stage, double load_factor, bool write_fields, double seconds) {
   Phase phase("output");
+  book(before, load_before, after, load);
+  finish(before, after, report, stage, load_factor, {}, write_fields, seconds);
+}
+
+template <int dim>
+void Recorder<dim>::record(const ContactState& before, const ContactState& after, const TimeStepReport& report,
+                           const std::string& stage, double stage_share, double time, bool write_fields,
+                           double seconds) {
+  Phase phase("output");
+  record_.energy.advance({report.elastic, report.kinetic, report.external_work, report.friction, report.fracture,
+                   report.damping}, true);
+  record_.summary.time = time;
+  finish(before, after, report.step, stage, stage_share, time, write_fields, seconds);
+}
+
+/// Counts, the row of the history and the sums of the run.
+template <int dim>
+void Recorder<dim>::finish(const ContactState& before, const ContactState& after, const StepReport& report,
+                           const std::string& stage, double load_factor, std::optional<double> time,
+                           bool write_fields, double seconds) {
   const auto& comm = *model_.structure().comm();
   const auto gap = step_.gaps(after.displacement);
   const auto status = statuses(after, gap, before.slip_origin);
@@ -187,7 +211,6 @@ void Recorder<dim>::record(const ContactState& before, const std::vector<double>
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 4, mine, all);
   auto& count = record_.count;
   count = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
-  book(before, load_before, after, load);
   double largest = 0, largest_all = 0;
   for (int i = 0; i < model_.structure().owned_nodes(); ++i) {
     double square = 0;
@@ -201,6 +224,7 @@ void Recorder<dim>::record(const ContactState& before, const std::vector<double>
   row.step = ++record_.summary.steps;
   row.stage = stage;
   row.load_factor = load_factor;
+  if (time) row.time = *time;
   row.selected_points = count.selected;
   row.open_points = count.open;
   row.stick_points = count.stick;
@@ -212,10 +236,13 @@ void Recorder<dim>::record(const ContactState& before, const std::vector<double>
   row.largest_penetration = report.newton.penetration;
   row.error_estimate = report.error_estimate;
   row.elastic = energy.elastic();
+  row.kinetic = energy.kinetic();
   row.external_work = energy.external_work();
   row.friction = energy.friction();
   row.fracture = energy.fracture();
+  row.damping = energy.damping();
   row.imbalance = energy.imbalance();
+  row.imbalance_in_time = energy.imbalance_in_time();
   row.largest_displacement = largest_all;
   row.seconds = seconds;
   history_->append(row);
@@ -234,9 +261,10 @@ void Recorder<dim>::record(const ContactState& before, const std::vector<double>
   sum.error_estimate = report.error_estimate;
   sum.largest_displacement = largest_all;
   sum.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
-                energy.friction(), energy.fracture(), energy.imbalance()};
+                energy.friction(), energy.fracture(), energy.imbalance(),
+                energy.damping(),  energy.imbalance_in_time()};
   sum.load_factor = load_factor;
-  if (write_fields) write_step(after, after.displacement, status, stage, load_factor);
+  if (write_fields) write_step(after, after.displacement, status, stage, load_factor, time);
 }
 
 template <int dim>
@@ -244,7 +272,7 @@ void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const
                                      const std::string& stage, double load_factor) {
   Phase phase("output");
   const auto gap = step_.gaps(mechanism);
-  write_step(state, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor);
+  write_step(state, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor, {});
 }
 
 template class Recorder<2>;

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "dynamics/energy_book.hpp"
 #include "output/fields_file.hpp"
 #include "output/history.hpp"
 #include "output/result_json.hpp"
-#include "simulation/adaptive_step.hpp"
+#include "simulation/dynamic_step.hpp"
 
 namespace voussoir {
 
@@ -42,6 +43,12 @@ class Recorder {
               bool write_fields, double seconds);
   /// Strain that stresses do not see from the next step on, such as by heat [-, per local block; empty for none].
   void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
+  /// Books and writes a time step that was solved.
+  /// @param stage_share  of the stage reached;  @param time [s]
+  void record(const ContactState& before, const ContactState& after, const TimeStepReport&, const std::string& stage,
+              double stage_share, double time, bool write_fields, double seconds);
+  /// Books the energy of the velocities that a structure is given. [J]
+  void give(double kinetic) { record_.energy.give(kinetic); }
   /// Writes the motion a collapse begins with as a last step.
   void record_mechanism(const std::vector<double>& mechanism, const ContactState&, const std::string& stage,
                         double load_factor);
@@ -57,7 +64,9 @@ class Recorder {
   void write_tables();
   std::vector<int> statuses(const ContactState&, const PointField& gap, const PointField& slip_before) const;
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<int>& status,
-                  const std::string& stage, double load_factor);
+                  const std::string& stage, double load_factor, std::optional<double> time);
+  void finish(const ContactState& before, const ContactState& after, const StepReport&, const std::string& stage,
+              double load_factor, std::optional<double> time, bool write_fields, double seconds);
   void book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
             const std::vector<double>& load);
 
@@ -74,6 +83,7 @@ template <class Archive>
 void Record::keep(Archive& archive) {
   energy.keep(archive);
   archive.value("steps", summary.steps);
+  archive.value("time_s", summary.time);
   archive.value("selection_rounds", summary.selection_rounds);
   archive.value("newton_iterations", summary.newton_iterations);
   archive.value("linear_solves", summary.linear_solves);
@@ -92,8 +102,8 @@ void Record::keep(Archive& archive) {
   summary.open_points = count.open;
   summary.stick_points = count.stick;
   summary.slip_points = count.slip;
-  summary.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
-                    energy.friction(), energy.fracture(), energy.imbalance()};
+  summary.energy = {energy.elastic(),  energy.kinetic(),   energy.external_work(), energy.friction(),
+                    energy.fracture(), energy.imbalance(), energy.damping(),       energy.imbalance_in_time()};
 }
 
 extern template class Recorder<2>;

@@ -17,7 +17,7 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 1;  // of the file; raised when a value changes its meaning
+constexpr int format = 2;  // of the file; raised when a value changes its meaning
 
 // FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv/
 constexpr std::uint64_t fnv_start = 14695981039346656037u, fnv_prime = 1099511628211u;
@@ -54,10 +54,14 @@ LocalRows point_rows(const ContactPoints<dim>& points) {
 
 void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState& run) {
   run.steps.keep(checkpoint);
+  run.time_step.keep(checkpoint);
   run.record.keep(checkpoint);
   const auto nodes = node_rows(model.structure()), points = point_rows(model.points());
   auto& state = run.state;
   checkpoint.rows("displacement", nodes, dim, state.displacement);
+  checkpoint.rows("velocity", nodes, dim, state.velocity);
+  checkpoint.rows("acceleration", nodes, dim, state.acceleration);
+  checkpoint.value("largest_energy_J", state.largest_energy);
   checkpoint.rows("load", nodes, dim, run.load);
   checkpoint.rows("lambda", points, dim, state.lambda);
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dynamics/load_steps.hpp"
+#include "dynamics/step_control.hpp"
 #include "simulation/recorder.hpp"
 
 namespace voussoir {
@@ -19,6 +20,7 @@ struct RunState {
   LoadSteps& steps;
   ContactState& state;
   std::vector<double>& load;  ///< [N] nodal loads at the end of the last step
+  TimeStepLevel& time_step;
   Record& record;
   std::map<std::string, double>& seconds;  ///< by phase, of all earlier parts of the run
 };

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "dynamics/load_steps.hpp"
+#include "dynamics/step_control.hpp"
 #include "mesh/block_source.hpp"
 #include "mesh/mesh_check.hpp"
 #include "output/output_folder.hpp"
@@ -41,7 +43,7 @@ constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "se
 /// A signal was seen within a step; the step is given up.
 struct StopWithinStep {};
 
-/// The load steps of a scene.
+/// The steps of a scene.
 class Run {
  public:
   /// @param clock  of the whole run
@@ -77,7 +79,7 @@ class Run {
     while (!steps_.finished()) {
       const auto before = state_;
       try {
-        if (!one_step(before)) return summary;
+        if (!(steps_.dynamic() ? time_step(before) : load_step(before))) return summary;
       } catch (const StopWithinStep&) {
         state_ = before;
         return interrupted();
@@ -103,10 +105,12 @@ class Run {
 
  private:
   /// False when the run ends here.
-  bool one_step(const ContactState& before) {
-    auto& summary = recorder_->summary();
+  bool load_step(const ContactState& before) {
+    const auto& summary = recorder_->summary();
+    dynamics_.reset();
+    state_.velocity.clear();
     std::vector<double> next_load, prescribed;
-    model_.loads(steps_.factors(), 0.0, next_load, prescribed);
+    model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);
     narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
     const auto report = step_.solve(state_, next_load, prescribed);
@@ -117,19 +121,78 @@ class Run {
       narrator_->failed(report, stage, target);
       const auto failed = std::exchange(state_, before);
       if (steps_.halve()) return true;
-      fail(failed, report);
+      fail(failed, report, step_.mechanism());
       return false;
     }
-    recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), 0.0));
+    recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
-    const bool write = steps_.finished() || (summary.steps + 1) % model_.scene().output.every == 0;
-    recorder_->record(before, load_, state_, next_load, report, stage, target, write, seconds);
+    recorder_->record(before, load_, state_, next_load, report, stage, target, writes(), seconds);
     narrator_->end(report, recorder_->status(), seconds, summary);
     load_ = next_load;
     return true;
   }
 
-  void fail(const ContactState& failed, const StepReport& report) {
+  /// False when the run ends here.
+  bool time_step(const ContactState& before) {
+    begin_time();
+    const double time_step = control_->time_step();
+    steps_.set_time_step(time_step);
+    dynamics_->set_time_step(time_step);
+    const std::string stage = steps_.stage();
+    const double reached = steps_.reached(), target = steps_.target(), time = steps_.time(target);
+    const double middle = (reached + target) / 2;
+    std::vector<double> load, prescribed, unused;
+    model_.loads(steps_.factors(middle), steps_.time(middle), load, unused);
+    model_.loads(steps_.factors(target), time, unused, prescribed);
+    narrator_->begin(recorder_->summary().steps + 1, stage, time, steps_.progress());
+    Teuchos::Time clock("step", true);
+    const auto report = dynamics_->solve(state_, load, prescribed);
+    const double seconds = clock.totalElapsedTime(true);
+    if (report.step.newton.outcome != NewtonOutcome::converged) {
+      narrator_->failed(report.step, stage, time);
+      const auto failed = std::exchange(state_, before);
+      if (control_->halve()) {
+        narrator_->say("  Time step halved to " + number_text(control_->time_step()) + " s.");
+        return true;
+      }
+      fail(failed, report.step, dynamics_->mechanism());
+      return false;
+    }
+    recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
+    const double duration = steps_.stage_parameters().duration;
+    steps_.accept();
+    model_.loads(steps_.last_factors(), time, load_, unused);
+    const bool write = writes();
+    recorder_->record(before, state_, report, stage, target, time, write, seconds);
+    narrator_->end(report.step, recorder_->status(), seconds, recorder_->summary(), write);
+    control_->accept(report.error, target * duration);
+    if (steps_.stage_reached()) {
+      control_.reset();
+      level_ = {};
+    }
+    return true;
+  }
+
+  /// Mass matrices and initial velocities before the first time step, the time step before every stage.
+  void begin_time() {
+    if (!dynamics_) {
+      dynamics_ = std::make_unique<DynamicStep<2>>(model_);
+      dynamics_->narrate = step_.narrate;
+      dynamics_->narrate_round = step_.narrate_round;
+      recorder_->give(dynamics_->begin(state_));
+    }
+    if (control_) return;
+    const auto& stage = steps_.stage_parameters();
+    const auto& time = model_.scene().time;
+    control_ = std::make_unique<StepControl>(level_, stage.duration, stage.time_step, dynamics_->courant_time(),
+                                             time.largest_courant, time.error_tolerance, time.largest_halvings);
+  }
+
+  bool writes() const {
+    return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
+  }
+
+  void fail(const ContactState& failed, const StepReport& report, const std::vector<double>& mechanism) {
     const bool collapse = report.newton.outcome == NewtonOutcome::collapse;
     auto& summary = recorder_->summary();
     saved_.save(here());
@@ -138,13 +201,13 @@ class Run {
     summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(steps_.target()) + ": " +
                       report.newton.reason;
     if (!collapse) return;
-    recorder_->record_mechanism(step_.mechanism(), failed, steps_.stage(), steps_.target());
-    summary.mechanism = largest_mover(model_, step_.mechanism());
+    recorder_->record_mechanism(mechanism, failed, steps_.stage(), steps_.target());
+    summary.mechanism = largest_mover(model_, mechanism);
   }
 
   RunState here() {
     seconds_so_far_ = seconds();
-    return {steps_, state_, load_, recorder_->so_far(), seconds_so_far_};
+    return {steps_, state_, load_, level_, recorder_->so_far(), seconds_so_far_};
   }
 
   RunSummary interrupted() {
@@ -154,7 +217,7 @@ class Run {
   }
 
   void restore(Record& so_far) {
-    const auto changed = saved_.restore({steps_, state_, load_, so_far, seconds_});
+    const auto changed = saved_.restore({steps_, state_, load_, level_, so_far, seconds_});
     say_ << "Going on after step " << so_far.summary.steps << ", stage '" << steps_.stage() << "' at "
          << steps_.reached() << "\n";
     for (const auto& section : changed)
@@ -166,6 +229,9 @@ class Run {
   std::ostream& say_;
   AdaptiveStep<2> step_;
   LoadSteps steps_;
+  std::unique_ptr<DynamicStep<2>> dynamics_;  ///< in stages with a duration
+  std::unique_ptr<StepControl> control_;      ///< of the stage
+  TimeStepLevel level_;
   ContactState state_;
   std::vector<double> load_;
   SavedRun saved_;
@@ -184,7 +250,9 @@ std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos
     source = make_block_source<2>(scene.mesh, *comm);
     check_fit(scene, *source);
     std::vector<std::string> supported;
-    for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
+    // Blocks may fly where no static equilibrium is sought: then no support is asked for.
+    if (!only_time(scene.stages))
+      for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
     if (scene.mesh.type == MeshType::gmsh)
       check_blocks(*source, supported, *comm);
     else

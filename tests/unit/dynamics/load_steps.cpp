@@ -98,8 +98,8 @@ TEUCHOS_UNIT_TEST(LoadSteps, GoOnFromAnywhereAsIfTheyHadNeverStopped) {
 
 TEUCHOS_UNIT_TEST(EnergyBook, IsKeptWhole) {
   EnergyBook book, back;
-  book.advance(1.0, 2.0, 4.5, 0.25, 0.125);
-  book.advance(1.5, 2.5, 0.5, 0.25, 0.125);
+  book.advance({1.0, 2.0, 4.5, 0.25, 0.125, 0.0});
+  book.advance({1.5, 2.5, 0.5, 0.25, 0.125, 0.0});
   Memory memory;
   book.keep(memory);
   memory.restoring = true;

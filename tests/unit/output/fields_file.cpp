@@ -172,6 +172,7 @@ TEUCHOS_UNIT_TEST(FieldsFile, AStructureWithoutJointsInThreeDimensionsIsWrittenT
     mesh.block = {0};
     mesh.block_set = {-1};
     step.displacement.assign(12, 0.5);
+    step.velocity.assign(12, 2.0);
     step.stress.assign(6, 1.0);
   }
   {
@@ -186,6 +187,7 @@ TEUCHOS_UNIT_TEST(FieldsFile, AStructureWithoutJointsInThreeDimensionsIsWrittenT
   TEST_EQUALITY(file.table("/joints/normal").rows, 0);
   const std::string xdmf = content(folder + "/fields.xdmf");
   TEST_ASSERT(contains(xdmf, "\"Tetrahedron\""));
+  TEST_ASSERT(contains(xdmf, "velocity [m/s]"));
   TEST_ASSERT(contains(xdmf, "<Time Value=\"0.25\"/>"));
   TEST_ASSERT(!contains(xdmf, "joints"));
   TEST_ASSERT(!contains(xdmf, "_xyz"));

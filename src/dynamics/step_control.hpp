@@ -1,0 +1,99 @@
+// Which time step next: base / 2^level, where the base divides the stage equally.
+//
+// An automatic step grows while its error stays small and shrinks when it does not. A step that fails is halved,
+// whoever chose it. Steps grow only where the larger step still ends on its own raster, so a stage ends exactly.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace voussoir {
+
+/// What a stage that is left and taken up again must remember of its time step.
+struct TimeStepLevel {
+  int level = -1;  ///< the time step is base / 2^level; -1 before a stage
+  int calm = 0;    ///< steps since it changed
+  int failures = 0;
+  template <class Archive>
+  void keep(Archive& archive) {
+    archive.value("time_step.level", level);
+    archive.value("time_step.calm", calm);
+    archive.value("time_step.failures", failures);
+  }
+};
+
+class StepControl {
+ public:
+  /// @param duration        [s] of the stage
+  /// @param fixed           [s] time step the user wants; 0 = automatic, between one and `largest` Courant numbers
+  /// @param now             where the stage stands; outlives the control
+  /// @param courant_time    [s] passage of a wave through the smallest cell
+  /// @param tolerance       [-] error of an automatic step
+  StepControl(TimeStepLevel& now, double duration, double fixed, double courant_time, double largest_courant,
+              double tolerance, int largest_halvings)
+      : now_(now),
+        duration_(duration),
+        automatic_(fixed == 0),
+        tolerance_(tolerance),
+        largest_halvings_(largest_halvings) {
+    // An automatic stage has at least 20 steps: loads that ramp over it are seen.
+    const double longest = automatic_ ? std::min(largest_courant * courant_time, duration / 20) : fixed;
+    base_steps_ = std::max(1LL, static_cast<long long>(std::ceil(duration / longest * (1 - 1e-12))));
+    if (automatic_)  // begin at the Courant time: what follows is not known yet
+      finest_ = std::max(0, static_cast<int>(std::ceil(std::log2(base() / courant_time) - 1e-9)));
+    if (now_.level < 0) now_ = {finest_, 0, 0};
+  }
+
+  double time_step() const { return base() / static_cast<double>(1LL << now_.level); }
+  bool automatic() const { return automatic_; }
+
+  /// The step was solved with this error; `reached` [s] is the end of it in the stage.
+  /// @return true when the time step changes
+  bool accept(double error, double reached) {
+    now_.failures = 0;
+    ++now_.calm;
+    const int before = now_.level;
+    if (automatic_ && error > tolerance_ && now_.level < finest_) {
+      ++now_.level;
+      now_.calm = 0;
+    } else if (may_grow(error) && on_raster(reached, now_.level - 1)) {
+      --now_.level;
+      now_.calm = 0;
+    }
+    return now_.level != before;
+  }
+
+  /// The step was not solved: halve it. False when it has been halved often enough.
+  bool halve() {
+    if (now_.failures == largest_halvings_) return false;
+    ++now_.failures;
+    ++now_.level;
+    now_.calm = 0;
+    return true;
+  }
+
+ private:
+  // Errors fall with the square of the step: one twice as long has four times the error, kept below half the tolerance.
+  static constexpr double growing = 0.125;
+  static constexpr int patience = 8;  // steps between two changes, since each builds a preconditioner anew
+
+  double base() const { return duration_ / static_cast<double>(base_steps_); }
+  bool may_grow(double error) const {
+    if (now_.level == 0 || now_.calm < patience) return false;
+    return !automatic_ || error < growing * tolerance_ || now_.level > finest_;
+  }
+  bool on_raster(double reached, int level) const {
+    const double steps = reached / base() * static_cast<double>(1LL << level);
+    return std::abs(steps - std::round(steps)) < 1e-6;
+  }
+
+  TimeStepLevel& now_;
+  double duration_;
+  bool automatic_;
+  double tolerance_;
+  int largest_halvings_;
+  long long base_steps_ = 1;
+  int finest_ = 0;
+};
+
+}  // namespace voussoir

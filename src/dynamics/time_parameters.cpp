@@ -1,0 +1,37 @@
+#include "dynamics/time_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void TimeParameters::declare(ParameterSection& section) {
+  section.add_choice<Mass>("mass", mass, {{"consistent", Mass::consistent}, {"lumped", Mass::lumped}},
+                           "consistent follows the shape functions, lumped puts it into the nodes");
+  section.add("mass damping", mass_damping, "1/s", at_least(0.0),
+              "alpha of the Rayleigh damping alpha M + beta K; slows whole motions", "damping takes energy");
+  section.add("stiffness damping", stiffness_damping, "s", at_least(0.0),
+              "beta of the Rayleigh damping alpha M + beta K; slows vibrations, the fast ones most",
+              "damping takes energy",
+              "For a share z of the critical damping at the period T give z x T / pi.");
+  section.add("error tolerance", error_tolerance, "-", above(0.0),
+              "error of one automatic time step, relative, energy norm", "an error never vanishes",
+              "0.02 resolves impacts, 0.1 gives an impression.");
+  section.add("largest Courant number", largest_courant, "-", at_least(1.0),
+              "an automatic time step lasts no longer than so many passages of a wave through the smallest cell",
+              "one passage is what a cell resolves");
+  section.add("largest halvings", largest_halvings, "-", between(0, 30),
+              "how often a time step that does not converge may be halved",
+              "after 30 halvings a step is 1e-9 of its size", "Give 0 to stop at the first failure.");
+}
+
+void InitialVelocityParameters::declare(ParameterSection& section) {
+  section.add("blocks", blocks, "set of blocks; a later velocity goes before an earlier one", Presence::optional,
+              "Give \"all\" or a set of the mesh.");
+  section.add("vx", vx, "m/s", any_number(), "to the right");
+  section.add("vy", vy, "m/s", any_number(), "upwards");
+  section.add("rotation", rotation, "rad/s", any_number(), "counter-clockwise, added to (vx, vy)");
+  section.add("about x", about_x, "m", any_number(), "centre of the rotation");
+  section.add("about y", about_y, "m", any_number(), "centre of the rotation");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,31 @@
+// Time steps, damping and mass of the stages that have a duration; velocities of blocks when time begins.
+#pragma once
+
+#include <string>
+
+#include "blocks/material_parameters.hpp"
+
+namespace voussoir {
+
+class ParameterSection;
+
+struct TimeParameters {
+  Mass mass = Mass::consistent;
+  double mass_damping = 0;        ///< [1/s] alpha of C = alpha M + beta K
+  double stiffness_damping = 0;   ///< [s] beta
+  double error_tolerance = 0.02;  ///< [-] of an automatic time step
+  double largest_courant = 100;   ///< [-] of an automatic time step
+  int largest_halvings = 12;      ///< of one time step that does not converge
+  void declare(ParameterSection&);
+};
+
+/// Velocity of a set of blocks when time begins: a translation and a rotation.
+struct InitialVelocityParameters {
+  std::string blocks = "all";
+  double vx = 0, vy = 0;            ///< [m/s]
+  double rotation = 0;              ///< [rad/s] counter-clockwise
+  double about_x = 0, about_y = 0;  ///< [m]
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

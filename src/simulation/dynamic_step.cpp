@@ -1,0 +1,251 @@
+#include "simulation/dynamic_step.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "blocks/assembly.hpp"
+#include "simulation/phase.hpp"
+#include "simulation/scene_fit.hpp"
+
+namespace voussoir {
+namespace {
+
+// Energies must close over ten thousand steps: forces are solved far closer than those of load steps.
+constexpr double force_tolerance = 1e-11;
+// Gaps below this share of the structure's size are those of closed points: round-off, not a way to fall.
+constexpr double closed_gap = 1e-13;
+// Relative velocities below this share of the fastest, or of what the energy of the structure could move it with, rest.
+constexpr double share_of_fastest = 1e-6, share_of_energy = 1e-9;
+// Energy lost in closing below this share of all energy is round-off.
+constexpr double no_loss = 1e-16;
+
+double largest(const Teuchos::Comm<int>& comm, double mine) {
+  double all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all;
+}
+
+template <int dim>
+Structure<dim> structure_of_mass(const Model<dim>& model) {
+  Phase phase("blocks");
+  const auto& s = model.structure();
+  return s.with_matrices([&](int b) {
+    const auto& block = s.blocks()[b];
+    return block_mass(block.mesh, block.material.density, s.model().thickness, model.scene().time.mass);
+  });
+}
+
+}  // namespace
+
+template <int dim>
+DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest)
+    : at_rest_(at_rest), mass_(structure_of_mass(at_rest)), velocities_(at_rest, mass_) {
+  rule_.mass_damping = at_rest.scene().time.mass_damping;
+  rule_.stiffness_damping = at_rest.scene().time.stiffness_damping;
+  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
+  for (std::size_t i = 0; i < along_x.size(); i += dim) along_x[i] = 1;
+  total_mass_ = 2 * velocities_.kinetic_energy(along_x);
+}
+
+template <int dim>
+double DynamicStep<dim>::total(double mine) const {
+  double all = 0;
+  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+template <int dim>
+double DynamicStep<dim>::courant_time() const {
+  double shortest = std::numeric_limits<double>::max();
+  for (const auto& b : at_rest_.structure().blocks()) {
+    const double speed = std::sqrt(plane_elasticity(b.material, mass_.model().plane)[0][0] / b.material.density);
+    for (const auto& cell : b.mesh.cells)
+      for (int i = 0; i < cell.count; ++i) {
+        const auto edge = b.mesh.position[cell.node[(i + 1) % cell.count]] - b.mesh.position[cell.node[i]];
+        shortest = std::min(shortest, norm(edge) / speed);
+      }
+  }
+  double all = 0;
+  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, shortest, Teuchos::outArg(all));
+  return all;
+}
+
+template <int dim>
+double DynamicStep<dim>::begin(ContactState& state) const {
+  if (!state.velocity.empty()) return 0;
+  const auto& s = at_rest_.structure();
+  auto& v = state.velocity;
+  v.assign(state.displacement.size(), 0.0);
+  state.acceleration.clear();
+  for (const auto& [name, given] : at_rest_.scene().velocities)
+    for (const auto& b : s.blocks()) {
+      if (!in_set(at_rest_.source(), b.mesh, given.blocks)) continue;
+      for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
+        const auto& x = b.mesh.position[i];
+        v[dim * (b.first_local + i)] = given.vx - given.rotation * (x[1] - given.about_y);
+        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * (x[0] - given.about_x);
+      }
+    }
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (at_rest_.held()[i]) v[i] = 0;
+  const auto& points = at_rest_.points();
+  for (int k = 0; k < points.size(); ++k)
+    for (int c = 0; c < dim; ++c)
+      if (v[dim * points.points()[k].node_i + c] != v[dim * points.points()[k].node_j + c]) state.selected[k] = 1;
+  return velocities_.kinetic_energy(v);
+}
+
+template <int dim>
+void DynamicStep<dim>::set_time_step(double time_step) {
+  if (model_ && rule_.time_step == time_step) return;
+  rule_.time_step = time_step;
+  const double tolerance = std::min(force_tolerance, at_rest_.scene().newton.tolerance);
+  step_.reset();
+  model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
+  step_ = std::make_unique<AdaptiveStep<dim>>(*model_);
+}
+
+/// The gaps that the points of the time step have at w = 0.
+template <int dim>
+void DynamicStep<dim>::offset_gaps(const PointField& gap) {
+  const double round_off = closed_gap * at_rest_.structure().size();
+  std::vector<double> offset(at_rest_.points().size());
+  for (std::size_t k = 0; k < offset.size(); ++k)
+    offset[k] = std::abs(gap[dim * k]) > round_off ? gap[dim * k] / 2 : 0.0;
+  model_->set_initial_gap(std::move(offset));
+}
+
+/// Gives held components the velocity of their support over the step; what that takes is work of the support.
+template <int dim>
+void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<double>& half,
+                                     TimeStepReport& report) const {
+  bool mine = false;
+  auto v = state.velocity;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (at_rest_.held()[i] && v[i] != rule_.midpoint_velocity(half[i])) {
+      v[i] = rule_.midpoint_velocity(half[i]);
+      mine = true;
+    }
+  if (largest(*mass_.comm(), mine) == 0) return;
+  report.external_work += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  state.velocity = v;
+}
+
+/// Work and losses of a step, exact, from its middle; returns the energy that the closing of points took [J].
+template <int dim>
+double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
+                              const std::vector<double>& effective, TimeStepReport& report) const {
+  const auto& s = at_rest_.structure();
+  const auto& w = mid.displacement;
+  const auto reaction = step_->residual(mid, effective);
+  std::vector<double> mw, kw;
+  mass_.apply_stiffness(w, mw);
+  s.apply_stiffness(w, kw);
+  double work = 0, damping = 0, friction = 0, fracture = 0, lost = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    work += 2 * w[i] * (load[i] + (at_rest_.held()[i] ? reaction[i] : 0.0));
+    damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
+  }
+  const auto gap = model_->gaps(w);
+  for (int k = 0; k < at_rest_.points().owned(); ++k) {
+    if (!mid.selected[k]) continue;
+    lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - model_->initial_gap()[k]);
+    double taken = 0;
+    for (int c = 1; c < dim; ++c) taken -= 2 * mid.lambda[dim * k + c] * gap[dim * k + c];
+    (mid.broken[k] != broken[k] ? fracture : friction) += taken;
+  }
+  report.external_work = total(work);
+  report.damping = total(damping);
+  report.friction = total(friction);
+  report.fracture = total(fracture);
+  return total(lost);
+}
+
+/// Relative velocity below which points rest on each other [m/s].
+template <int dim>
+double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
+  double fastest = 0;
+  for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
+  return share_of_fastest * largest(*mass_.comm(), fastest) +
+         share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
+}
+
+/// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy; the acceleration
+/// of the state becomes that of this step.
+template <int dim>
+double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& velocity_before, double energy) const {
+  auto acceleration = after.velocity;
+  for (std::size_t i = 0; i < acceleration.size(); ++i)
+    acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
+  auto change = acceleration;
+  const bool known = !after.acceleration.empty();
+  if (known)
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= after.acceleration[i];
+  after.acceleration = std::move(acceleration);
+  after.largest_energy = std::max(after.largest_energy, energy);
+  if (!known || !(after.largest_energy > 0)) return 0;
+  return rule_.time_step / 12 * std::sqrt(velocities_.kinetic_energy(change) / after.largest_energy);
+}
+
+template <int dim>
+TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<double>& load,
+                                       const std::vector<double>& prescribed) {
+  const auto& s = at_rest_.structure();
+  const auto velocity_before = state.velocity;
+  TimeStepReport report;
+  offset_gaps(at_rest_.gaps(state.displacement));
+  std::vector<double> half(load.size(), 0.0), effective, mv;
+  s.apply_stiffness(state.displacement, effective);
+  mass_.apply_stiffness(state.velocity, mv);
+  double elastic = 0, kinetic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    elastic += state.displacement[i] * effective[i] / 2;
+    kinetic += state.velocity[i] * mv[i] / 2;
+  }
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    effective[i] = load[i] - effective[i] + 2 / rule_.time_step * mv[i];
+    if (at_rest_.held()[i]) half[i] = (prescribed[i] - state.displacement[i]) / 2;
+  }
+  ContactState mid;
+  mid.displacement.assign(load.size(), 0.0);
+  mid.lambda = state.lambda;
+  mid.slip_origin.assign(state.lambda.size(), 0.0);
+  mid.selected = state.selected;
+  mid.broken = state.broken;
+  step_->narrate = narrate;
+  step_->narrate_round = narrate_round;
+  step_->known_energy = total(elastic) + total(kinetic);
+  report.step = step_->solve(mid, effective, half);
+  report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
+  if (report.step.newton.outcome != NewtonOutcome::converged) return report;
+
+  double closing = book(mid, state.broken, load, effective, report);
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    state.displacement[i] = rule_.displacement_at_end(state.displacement[i], mid.displacement[i]);
+    state.velocity[i] = rule_.velocity_at_end(state.velocity[i], mid.displacement[i]);
+  }
+  state.lambda = mid.lambda;
+  state.selected = mid.selected;
+  state.broken = mid.broken;
+  const auto gap = at_rest_.gaps(state.displacement);
+  for (std::size_t k = 0; k < state.selected.size(); ++k)
+    for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
+  move_supports(state, half, report);
+
+  s.apply_stiffness(state.displacement, mv);
+  elastic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += state.displacement[i] * mv[i] / 2;
+  report.elastic = total(elastic);
+  const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
+  if (!(closing > no_loss * energy)) closing = 0;
+  report.friction += velocities_.apply(*model_, state, closing, resting_speed(state, energy));
+  report.kinetic = velocities_.kinetic_energy(state.velocity);
+  report.error = error(state, velocity_before, energy);
+  return report;
+}
+
+template class DynamicStep<2>;
+
+}  // namespace voussoir

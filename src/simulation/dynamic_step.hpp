@@ -1,0 +1,68 @@
+// One time step of the implicit midpoint rule with contact (dynamics/midpoint_rule.hpp): the load step of another
+// structure, whose blocks have the matrix S and whose displacement is w, half that of the step.
+//
+//   closing   0 <= lambda _|_ g_n+1 >= 0, with g_n+1 = 2 (g(w) + g_n/2)       open at t_n
+//             0 <= lambda _|_ g_n+1 - g_n >= 0                                closed at t_n (persistency)
+#pragma once
+
+#include <memory>
+
+#include "simulation/adaptive_step.hpp"
+#include "simulation/velocity_update.hpp"
+
+namespace voussoir {
+
+struct TimeStepReport {
+  StepReport step;
+  double elastic = 0, kinetic = 0;  ///< [J] at the end
+  /// [J] of this step: work of loads and moved supports; losses
+  double external_work = 0, friction = 0, fracture = 0, damping = 0;
+  double error = 0;  ///< [-] of the time step, relative, energy norm
+};
+
+template <int dim>
+class DynamicStep {
+ public:
+  /// Builds mass matrices; at_rest must outlive it.
+  explicit DynamicStep(const Model<dim>& at_rest);
+
+  std::function<void(const NewtonProgress&)> narrate;
+  std::function<void(int round, long long selected, double error_estimate)> narrate_round;
+
+  /// Passage of a wave through the smallest cell of the structure [s]. Collective.
+  double courant_time() const;
+  /// Gives a state at rest the initial velocities of the scene; joints whose sides differ in velocity are selected.
+  /// Returns the kinetic energy given [J]. Collective.
+  double begin(ContactState&) const;
+  /// Builds what depends on the time step, when it changed. Collective.
+  void set_time_step(double);
+
+  /// Carries the state through one time step. On anything but convergence the state is meaningless; keep a copy.
+  /// @param load        nodal forces at the middle of the step [N]
+  /// @param prescribed  displacement of held components at its end [m]
+  TimeStepReport solve(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
+
+  const std::vector<double>& mechanism() const { return step_->mechanism(); }
+  const Model<dim>& step_model() const { return *model_; }
+
+ private:
+  void offset_gaps(const PointField& gap);
+  void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
+  double book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
+              const std::vector<double>& effective, TimeStepReport&) const;
+  double resting_speed(const ContactState&, double energy) const;
+  double error(ContactState& after, const std::vector<double>& velocity_before, double energy) const;
+  double total(double mine) const;
+
+  const Model<dim>& at_rest_;
+  Structure<dim> mass_;  ///< matrices [kg]
+  VelocityUpdate<dim> velocities_;
+  MidpointRule rule_;
+  double total_mass_ = 0;
+  std::unique_ptr<Model<dim>> model_;  ///< of the time step
+  std::unique_ptr<AdaptiveStep<dim>> step_;
+};
+
+extern template class DynamicStep<2>;
+
+}  // namespace voussoir

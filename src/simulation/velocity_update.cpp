@@ -1,0 +1,204 @@
+#include "simulation/velocity_update.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/midpoint_rule.hpp"
+
+namespace voussoir {
+namespace {
+
+// Stiffness with which projections hold points, relative to the mass of their nodes: one solve leaves a hundredth of
+// the relative velocity, and conjugate gradients on single blocks still take a few iterations.
+constexpr double holding = 100;
+constexpr int largest_repeats = 20;
+// Relative velocities are brought down to this share of what counts as resting.
+constexpr double share_of_rest = 0.1;
+constexpr double solve_tolerance = 1e-8;
+// Forces below this share of the largest are none; a stick force closer to its bound than this slips.
+constexpr double no_force = 1e-8;
+
+template <int dim>
+PointField relative(const ContactPoints<dim>& points, const std::vector<double>& v) {
+  PointField speed(static_cast<std::size_t>(dim) * points.size());
+  for (int k = 0; k < points.size(); ++k) {
+    const auto& p = points.points()[k];
+    for (int a = 0; a < dim; ++a)
+      for (int c = 0; c < dim; ++c)
+        speed[dim * k + a] += (v[dim * p.node_j + c] - v[dim * p.node_i + c]) * p.axis[a][c];
+  }
+  return speed;
+}
+
+double largest(const Teuchos::Comm<int>& comm, double mine) {
+  double all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all;
+}
+
+}  // namespace
+
+/// Systems with the selection of a step: M, and S of the time step.
+template <int dim>
+struct VelocityUpdate<dim>::Systems {
+  Systems(const Model<dim>& at_rest, const Structure<dim>& mass_structure, const Model<dim>& step_model,
+          const ContactState& s, LinearSolver& solver)
+      : step(step_model),
+        state(s),
+        zero(s.displacement.size(), 0.0),
+        mass({mass_structure, at_rest.points(), step_model.continuum(), at_rest.held(), at_rest.local_stiffness(),
+              no_gap, block_solves, solver},
+             state, at_rest.law(), zero, zero),
+        way({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
+             at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, solver},
+            state, at_rest.law(), zero, zero) {
+    std::vector<double> along_x(zero.size(), 0.0), weight;
+    for (std::size_t i = 0; i < zero.size(); i += dim) along_x[i] = 1;
+    mass_structure.apply_stiffness(along_x, weight);
+    for (const auto& p : at_rest.points().points()) {
+      const double i = weight[dim * p.node_i], j = weight[dim * p.node_j];
+      hold.push_back(holding * 2 * i * j / (i + j));
+    }
+  }
+
+  const Model<dim>& step;
+  ContactState state;
+  std::vector<double> zero, no_gap, hold;
+  PreconditionerParameters block_solves{false, false, true};
+  ContactProblem<dim> mass, way;
+};
+
+template <int dim>
+VelocityUpdate<dim>::VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass)
+    : at_rest_(at_rest), mass_(mass), solver_(at_rest.scene().solver) {}
+
+template <int dim>
+VelocityUpdate<dim>::~VelocityUpdate() = default;
+
+template <int dim>
+double VelocityUpdate<dim>::product(const std::vector<double>& v, const std::vector<double>& w) const {
+  std::vector<double> mw;
+  mass_.apply_stiffness(w, mw);
+  double mine = 0, all = 0;
+  for (int i = 0; i < dim * mass_.owned_nodes(); ++i) mine += v[i] * mw[i];
+  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+/// Largest relative velocity at points that are held.
+template <int dim>
+double VelocityUpdate<dim>::fastest(const PointField& speed, const std::vector<PointStiffness>& held) const {
+  double mine = 0;
+  for (int k = 0; k < at_rest_.points().owned(); ++k) {
+    if (held[k].normal > 0) mine = std::max(mine, std::abs(speed[dim * k]));
+    if (held[k].tangential > 0)
+      for (int c = 1; c < dim; ++c) mine = std::max(mine, std::abs(speed[dim * k + c]));
+  }
+  return largest(*mass_.comm(), mine);
+}
+
+/// The nearest velocity, in the norm of the kinetic energy, without relative velocities where points are held.
+template <int dim>
+void VelocityUpdate<dim>::project(std::vector<double>& velocity, const std::vector<PointStiffness>& held,
+                                  double resting) {
+  auto& problem = systems_->mass;
+  const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
+  std::vector<double> change;
+  for (int repeat = 0; repeat < largest_repeats; ++repeat) {
+    auto impulse = relative(at_rest_.points(), velocity);
+    if (fastest(impulse, held) <= share_of_rest * resting) return;
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      impulse[dim * k] *= held[k].normal;
+      for (int c = 1; c < dim; ++c) impulse[dim * k + c] *= held[k].tangential;
+    }
+    b->putScalar(0);
+    d->putScalar(0);
+    problem.subtract_contact_forces(impulse, *b);
+    problem.solve(held, 0.0, b, d, solve_tolerance);
+    problem.space().scatter(*d, change);
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
+  }
+}
+
+/// How the normal impulses of points that are not at rest spread within a time step.
+template <int dim>
+std::vector<double> VelocityUpdate<dim>::spread(const PointField& lambda, const PointField& speed,
+                                                const std::vector<PointStiffness>& closed, double resting) {
+  auto& problem = systems_->way;
+  const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
+  PointField impulse(lambda.size(), 0.0);
+  const bool any = fastest(speed, closed) > resting;
+  for (std::size_t k = 0; k < closed.size(); ++k)
+    if (closed[k].normal > 0 && (!any || std::abs(speed[dim * k]) > resting)) impulse[dim * k] = -lambda[dim * k];
+  problem.subtract_contact_forces(impulse, *b);
+  problem.solve(std::vector<PointStiffness>(closed.size()), 0.0, b, d, solve_tolerance);
+  std::vector<double> way;
+  problem.space().scatter(*d, way);
+  return way;
+}
+
+template <int dim>
+double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
+  const auto& points = at_rest_.points();
+  double force = 0;
+  for (int k = 0; k < points.owned(); ++k)
+    if (state.selected[k]) force = std::max(force, state.lambda[dim * k]);
+  force = largest(*mass_.comm(), force);
+  // Which points rest on each other, and which of them stick.
+  std::vector<PointStiffness> closed(points.size()), sticking;
+  for (int k = 0; k < points.size(); ++k) {
+    const auto& law = at_rest_.law()[k];
+    const bool glued = !state.broken[k] && law.tension > 0;
+    if (state.selected[k] && (state.lambda[dim * k] > no_force * force || glued)) closed[k].normal = 1;
+  }
+  sticking = closed;
+  for (int k = 0; k < points.size(); ++k) {
+    if (closed[k].normal == 0) continue;
+    auto law = at_rest_.law()[k];
+    if (state.broken[k]) law.cohesion = law.tension = 0;
+    double q = 0;
+    for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
+    if (std::sqrt(q) < (1 - no_force) * friction_bound(law, state.lambda[dim * k])) sticking[k].tangential = 1;
+  }
+  const auto speed = relative(points, state.velocity);
+  auto sliding = sticking;  // only what friction holds
+  for (auto& held : sliding) held.normal = 0;
+  const bool impact = fastest(speed, closed) > resting || lost > 0;
+  if (!impact && fastest(speed, sliding) <= resting) return 0;
+
+  if (!systems_ || &systems_->step != &step || systems_->state.selected != state.selected)
+    systems_ = std::make_unique<Systems>(at_rest_, mass_, step, state, solver_);
+  for (int k = 0; k < points.size(); ++k) {
+    closed[k].normal *= systems_->hold[k];
+    sticking[k].normal *= systems_->hold[k];
+    sticking[k].tangential *= systems_->hold[k];
+  }
+  auto& v = state.velocity;
+  if (impact) {
+    const double before = kinetic_energy(v);
+    project(v, closed, resting);
+    const double wanted = lost + before - kinetic_energy(v);
+    auto way = spread(state.lambda, speed, closed, resting);
+    const double whole = kinetic_energy(way);
+    const double at_joint = fastest(relative(points, way), closed);
+    auto behind = way;
+    project(behind, closed, 1e-6 * at_joint);
+    // Where closed points hold everything there is no way behind them: then they rebound.
+    constexpr double nothing = 1e-12;
+    if (kinetic_energy(behind) > nothing * whole) way = behind;
+    const double square = kinetic_energy(way);
+    if (square > 0) {
+      const double change = least_change(square, product(v, way), wanted);
+      for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way[i];
+    }
+  }
+  if (fastest(relative(points, v), sliding) <= resting) return 0;
+  const double before = kinetic_energy(v);
+  project(v, sticking, resting);
+  return before - kinetic_energy(v);
+}
+
+template class VelocityUpdate<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,50 @@
+// Velocities after joints have closed within a time step.
+//
+// The midpoint rule leaves a point that closed with some relative velocity, whose sign then turns with every step, and
+// its contact force with it; and it loses the energy lambda x gap of the closing. After Laursen and Love (2002)
+// velocity jumps repair both: relative velocities of closed points become zero by normal impulses, and the energy this
+// and the closing took returns as the least change along the way the impulse spreads behind the joint. Points that
+// begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
+// Reasons and numbers: dynamics/README.md.
+#pragma once
+
+#include <memory>
+
+#include "simulation/contact_problem.hpp"
+#include "simulation/model.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class VelocityUpdate {
+ public:
+  /// @param mass  the structure with the mass of its blocks in the place of their stiffness
+  VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass);
+  ~VelocityUpdate();
+
+  /// Collective; returns what friction took [J].
+  /// @param step     model of the time step
+  /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
+  /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
+  /// @param resting  relative velocity below which a point counts as resting [m/s]
+  double apply(const Model<dim>& step, ContactState& state, double lost, double resting);
+
+  double kinetic_energy(const std::vector<double>& velocity) const { return product(velocity, velocity) / 2; }
+
+ private:
+  struct Systems;
+  double product(const std::vector<double>& v, const std::vector<double>& w) const;
+  void project(std::vector<double>& velocity, const std::vector<PointStiffness>& held, double resting);
+  double fastest(const PointField& speed, const std::vector<PointStiffness>& held) const;
+  std::vector<double> spread(const PointField& lambda, const PointField& speed,
+                             const std::vector<PointStiffness>& closed, double resting);
+
+  const Model<dim>& at_rest_;
+  const Structure<dim>& mass_;
+  LinearSolver solver_;
+  std::unique_ptr<Systems> systems_;  ///< of the last selection and time step
+};
+
+extern template class VelocityUpdate<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,67 @@
+// Which time step next. Steps are duration / whole number / power of two: comparisons to 1e-12 see any other.
+#include "dynamics/step_control.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+namespace {
+
+using namespace voussoir;
+
+constexpr double courant = 1e-3, tolerance = 0.02;
+
+TEUCHOS_UNIT_TEST(StepControl, DividesAStageIntoStepsNoLongerThanTheUserWants) {
+  TimeStepLevel now, other;
+  const StepControl control(now, 1.0, 0.3, courant, 100, tolerance, 3);
+  TEST_FLOATING_EQUALITY(control.time_step(), 0.25, 1e-12);
+  const StepControl exact(other, 1.0, 0.1, courant, 100, tolerance, 3);
+  TEST_FLOATING_EQUALITY(exact.time_step(), 0.1, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(StepControl, LeavesAFixedStepAloneWhateverTheError) {
+  TimeStepLevel now;
+  StepControl control(now, 1.0, 0.1, courant, 100, tolerance, 3);
+  for (int k = 1; k <= 10; ++k) TEST_ASSERT(!control.accept(k % 2 == 0 ? 1.0 : 0.0, 0.1 * k));
+}
+
+TEUCHOS_UNIT_TEST(StepControl, HalvesAFailedStepAndReturnsToIt) {
+  TimeStepLevel now;
+  StepControl control(now, 1.0, 0.1, courant, 100, tolerance, 2);
+  TEST_ASSERT(control.halve());
+  TEST_ASSERT(control.halve());
+  TEST_ASSERT(!control.halve());
+  TEST_FLOATING_EQUALITY(control.time_step(), 0.025, 1e-12);
+  double reached = 0;
+  for (int k = 0; k < 100 && reached < 1 - 1e-9; ++k) {
+    reached += control.time_step();
+    control.accept(0, reached);
+  }
+  TEST_FLOATING_EQUALITY(control.time_step(), 0.1, 1e-12);
+  TEST_FLOATING_EQUALITY(reached, 1.0, 1e-12);  // on its raster all the way
+}
+
+TEUCHOS_UNIT_TEST(StepControl, GrowsFromTheCourantTimeAndShrinksToIt) {
+  TimeStepLevel now;
+  StepControl control(now, 10.0, 0, courant, 100, tolerance, 3);
+  TEST_COMPARE(control.time_step(), <=, courant * (1 + 1e-12));
+  double reached = 0;
+  for (int k = 0; k < 2000 && reached < 5; ++k) {
+    reached += control.time_step();
+    control.accept(0, reached);
+  }
+  TEST_FLOATING_EQUALITY(control.time_step(), 100 * courant, 1e-12);
+  for (int k = 0; k < 20; ++k) {
+    reached += control.time_step();
+    control.accept(1.0, reached);
+  }
+  TEST_COMPARE(control.time_step(), <=, courant * (1 + 1e-12));
+  TEST_COMPARE(control.time_step(), >, courant / 2);
+}
+
+TEUCHOS_UNIT_TEST(StepControl, GoesOnWithTheTimeStepItHadWhenItWasLeft) {
+  TimeStepLevel now;
+  StepControl left(now, 1.0, 0.1, courant, 100, tolerance, 3);
+  left.halve();
+  TEST_EQUALITY(StepControl(now, 1.0, 0.1, courant, 100, tolerance, 3).time_step(), left.time_step());
+}
+
+}  // namespace
