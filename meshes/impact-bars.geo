@@ -34,3 +34,4 @@ Physical Surface("right bar", 2) = {2};
 Physical Curve("left end", 3) = {6};
 Physical Curve("right end", 4) = {3};
 Physical Curve("sides", 5) = {1, 2, 4, 5};
+Physical Curve("left bar but its face", 6) = {1, 5, 6};
