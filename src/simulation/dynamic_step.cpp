@@ -243,6 +243,10 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   report.friction += velocities_.apply(*model_, state, closing, resting_speed(state, energy));
   report.kinetic = velocities_.kinetic_energy(state.velocity);
   report.error = error(state, velocity_before, energy);
+  if (!std::isfinite(report.elastic + report.kinetic)) {
+    report.step.newton.outcome = NewtonOutcome::not_converged;
+    report.step.newton.reason = "the energy after the step is no number";
+  }
   return report;
 }
 

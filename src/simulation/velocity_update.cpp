@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "dynamics/midpoint_rule.hpp"
+#include "homogenisation/block_solves.hpp"
+#include "joints/tractions.hpp"
 
 namespace voussoir {
 namespace {
@@ -37,6 +39,22 @@ double largest(const Teuchos::Comm<int>& comm, double mine) {
   return all;
 }
 
+/// Exact solves on every block, bonded or not.
+template <int dim>
+class AllBlocks : public Preconditioner {
+ public:
+  AllBlocks(const Structure<dim>& s, const MergedSpace<dim>& space)
+      : solves_(s, space, std::vector<int>(s.owner_of_block().size(), 1)) {}
+  void update(const LocalCsr& matrix) { solves_.update(matrix); }
+  void apply(const TpetraVector& r, TpetraVector& z) const override {
+    z.putScalar(0);
+    solves_.add(r, z, 1.0);
+  }
+
+ private:
+  BlockSolves<dim> solves_;
+};
+
 }  // namespace
 
 /// Systems with the selection of a step: M, and S of the time step.
@@ -47,9 +65,9 @@ struct VelocityUpdate<dim>::Systems {
       : step(step_model),
         state(s),
         zero(s.displacement.size(), 0.0),
-        mass({mass_structure, at_rest.points(), step_model.continuum(), at_rest.held(), at_rest.local_stiffness(),
-              no_gap, block_solves, solver},
-             state, at_rest.law(), zero, zero),
+        space(mass_structure, at_rest.points(), state.selected, at_rest.held()),
+        mass(mass_structure, at_rest.points(), state.selected, space),
+        blocks(std::make_shared<AllBlocks<dim>>(mass_structure, space)),
         way({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
              at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, solver},
             state, at_rest.law(), zero, zero) {
@@ -65,8 +83,10 @@ struct VelocityUpdate<dim>::Systems {
   const Model<dim>& step;
   ContactState state;
   std::vector<double> zero, no_gap, hold;
-  PreconditionerParameters block_solves{false, false, true};
-  ContactProblem<dim> mass, way;
+  MergedSpace<dim> space;
+  SystemMatrix<dim> mass;
+  std::shared_ptr<AllBlocks<dim>> blocks;
+  ContactProblem<dim> way;
 };
 
 template <int dim>
@@ -102,21 +122,26 @@ double VelocityUpdate<dim>::fastest(const PointField& speed, const std::vector<P
 template <int dim>
 void VelocityUpdate<dim>::project(std::vector<double>& velocity, const std::vector<PointStiffness>& held,
                                   double resting) {
-  auto& problem = systems_->mass;
-  const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
+  auto& s = *systems_;
+  const auto b = Teuchos::rcp(new TpetraVector(s.space.map())), d = Teuchos::rcp(new TpetraVector(s.space.map()));
   std::vector<double> change;
   for (int repeat = 0; repeat < largest_repeats; ++repeat) {
     auto impulse = relative(at_rest_.points(), velocity);
     if (fastest(impulse, held) <= share_of_rest * resting) return;
+    if (repeat == 0) {
+      s.mass.update(held, {});
+      s.blocks->update(s.mass.local());
+    }
     for (std::size_t k = 0; k < held.size(); ++k) {
       impulse[dim * k] *= held[k].normal;
       for (int c = 1; c < dim; ++c) impulse[dim * k + c] *= held[k].tangential;
     }
-    b->putScalar(0);
+    change.assign(velocity.size(), 0.0);
+    add_contact_forces(at_rest_.points(), s.space.cluster(), impulse, -1.0, change);
+    s.space.sum(change, *b);
     d->putScalar(0);
-    problem.subtract_contact_forces(impulse, *b);
-    problem.solve(held, 0.0, b, d, solve_tolerance);
-    problem.space().scatter(*d, change);
+    solver_.solve(s.mass.matrix(), s.blocks, b, d, solve_tolerance);
+    s.space.scatter(*d, change);
     for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
   }
 }
