@@ -2,7 +2,7 @@
 //
 // Source    code_aster SDNL111 (two bars; table of displacements) and SDNV100 (bar on a rigid wall).
 // Set-up    xml/impact-bars.xml; for the wall the left bar is one cell, all of whose nodes are held.
-// Came out  two bars, 50 cells, 2.5e-6 s: within 0.4 % of the largest displacement; the force after impact is rho c v / 2
+// Came out  two bars, 50 cells, 2.5e-6 s: within 0.4 % of the largest displacement; the force is rho c v / 2
 //           with a scatter of 0.3 %; energy to 1e-11.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
@@ -68,8 +68,8 @@ TEUCHOS_UNIT_TEST(ImpactBars, FollowTheTableWithoutLosingEnergy) {
   TEST_EQUALITY(impact.friction, 0.0);
 }
 
-// A front that is no function of the mesh converges with the square root of cell and step at worst, in smooth parts with
-// their square: each halving must gain at least a factor of 1.4, and two of them gain more than two.
+// A front that is no function of the mesh converges with the square root of cell and step at worst, in smooth parts
+// with their square: each halving must gain at least a factor of 1.4, and two of them gain more than two.
 TEUCHOS_UNIT_TEST(ImpactBars, ConvergeWithCellAndTimeStepTogether) {
   const double coarse = two_bars(0.1, 12.5e-6).error, fine = two_bars(0.025, 3.125e-6).error;
   out << "errors " << coarse << ", " << fine << "\n";
@@ -85,8 +85,8 @@ TEUCHOS_UNIT_TEST(ImpactBars, KeepEnergyWithAnyTimeStep) {
   }
 }
 
-// A bar of 0.2 m at 100 m/s meets a wall 2 mm away at 20 microseconds, stays until its wave is back 80 microseconds later,
-// and presses with rho c v = 4 GPa; E 200 GPa, nu 0, rho 8000.
+// A bar of 0.2 m at 100 m/s meets a wall 2 mm away at 20 microseconds, stays until its wave is back 80 microseconds
+// later, and presses with rho c v = 4 GPa; E 200 GPa, nu 0, rho 8000.
 TEUCHOS_UNIT_TEST(ImpactBars, ABarOnAWallLeavesWhenItsWaveIsBack) {
   Motion bar("impact-bars", {"mesh/gmsh/geometry/left=0.004", "mesh/gmsh/geometry/right=0.2",
                              "mesh/gmsh/geometry/height=0.004", "mesh/gmsh/element size=0.004",
@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(ImpactBars, ABarOnAWallLeavesWhenItsWaveIsBack) {
     }
   }));
   TEST_COMPARE(std::abs(first - 20e-6), <, 1.5e-6);  // a step, and a bit for round-off at its end
-  TEST_COMPARE(std::abs(last - 100e-6), <, 4e-6);    // the back of the wave spreads over a few cells of 0.8 microseconds
+  TEST_COMPARE(std::abs(last - 100e-6), <, 4e-6);    // the wave spreads over a few cells of 0.8 microseconds
   TEST_FLOATING_EQUALITY(sum / count / 0.004, 4e9, 0.01);
   TEST_COMPARE(bar.largest_imbalance, <, 1e-9 * bar.largest_energy);
 }
