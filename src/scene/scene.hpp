@@ -6,6 +6,7 @@
 
 #include "blocks/material_parameters.hpp"
 #include "blocks/support_parameters.hpp"
+#include "dynamics/construction_parameters.hpp"
 #include "dynamics/load_step_parameters.hpp"
 #include "dynamics/time_parameters.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
@@ -35,6 +36,7 @@ struct Scene {
   std::vector<Named<JointLawParameters>> joints;
   std::vector<Named<SupportParameters>> supports;
   std::vector<LoadParameters> loads;
+  std::vector<Named<ConstructionParameters>> construction;
   std::vector<StageParameters> stages;
   LoadStepParameters load_steps;
   TimeParameters time;

@@ -116,6 +116,33 @@ void check_supports(Scene& scene, InputProblems& problems) {
                                ", which another support holds already.");
 }
 
+void check_construction(const Scene& scene, InputProblems& problems) {
+  const std::vector<std::string> stages = names_of(scene.stages);
+  const auto number = [&](const std::string& stage) { return std::find(stages.begin(), stages.end(), stage); };
+  for (const auto& [name, c] : scene.construction) {
+    const std::string path = "scene > construction > " + name + " > ";
+    const std::string values[2] = {c.appears, c.disappears};
+    const char* keys[2] = {"appears", "disappears"};
+    for (int k = 0; k < 2; ++k)
+      if (!values[k].empty() && number(values[k]) == stages.end() && !stages.empty())
+        problems.add(path + keys[k], " = " + in_quotes(values[k]) + "\n  is no stage of this scene" +
+                                         did_you_mean(values[k], stages) + ".\n  Stages: " + list_of(stages) + ".");
+    if (!c.appears.empty() && !c.disappears.empty() && number(c.disappears) <= number(c.appears) &&
+        number(c.appears) != stages.end())
+      problems.add(path + "disappears", " = " + in_quotes(c.disappears) + "\n  must be a stage after " +
+                                            in_quotes(c.appears) + ", where these blocks appear.\n  Exchange the two.");
+  }
+  for (const StageParameters& stage : scene.stages)
+    if (!scene.construction.empty() && stage.dynamic())
+      problems.add("scene > steps > stages > " + stage.name + " > duration",
+                   " = " + number_text(stage.duration) + " [s]\n  does not go with construction stages (time steps "
+                   "do not know of blocks that are not there).\n  Build in a scene of its own.");
+  if (!scene.construction.empty() && scene.selection.mode == SelectionMode::bonded)
+    problems.add("scene > selection > mode", " = \"bonded\"\n  does not go with construction stages (a joint that is "
+                                             "born later cannot be tied to where its blocks once were).\n"
+                                             "  Give adaptive or all.");
+}
+
 /// Reports a name that is no set of the mesh.
 void check_set(const std::string& path, const std::string& name, const std::string& kind,
                const std::vector<std::string>& sets, InputProblems& problems) {
@@ -148,6 +175,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_supports(scene, problems);
   check_loads(scene);
   check_velocities(scene);
+  check_construction(scene, problems);
 }
 
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
@@ -163,6 +191,8 @@ void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
   }
   for (const auto& v : scene.velocities)
     check_set("scene > initial velocities > " + v.name + " > blocks", v.parameters.blocks, "blocks", blocks, problems);
+  for (const auto& c : scene.construction)
+    check_set("scene > construction > " + c.name + " > blocks", c.parameters.blocks, "blocks", blocks, problems);
   for (const auto& s : scene.supports)
     check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
   for (const LoadParameters& load : scene.loads)

@@ -28,6 +28,7 @@ std::vector<Effect> effects_of(const Scene& scene) {
   joints("friction", &JointLawParameters::friction_coefficient);
   joints("cohesion", &JointLawParameters::cohesion);
   joints("tension strength", &JointLawParameters::tension_strength);
+  effects.push_back({"construction", names_with(scene.construction, [](const auto&) { return true; })});
   return effects;
 }
 

@@ -85,6 +85,10 @@ void print_scene(std::ostream& os, const Scene& scene) {
     row("velocity", name,
         in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) + ") m/s" +
             (v.rotation == 0 ? "" : ", turning by " + number_text(v.rotation) + " rad/s"));
+  for (const auto& [name, c] : scene.construction)
+    row("built", name,
+        in_quotes(c.blocks) + (c.appears.empty() ? "" : " appears with " + in_quotes(c.appears)) +
+            (c.disappears.empty() ? "" : ", disappears with " + in_quotes(c.disappears)));
   for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
   row("selection", "", selection_text(scene.selection));
   row("newton", "",

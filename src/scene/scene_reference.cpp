@@ -70,6 +70,7 @@ Scene example() {
   TemperatureParameters summer;
   summer.change = 25;
   load("summer", summer, Time::pulse);
+  scene.construction = {{"centring", {"ring west", "", "crowd"}}};
   scene.stages = {{"own weight", 1, {{"weight", 1.0}}},
                   {"crowd", 2, {{"crowd", 1.0}}},
                   {"scour and tilt", 4, {{"scour", 1.0}, {"tilt", 1.0}}}};

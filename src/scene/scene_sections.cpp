@@ -55,6 +55,8 @@ void declare(Scene& scene, ParameterSection& section) {
   add_family(section, "supports", "where the structure is held", "ground", scene.supports, its_parameters);
   add_family(section, "loads", "what acts on the structure; stages say when and how much", "weight", scene.loads,
              itself);
+  add_family(section, "construction", "blocks that are not there in all stages: what is built later, and centring",
+             "centring", scene.construction, its_parameters);
   add_family(section, "initial velocities", "velocities of blocks when the first stage with a duration begins",
              "falling block", scene.velocities, its_parameters);
   Steps steps{scene.load_steps, scene.time, scene.stages};

@@ -16,6 +16,7 @@ struct ContactState {
   PointField slip_origin;            ///< [m] slip at the end of the last load step, 0 in the normal direction
   std::vector<char> selected;        ///< per point
   std::vector<char> broken;          ///< per point: cohesion and tension strength lost
+  std::vector<double> initial_gap;   ///< [m] per point: what construction adds to its gap; empty without construction
   std::vector<double> velocity;      ///< [m/s] like displacement; empty before time begins
   std::vector<double> acceleration;  ///< [m/s2] mean of the last time step, for its error; empty likewise
   double largest_energy = 0;         ///< [J] of the structure since time began, what that error is relative to

@@ -43,8 +43,7 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
   {
     Phase phase("joints");
     points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
-    held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
-    for (const auto& [name, support] : scene.supports) hold(*structure_, support, facet_set(support.on), held_);
+    hold_supports();
     set_laws();
   }
   {
@@ -142,6 +141,19 @@ std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
     if (!initial_gap_.empty()) gap[dim * k] += initial_gap_[k];
   }
   return gap;
+}
+
+template <int dim>
+void Model<dim>::hold_supports() {
+  held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
+  for (const auto& [name, support] : scene_.supports) hold(*structure_, support, facet_set(support.on), held_);
+}
+
+template <int dim>
+void Model<dim>::set_absent(const std::vector<char>& absent) {
+  hold_supports();
+  for (std::size_t i = 0; i < held_.size(); ++i)
+    if (absent[structure_->block_of_node()[i / dim]]) held_[i] = 1;
 }
 
 template <int dim>

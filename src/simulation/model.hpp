@@ -43,6 +43,8 @@ class Model {
   /// Gap and slip of every point under a displacement [m], [points x dim].
   std::vector<double> gaps(const std::vector<double>& displacement) const;
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
+  /// Holds all of the blocks that are not there [per local block], and what supports hold.
+  void set_absent(const std::vector<char>& absent);
 
   /// Nodal forces [N] and prescribed displacements [m] under load factors by name of the load.
   /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
@@ -54,6 +56,7 @@ class Model {
   void set_laws();
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   int facet_set(const std::string& name) const;
+  void hold_supports();
 
   std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance
   const Scene& scene_;

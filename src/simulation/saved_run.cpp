@@ -67,6 +67,9 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);
   checkpoint.rows("selected", points, 1, state.selected);
   checkpoint.rows("broken", points, 1, state.broken);
+  if (model.scene().construction.empty()) return;
+  state.initial_gap.resize(model.points().size());
+  checkpoint.rows("initial_gap", points, 1, state.initial_gap);
 }
 
 /// What must be the same before and after: the structure. Throws InputError on all ranks.

@@ -16,6 +16,7 @@
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_printer.hpp"
+#include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
@@ -47,13 +48,14 @@ struct StopWithinStep {};
 class Run {
  public:
   /// @param clock  of the whole run
-  Run(const Model<2>& model, const RunOptions& options, const Teuchos::Time& clock, std::ostream& say)
+  Run(Model<2>& model, const RunOptions& options, const Teuchos::Time& clock, std::ostream& say)
       : model_(model),
         clock_(clock),
         say_(say),
         step_(model),
         steps_(model.scene().stages, model.scene().load_steps),
         state_(step_.initial_state()),
+        construction_(model),
         load_(state_.displacement.size(), 0.0),
         saved_(model, options.folder) {
     for (const char* phase : phases) seconds_[phase] = 0;
@@ -77,6 +79,7 @@ class Run {
     auto& summary = recorder_->summary();
     summary.outcome = Outcome::equilibrium;
     while (!steps_.finished()) {
+      construction_.begin(steps_.stage(), model_, state_);
       const auto before = state_;
       try {
         if (!(steps_.dynamic() ? time_step(before) : load_step(before))) return summary;
@@ -111,6 +114,7 @@ class Run {
     state_.velocity.clear();
     std::vector<double> next_load, prescribed;
     model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);
+    construction_.restrict(state_, next_load, prescribed);
     narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
     const auto report = step_.solve(state_, next_load, prescribed);
@@ -224,7 +228,7 @@ class Run {
       say_ << "  changed since the run was saved: " << section << "\n";
   }
 
-  const Model<2>& model_;
+  Model<2>& model_;
   const Teuchos::Time& clock_;
   std::ostream& say_;
   AdaptiveStep<2> step_;
@@ -233,6 +237,7 @@ class Run {
   std::unique_ptr<StepControl> control_;      ///< of the stage
   TimeStepLevel level_;
   ContactState state_;
+  Construction<2> construction_;
   std::vector<double> load_;
   SavedRun saved_;
   std::map<std::string, double> seconds_;              ///< by phase, of earlier parts of the run
@@ -281,7 +286,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   const OutputFolder folder(options.folder, earlier, *comm);
   if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
   if (!options.restart) write_scene_file(scene, options.folder, *comm);
-  const Model<2> model(scene, *source, comm);
+  Model<2> model(scene, *source, comm);
   say << source->block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on "
       << comm->getSize() << (comm->getSize() == 1 ? " rank\n" : " ranks\n");

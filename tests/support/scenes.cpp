@@ -151,11 +151,13 @@ Experiment::Experiment(const Scene& scene) : scene_(scene) {
   step_ = std::make_unique<AdaptiveStep<2>>(*model_);
   state_ = step_->initial_state();
   slip_before_ = state_.slip_origin;
+  construction_ = std::make_unique<Construction<2>>(*model_);
   model_->loads({}, 0.0, load_, prescribed_);
 }
 
 bool Experiment::advance(const std::map<std::string, double>& factors) {
   model_->loads(factors, 0.0, load_, prescribed_);
+  construction_->restrict(state_, load_, prescribed_);
   slip_before_ = state_.slip_origin;
   last_ = step_->solve(state_, load_, prescribed_);
   sum_.add(last_.newton);
@@ -163,10 +165,15 @@ bool Experiment::advance(const std::map<std::string, double>& factors) {
   return last_.newton.outcome == NewtonOutcome::converged;
 }
 
+bool Experiment::advance(const std::string& stage, const std::map<std::string, double>& factors) {
+  construction_->begin(stage, *model_, state_);
+  return advance(factors);
+}
+
 bool Experiment::run() {
   LoadSteps steps(scene_.stages, scene_.load_steps);
   while (!steps.finished()) {
-    if (!advance(steps.factors())) return false;
+    if (!advance(steps.stage(), steps.factors())) return false;
     steps.accept();
   }
   return true;

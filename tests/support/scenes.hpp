@@ -10,6 +10,7 @@
 
 #include "scene/scene.hpp"
 #include "simulation/adaptive_step.hpp"
+#include "simulation/construction.hpp"
 
 namespace voussoir::test {
 
@@ -65,6 +66,8 @@ class Experiment {
 
   /// One load step under load factors by name; false when it did not converge (see solution().last).
   bool advance(const std::map<std::string, double>& factors);
+  /// The same in a stage of the scene, where blocks may appear and disappear.
+  bool advance(const std::string& stage, const std::map<std::string, double>& factors);
   /// All stages, without halving; stops at the first step that does not converge.
   bool run();
   Solution solution() const;
@@ -82,6 +85,7 @@ class Experiment {
   std::unique_ptr<Model<2>> model_;
   std::unique_ptr<AdaptiveStep<2>> step_;
   ContactState state_;
+  std::unique_ptr<Construction<2>> construction_;
   PointField slip_before_;
   std::vector<double> load_, prescribed_;
   StepReport last_;
