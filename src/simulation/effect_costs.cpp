@@ -12,23 +12,38 @@ namespace {
 constexpr long long bytes_of_friction = 3 * sizeof(double);  // tangential force, slip origin, coefficient; in the plane
 constexpr long long bytes_of_strength = sizeof(double);      // cohesion, and the same again for tension strength
 
+/// Of all ranks: the mass of each block and the matrix of the midpoint rule, as large as its stiffness; velocity and
+/// acceleration of each node.
+long long bytes_of_inertia(const Structure<2>& s) {
+  long long mine = 2LL * 2 * s.nodes() * static_cast<long long>(sizeof(double)), all = 0;
+  for (const auto& b : s.blocks()) {
+    const auto& k = b.stiffness;
+    mine += 2LL * static_cast<long long>(k.value.size() * sizeof(double) + k.column.size() * sizeof(int) +
+                                         k.start.size() * sizeof(std::size_t));
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
 }  // namespace
 
-std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const LoadsAtWork<2>& loads, long long mine,
-                                                  const Teuchos::Comm<int>& comm) {
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const LoadsAtWork<2>& loads,
+                                                  const Structure<2>& structure, long long mine) {
+  const auto& comm = *structure.comm();
   auto costs = loads.costs(comm);
   long long points = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
   for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
   costs["friction"].bytes = points * bytes_of_friction;
   costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_strength;
+  costs["inertia"].bytes = costs["inertia"].in_play ? bytes_of_inertia(structure) : 0;
   if (!scene.construction.empty())  // a gap for each point, in the model and in the state
     costs["construction"].bytes = points * 2 * static_cast<long long>(sizeof(double));
   return costs;
 }
 
 std::map<std::string, EffectSummary> effect_costs(const Model<2>& model) {
-  return effect_costs(model.scene(), model.loads(), model.points().size(), *model.structure().comm());
+  return effect_costs(model.scene(), model.loads(), model.structure(), model.points().size());
 }
 
 }  // namespace voussoir

@@ -26,7 +26,7 @@ void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const 
   say << "effects\n" << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16)
       << "[s] per step" << "\n";
   int absent = 0;
-  for (const auto& [name, cost] : effect_costs(scene, loads, points.size(), comm)) {
+  for (const auto& [name, cost] : effect_costs(scene, loads, structure, points.size())) {
     const auto before = made.find(name);
     if (!cost.in_play && cost.bytes == 0) {
       ++absent;

@@ -116,6 +116,22 @@ TEUCHOS_UNIT_TEST(Effects, OfJointsAreAbsentWhereNoFamilyHasThem) {
   TEST_ASSERT(!in_play("friction") && in_play("cohesion"));
 }
 
+TEUCHOS_UNIT_TEST(Effects, OfTimeAreAbsentFromLoadStepsAndHoldNothing) {
+  Scene scene = plain();
+  Experiment still(scene);
+  for (const char* name : {"inertia", "damping", "initial velocities", "construction"}) {
+    const auto cost = effect_costs(still.model()).at(name);
+    TEST_ASSERT(!cost.in_play);
+    TEST_EQUALITY(cost.bytes, 0);
+  }
+  scene.stages.back().duration = 1;
+  Experiment shaken(scene);
+  const auto inertia = effect_costs(shaken.model()).at("inertia");
+  TEST_ASSERT(inertia.in_play);
+  // Two matrices of at least a diagonal of 12 bytes a number.
+  TEST_COMPARE(inertia.bytes, >, 2 * 12 * 2 * shaken.model().structure().total_nodes());
+}
+
 /// Largest stress that differs from (xx, yy, 0) [Pa].
 double stress_error(Experiment& e, double xx, double yy) {
   const auto strain = e.model().loads().free_strain({{"heat", 1.0}}, 0.0);
