@@ -64,7 +64,7 @@ class Run {
     if (options.restart) restore(so_far);
     recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
     if (recorder_->fields_lost())
-      say << "fields.h5 was damaged when the run was interrupted; its fields begin anew from here.\n";
+      say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
     narrator_ = std::make_unique<Narrator>(say, options.verbose);
     step_.narrate = [this](const NewtonProgress& p) {
       narrator_->solve(p);

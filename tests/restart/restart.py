@@ -110,7 +110,7 @@ class Restart(unittest.TestCase):
         (out / "fields.h5").write_bytes(content[:len(content) // 2])
         done = PROGRAM.run(out, "--restart")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("fields.h5 was damaged", done.stdout)
+        self.assertIn("fields.h5 is missing or was damaged", done.stdout)
         self.assertEqual(result(out), result(self.reference))
         self.assertEqual(history(out), history(self.reference))
         self.assertEqual((out / "fields.damaged.h5").stat().st_size, len(content) // 2)
