@@ -27,6 +27,9 @@ set(VOUSSOIR_TEST_ENVIRONMENT
 # Every ctest goes through here, so that all see the same environment.
 function(voussoir_register_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PROCESSORS;TIMEOUT" "COMMAND;LABELS")
+  if(VOUSSOIR_SANITIZE) # sanitizers slow a test down three to ten times
+    math(EXPR arg_TIMEOUT "10 * ${arg_TIMEOUT}")
+  endif()
   add_test(NAME ${name} COMMAND ${arg_COMMAND})
   set_tests_properties(
     ${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} PROCESSORS ${arg_PROCESSORS}

@@ -17,6 +17,7 @@ import unittest
 from runs import SCENE, SETTINGS, STEPS, Program, differences, empty, history, largest_difference, result
 
 PROGRAM = None
+PATIENCE = 1000  # seconds, also under sanitizers
 INPUT, NO_CONVERGENCE, RESOURCE, INTERRUPTED = 2, 3, 4, 5
 
 
@@ -31,7 +32,7 @@ def stop_after(steps, out, sign, ranks=1, options=()):
     while process.poll() is None and rows(out) < steps:
         time.sleep(0.01)
     process.send_signal(sign)
-    return process.wait(timeout=100)
+    return process.wait(timeout=PATIENCE)
 
 
 class Restart(unittest.TestCase):
@@ -206,7 +207,7 @@ class Safety(unittest.TestCase):
         self.assertIsNone(process.poll(), "the first run has ended too early to tell")
         self.assertEqual(done.returncode, RESOURCE)
         self.assertIn("another run is writing here", done.stderr)
-        self.assertEqual(process.wait(timeout=100), 0)
+        self.assertEqual(process.wait(timeout=PATIENCE), 0)
         self.assertEqual(rows(out), STEPS)
 
     def test_a_signal_before_the_first_step_is_heard(self):
@@ -215,7 +216,7 @@ class Safety(unittest.TestCase):
         while process.poll() is None and not (out / "scene.xml").exists():
             time.sleep(0.002)
         process.send_signal(signal.SIGTERM)
-        self.assertEqual(process.wait(timeout=100), INTERRUPTED)
+        self.assertEqual(process.wait(timeout=PATIENCE), INTERRUPTED)
         self.assertEqual(PROGRAM.run(out, "--restart").returncode, 0)
         self.assertEqual(rows(out), STEPS)
 
@@ -244,7 +245,7 @@ class Safety(unittest.TestCase):
             while process.poll() is None and rows(out) < 3:
                 time.sleep(0.01)
             resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (100_000, 100_000))  # files of MPI are there by now
-            self.assertEqual(process.wait(timeout=100), RESOURCE)
+            self.assertEqual(process.wait(timeout=PATIENCE), RESOURCE)
             log.seek(0)
             said = log.read()
         self.assertIn("fields.h5: cannot be written", said)
