@@ -80,6 +80,7 @@ class Run {
     summary.outcome = Outcome::equilibrium;
     while (!steps_.finished()) {
       construction_.begin(steps_.stage(), model_, state_);
+      if (steps_.dynamic()) begin_time();  // initial velocities belong to the state a failed step goes back to
       const auto before = state_;
       try {
         if (!(steps_.dynamic() ? time_step(before) : load_step(before))) return summary;
@@ -138,7 +139,6 @@ class Run {
 
   /// False when the run ends here.
   bool time_step(const ContactState& before) {
-    begin_time();
     const double time_step = control_->time_step();
     steps_.set_time_step(time_step);
     dynamics_->set_time_step(time_step);
