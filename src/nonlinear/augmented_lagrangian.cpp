@@ -8,6 +8,7 @@
 #include "linalg/local_view.hpp"
 #include "nonlinear/line_search.hpp"
 #include "nonlinear/point_update.hpp"
+#include "nonlinear/residuals.hpp"
 
 namespace voussoir {
 namespace {
@@ -56,12 +57,6 @@ struct AugmentedLagrangian::State {
 
 AugmentedLagrangian::AugmentedLagrangian(NonlinearProblem& problem, const NewtonParameters& parameters)
     : problem_(problem), parameters_(parameters), mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
-
-double AugmentedLagrangian::largest(double local) const {
-  double global = 0;
-  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_MAX, local, Teuchos::outArg(global));
-  return global;
-}
 
 /// direction = -(K + resistance + proximal)^-1 gradient.
 void AugmentedLagrangian::solve_direction(State& s, double relative_tolerance, NewtonReport& report) {
@@ -158,7 +153,6 @@ int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& repo
         solves >= largest_inner)
       return solves;
 
-
     resistances(problem_, s.trial, s.bound, s.augmentation, s.resistance);
     for (std::size_t k = 0; k < s.colliding.size(); ++k) {
       s.resistance[k].normal = std::max(s.resistance[k].normal, s.colliding[k].normal);
@@ -195,21 +189,7 @@ double AugmentedLagrangian::update_forces(State& s) const {
       s.lambda[c] = s.forces[c];
     }
   }
-  return largest(change);
-}
-
-/// Largest change [N] that the contact law wants in the forces, at the gaps of the state and augmentation 1.
-double AugmentedLagrangian::contact_residual(State& s) const {
-  const int n = problem_.components();
-  trial_forces(problem_, s.lambda, s.gap, 1.0, s.trial);
-  friction_bounds(problem_, s.lambda, s.bound);
-  PointField admissible;
-  project(problem_, s.trial, s.bound, admissible);
-  double worst = 0;
-  for (int k = 0; k < problem_.owned_points(); ++k)
-    if (problem_.selected()[k])
-      for (int c = k * n; c < (k + 1) * n; ++c) worst = std::max(worst, std::abs(admissible[c] - s.lambda[c]));
-  return largest(worst);
+  return largest_over_ranks(problem_, change);
 }
 
 /// Karush-Kuhn-Tucker residuals of the true problem: no proximal term, augmentation 1.
@@ -217,11 +197,11 @@ void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
   problem_.evaluate(s.x, *s.gradient, s.gap);
   problem_.subtract_contact_forces(s.lambda, *s.gradient);
   report.residual = s.gradient->normInf() / s.scale;
-  report.complementarity = contact_residual(s) / s.scale;
+  report.complementarity = contact_residual(problem_, s.lambda, s.gap) / s.scale;
   double penetration = 0;
   for (int k = 0; k < problem_.owned_points(); ++k)
     if (problem_.selected()[k]) penetration = std::max(penetration, -s.gap[k * problem_.components()]);
-  report.penetration = largest(penetration);
+  report.penetration = largest_over_ranks(problem_, penetration);
 }
 
 /// Has the last update moved something by a share of the structure?
@@ -243,7 +223,7 @@ bool AugmentedLagrangian::runs_away(State& s) const {
     problem_.evaluate(*s.direction, *s.linear, s.gap);
     problem_.subtract_contact_forces(s.lambda, *s.linear);
     s.linear->update(-1.0, *s.gradient, 1.0);
-    if (s.linear->normInf() > unchanged * imbalance || contact_residual(s) > unchanged * imbalance) return false;
+    if (s.linear->normInf() > unchanged * imbalance || contact_residual(problem_, s.lambda, s.gap) > unchanged * imbalance) return false;
   }
   mechanism_->scale(1 / size);
   return true;
@@ -262,11 +242,7 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
   double last_residual = 0;
   double relaxation = 1;
   for (report.outer_iterations = 1;; ++report.outer_iterations) {
-    s.scale = problem_.force_scale();
-    for (int k = 0; k < problem_.points(); ++k)
-      if (problem_.selected()[k]) s.scale = std::max(s.scale, std::abs(lambda[k * problem_.components()]));
-    s.scale = largest(s.scale);
-    if (s.scale == 0) s.scale = std::numeric_limits<double>::min();
+    s.scale = force_scale(problem_, lambda);
     const bool first = report.outer_iterations == 1;
     if (first && known_gap) predict(s, *known_gap, report);
     Tpetra::deep_copy(*s.x_old, x);

@@ -16,17 +16,6 @@
 
 namespace voussoir {
 
-/// One line of the solver's narration.
-struct NewtonProgress {
-  int iteration = 0;
-  double residual = 0;         ///< [N] largest imbalance
-  double complementarity = 0;  ///< [N]
-  long long closed = 0, slipping = 0;
-  int krylov = 0;
-  double damping = 1;
-  double augmentation = 1;  ///< relative to the local stiffness
-};
-
 class AugmentedLagrangian {
  public:
   AugmentedLagrangian(NonlinearProblem&, const NewtonParameters&);
@@ -53,10 +42,8 @@ class AugmentedLagrangian {
   void anticipate(State&) const;
   double update_forces(State&) const;
   void measure(State&, NewtonReport&) const;
-  double contact_residual(State&) const;
   bool moved_far(State&) const;
   bool runs_away(State&) const;
-  double largest(double local) const;
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;

@@ -7,6 +7,17 @@ namespace voussoir {
 
 enum class NewtonOutcome { converged, not_converged, collapse };
 
+/// One line of the solver's narration.
+struct NewtonProgress {
+  int iteration = 0;
+  double residual = 0;         ///< [N] largest imbalance
+  double complementarity = 0;  ///< [N]
+  long long closed = 0, slipping = 0;
+  int krylov = 0;
+  double damping = 1;
+  double augmentation = 1;  ///< relative to the local stiffness
+};
+
 struct NewtonReport {
   NewtonOutcome outcome = NewtonOutcome::not_converged;
   int outer_iterations = 0;    ///< updates of the contact forces

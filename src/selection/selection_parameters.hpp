@@ -12,6 +12,7 @@ struct SelectionParameters {
   double error_tolerance = 0.01;  ///< [-] wanted relative error in the energy norm; 0 releases every violating point
   double bulk = 0.99;             ///< [-] share of the predicted energy decrease that a round releases, 0 < bulk <= 1
   bool whole_joints = true;       ///< release all points of the joint of a marked point
+  double largest_share = 0.5;     ///< [-] share of selected points above which all are selected
   int largest_rounds = 50;
   void declare(ParameterSection&);
 };

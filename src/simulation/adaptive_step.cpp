@@ -173,6 +173,14 @@ bool AdaptiveStep<dim>::release(ContactState& state, const std::vector<int>& clu
   return total(*model_.structure().comm(), released) > 0;
 }
 
+/// Selects every point; false when all were selected already.
+template <int dim>
+bool AdaptiveStep<dim>::select_all(ContactState& state) const {
+  const bool more = count_selected(state) < model_.points().total();
+  std::fill(state.selected.begin(), state.selected.end(), 1);
+  return more;
+}
+
 template <int dim>
 StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vector<double>& load,
                                              const std::vector<double>& prescribed) {
@@ -187,25 +195,37 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   const long long selected_before = count_selected(state);
   // With nothing selected yet, a first look needs no more than the violations it is to show.
   if (selected_before == 0 && scene.selection.mode != SelectionMode::bonded) wanted = 1e-4;
+  const ContactState before = state;
+  bool from_before = true;
   const PointField known_gap = gaps(state.displacement);
   for (;; ++report.selection_rounds) {
     ContactProblem<dim> problem(parts, state, law_, load, prescribed);
-    AugmentedLagrangian newton(problem, scene.newton);
+    ContactSolver newton(problem, scene.newton, fast_);
     newton.narrate = narrate;
     const auto x = problem.unknowns(state.displacement);
     NewtonReport solved;
     {
       Phase phase("contact");
-      const bool moving = report.selection_rounds == 0 && selected_before > 0;
+      const bool moving = from_before && selected_before > 0;
       solved = newton.solve(*x, state.lambda, wanted, moving ? &known_gap : nullptr);
     }
     report.newton.add(solved);
     problem.space().scatter(*x, state.displacement);
     report.largest_clusters = problem.map()->getGlobalNumElements() / dim;
     if (solved.outcome != NewtonOutcome::converged) {
+      if (scene.selection.mode == SelectionMode::adaptive && select_all(state)) {
+        // Joints that were held together may be what left no way: resolve them all before giving up.
+        state.displacement = before.displacement;
+        state.lambda = before.lambda;
+        wanted = tolerance;
+        from_before = true;
+        if (narrate_round) narrate_round(report.selection_rounds, count_selected(state), 0.0);
+        continue;
+      }
       problem.space().scatter(newton.mechanism(), mechanism_);
       return report;
     }
+    from_before = false;
     Phase phase("selection");
     std::vector<double> r, eta;
     model_.structure().apply_stiffness(state.displacement, r);
@@ -217,7 +237,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     const auto selected = count_selected(state);
     if (narrate_round) narrate_round(report.selection_rounds, selected, report.error_estimate);
     bool more = false;
-    const double violated = largest_violation(state, eta);
+    double violated = largest_violation(state, eta);
     if (everything && selected_before == 0 && report.selection_rounds == 0) {
       std::fill(state.selected.begin(), state.selected.end(), 1);
       release(state, cluster, std::vector<double>(model_.points().owned(), 0.0));
@@ -227,6 +247,12 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
                report.error_estimate > scene.selection.error_tolerance &&
                report.selection_rounds < scene.selection.largest_rounds) {
       more = release(state, cluster, eta);
+      const double share = static_cast<double>(count_selected(state)) / static_cast<double>(model_.points().total());
+      if (share > scene.selection.largest_share && select_all(state)) {
+        release(state, cluster, std::vector<double>(model_.points().owned(), 0.0));  // admissible forces for all
+        more = true;
+        violated = 0;
+      }
       if (more) wanted = std::clamp(share_of_violation * violated, tolerance, coarsest_tolerance);
     }
     if (!more) {

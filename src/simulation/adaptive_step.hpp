@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "nonlinear/augmented_lagrangian.hpp"
+#include "nonlinear/contact_solver.hpp"
 #include "simulation/contact_problem.hpp"
 #include "simulation/model.hpp"
 
@@ -44,6 +44,7 @@ class AdaptiveStep {
  private:
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
   bool break_points(ContactState&) const;
+  bool select_all(ContactState&) const;
   std::vector<PointLaw> current_law(const ContactState&) const;
   long long count_selected(const ContactState&) const;
   double estimate(const ContactState&, const std::vector<int>& cluster, std::vector<double>& eta) const;
@@ -53,6 +54,7 @@ class AdaptiveStep {
 
   const Model<dim>& model_;
   LinearSolver solver_;
+  FastWay fast_;
   std::vector<PointLaw> law_;
   std::vector<double> mechanism_;
 };

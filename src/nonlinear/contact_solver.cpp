@@ -1,0 +1,83 @@
+#include "nonlinear/contact_solver.hpp"
+
+#include <algorithm>
+
+#include "nonlinear/residuals.hpp"
+
+namespace voussoir {
+namespace {
+
+// Linear solves of the fast way: few changes of status need no more.
+constexpr int fast_solves = 8;
+// Solves for which the fast way is left alone after it has failed, doubling up to the second number.
+constexpr int longest_wait = 7;
+// Linear solves after which closing gives way to another path: those that arrive from a path took up to 75.
+constexpr int closing_solves = 80;
+// Steps of the path: those that arrive took up to 130.
+constexpr int largest_path = 200;
+
+}  // namespace
+
+ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& parameters, FastWay& fast)
+    : problem_(problem), parameters_(parameters), fast_(fast), mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
+
+bool ContactSolver::anything_selected() const {
+  const auto& selected = problem_.selected();
+  return largest_over_ranks(problem_, std::find(selected.begin(), selected.end(), 1) != selected.end()) > 0;
+}
+
+bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap,
+                             NewtonReport& report) {
+  if (fast_.wait > 0) {
+    --fast_.wait;
+    return false;
+  }
+  const TpetraVector x_before(x, Teuchos::Copy);
+  const PointField lambda_before = lambda;
+  AugmentedLagrangian quick(problem_, {parameters_.tolerance, std::min(fast_solves, parameters_.largest_iterations)});
+  quick.narrate = narrate;
+  report = quick.solve(x, lambda, tolerance, &known_gap);
+  if (report.outcome == NewtonOutcome::converged) {
+    fast_ = {};
+    return true;
+  }
+  fast_.last_wait = std::min(2 * fast_.last_wait + 1, longest_wait);
+  fast_.wait = fast_.last_wait;
+  Tpetra::deep_copy(x, x_before);
+  lambda = lambda_before;
+  return false;
+}
+
+const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
+                                                const PointField* known_gap, NewtonReport& report) {
+  if (!path_) return known_gap;
+  InteriorPath interior(problem_);
+  interior.narrate = narrate;
+  const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
+  return interior.follow(x, lambda, tolerance, steps, known_gap, report) == PathEnd::ran_away ? known_gap : nullptr;
+}
+
+NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
+  NewtonReport report;
+  path_ = problem_.components() == 2 && anything_selected();
+  if (path_) {
+    if (known_gap && try_fast(x, lambda, tolerance, *known_gap, report)) return report;
+    known_gap = along_the_path(x, lambda, tolerance, known_gap, report);
+  }
+  // Where closing labours, another path from the state it has reached is shorter.
+  for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, report)) {
+    const int left = parameters_.largest_iterations - report.newton_iterations;
+    last = left <= closing_solves;
+    AugmentedLagrangian closing(problem_, {parameters_.tolerance, std::max(1, last ? left : closing_solves)});
+    const int before = report.newton_iterations;
+    closing.narrate = [&](NewtonProgress p) {
+      p.iteration += before;
+      if (narrate) narrate(p);
+    };
+    report.add(closing.solve(x, lambda, tolerance, known_gap));
+    Tpetra::deep_copy(*mechanism_, closing.mechanism());
+    if (last || report.outcome != NewtonOutcome::not_converged) return report;
+  }
+}
+
+}  // namespace voussoir

@@ -1,0 +1,49 @@
+// Closing the contact conditions of one load step or time step: the fast way first, the sure way after it.
+//
+//   1  augmented Lagrangian for a few solves: enough where few points change since a known state
+//   2  interior path, whatever changes
+//   3  augmented Lagrangian from where the path ends, when it ends early; it also tells a collapse from slow progress
+#pragma once
+
+#include "nonlinear/augmented_lagrangian.hpp"
+#include "nonlinear/interior_path.hpp"
+
+namespace voussoir {
+
+/// What a series of solves remembers of the fast way.
+struct FastWay {
+  int wait = 0;       ///< solves that go without it
+  int last_wait = 0;  ///< after its last failure
+};
+
+class ContactSolver {
+ public:
+  ContactSolver(NonlinearProblem&, const NewtonParameters&, FastWay&);
+
+  /// Called after each linear solve; may be empty.
+  std::function<void(const NewtonProgress&)> narrate;
+
+  /// Solves from x (held unknowns already at their prescribed values) and contact forces lambda [N].
+  /// @param tolerance  Karush-Kuhn-Tucker residual relative to the largest force; may be looser than the parameters'
+  /// @param known_gap  gaps of a state in equilibrium with lambda that supports and loads have left; may be null
+  /// On collapse x holds the run-away state and mechanism() its direction.
+  NewtonReport solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap = nullptr);
+
+  /// Displacement of the last iteration, scaled to a largest component of 1.
+  const TpetraVector& mechanism() const { return *mechanism_; }
+
+ private:
+  bool anything_selected() const;
+  /// Returns the known gaps when the path ran away and left the state as it was, else null.
+  const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                                   NewtonReport&);
+  bool try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap, NewtonReport&);
+
+  NonlinearProblem& problem_;
+  NewtonParameters parameters_;
+  FastWay& fast_;
+  bool path_ = false;
+  Teuchos::RCP<TpetraVector> mechanism_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,266 @@
+#include "nonlinear/interior_path.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/check.hpp"
+#include "linalg/local_view.hpp"
+#include "nonlinear/point_update.hpp"
+#include "nonlinear/residuals.hpp"
+
+namespace voussoir {
+namespace {
+
+// Distance from the bounds at which the path starts, relative to the largest force. A tenth was best on walls, arches
+// and the bridge; 0.01 and 1 take a tenth more solves.
+constexpr double start = 0.1;
+// Share of the step to the boundary that is taken, and of a full step: slacks stay positive.
+constexpr double to_boundary = 0.99, full_step = 0.999;
+// By how much the barrier falls after a long, a middling and a short step.
+constexpr double long_step = 0.8, middling_step = 0.4;
+constexpr double after_long = 0.1, after_middling = 0.3, after_short = 0.7;
+// The barrier waits for residuals: it does not fall below this share of the square of the contact residual.
+constexpr double waiting = 1e-2;
+// Friction beyond this coefficient locks (89.4 degrees): larger numbers only spoil the conditioning of the path. What
+// closes the contact conditions afterwards uses the true one.
+constexpr double locking_friction = 100;
+// Share of the proximal weights of the problem: enough to hold loose stones, a hundredth of what bounds a collapse.
+constexpr double proximal = 1e-2;
+// Linear solves are no more accurate than the path needs.
+constexpr double solve_accuracy = 1e-3;
+// The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
+constexpr int patience = 10;
+constexpr double balanced = 0.1, gained = 0.9;
+// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
+constexpr double run_away = 0.2;
+
+}  // namespace
+
+InteriorPath::InteriorPath(NonlinearProblem& problem) : problem_(problem) {
+  VOUSSOIR_EXPECT(problem.components() == 2);
+  for (auto* v : {&linear_, &gradient_, &direction_, &work_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
+}
+
+double InteriorPath::bound(int point, double normal) const {
+  auto law = problem_.law()[point];
+  law.friction = std::min(law.friction, locking_friction);
+  return friction_bound(law, normal);
+}
+
+/// Starts the path at a distance [N] from the bounds, around some forces and gaps.
+void InteriorPath::enter(const PointField& lambda, const PointField& gap, double shift) {
+  path_.assign(problem_.points(), {});
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const auto& law = problem_.law()[k];
+    auto& p = path_[k];
+    p.opens = std::isfinite(law.tension);
+    p.slips = std::isfinite(law.cohesion);
+    const double distance = shift / problem_.local_stiffness()[k];
+    const double slip = gap[2 * k + 1] - problem_.slip_origin()[2 * k + 1];
+    const double limit = bound(k, lambda[2 * k]), q = std::clamp(lambda[2 * k + 1], -limit, limit);
+    const double shifted = p.opens ? bound(k, std::max(lambda[2 * k], -law.tension) + shift) : limit;
+    p.w = {std::max(lambda[2 * k] + law.tension, 0.0) + shift, std::max(shifted - q, start * shift),
+           std::max(shifted + q, start * shift)};
+    p.y = {std::max(gap[2 * k], 0.0) + distance, std::max(-slip, 0.0) + distance, std::max(slip, 0.0) + distance};
+  }
+}
+
+/// Stiffness of each point on the path [N/m].
+void InteriorPath::resistances() {
+  resistance_.assign(problem_.points(), {});
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const auto& p = path_[k];
+    const double floor = 1 / problem_.local_stiffness()[k];
+    resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor);
+    resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor);
+  }
+}
+
+/// Moves supports and loads with the resistances that the path gives the points of the old state.
+void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport& report) {
+  enter(lambda, known_gap, start * scale_);
+  resistances();
+  problem_.evaluate(x, *gradient_, gap_);
+  force_ = lambda;
+  const auto yield = [&](const PointField& gap, const PointField* from) {
+    for (int k = 0; k < problem_.points(); ++k) {
+      if (!problem_.selected()[k]) continue;
+      force_[2 * k] -= resistance_[k].normal * (gap[2 * k] - (from ? (*from)[2 * k] : 0));
+      force_[2 * k + 1] -= resistance_[k].tangential * (gap[2 * k + 1] - (from ? (*from)[2 * k + 1] : 0));
+    }
+  };
+  yield(gap_, &known_gap);
+  problem_.subtract_contact_forces(force_, *gradient_);
+  solve(report);
+  x.update(1.0, *direction_, 1.0);
+  problem_.evaluate_direction(*direction_, *work_, gap_direction_);
+  yield(gap_direction_, nullptr);
+  lambda = force_;
+}
+
+/// direction = -(K + resistance + proximal)^-1 gradient; returns Krylov iterations.
+int InteriorPath::solve(NewtonReport& report) {
+  gradient_->scale(-1.0);
+  direction_->putScalar(0);
+  const int krylov = problem_.solve(resistance_, proximal, gradient_, direction_, solve_accuracy);
+  report.newton_iterations += 1;
+  report.krylov_iterations += krylov;
+  report.largest_krylov = std::max(report.largest_krylov, krylov);
+  return krylov;
+}
+
+/// Residuals of x with admissible forces near lambda; leaves K x - f in linear_ and the gaps.
+InteriorPath::Size InteriorPath::measure(const TpetraVector& x, const PointField& lambda) {
+  problem_.evaluate(x, *linear_, gap_);
+  Tpetra::deep_copy(*gradient_, *linear_);
+  problem_.subtract_contact_forces(lambda, *gradient_);
+  return {gradient_->normInf() / scale_, contact_residual(problem_, lambda, gap_) / scale_};
+}
+
+/// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
+double InteriorPath::barrier() const {
+  double mine[2] = {0, 0}, all[2];
+  for (int k = 0; k < problem_.owned_points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const auto& p = path_[k];
+    for (int j = 0; j < 3; ++j) {
+      if (!(j == 0 ? p.opens : p.slips)) continue;
+      mine[0] += p.w[j] * p.y[j] * problem_.local_stiffness()[k];
+      mine[1] += 1;
+    }
+  }
+  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  return all[1] > 0 ? all[0] / all[1] : 0;
+}
+
+/// Right-hand sides of all points for a barrier [N2]; force_ = lambda + what the points would add at rest.
+void InteriorPath::aim(const PointField& lambda, double target) {
+  force_ = lambda;
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    auto& p = path_[k];
+    const double nu = target / problem_.local_stiffness()[k];
+    const double limit = bound(k, lambda[2 * k]), q = lambda[2 * k + 1];
+    p.residual = {0, limit - q - p.w[1], limit + q - p.w[2]};
+    const double slip = gap_[2 * k + 1] - problem_.slip_origin()[2 * k + 1];
+    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - gap_[2 * k];
+    p.gain[1] = -slip;
+    if (p.slips)
+      p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
+    force_[2 * k] += resistance_[k].normal * p.gain[0];
+    force_[2 * k + 1] += resistance_[k].tangential * p.gain[1];
+    for (int j = 0; j < 3; ++j) p.dy[j] = nu / p.w[j] - p.y[j];
+  }
+}
+
+/// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, 1 at most.
+double InteriorPath::step_length() {
+  double mine = 1, all = 1;
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    auto& p = path_[k];
+    const double dp = resistance_[k].normal * (p.gain[0] - gap_direction_[2 * k]);
+    const double dq = resistance_[k].tangential * (p.gain[1] - gap_direction_[2 * k + 1]);
+    force_[2 * k] = dp;
+    force_[2 * k + 1] = dq;
+    p.dw = {dp, p.residual[1] - dq, p.residual[2] + dq};
+    for (int j = 0; j < 3; ++j) {
+      if (!(j == 0 ? p.opens : p.slips)) continue;
+      p.dy[j] -= p.y[j] / p.w[j] * p.dw[j];
+      if (p.dw[j] < 0) mine = std::min(mine, -p.w[j] / p.dw[j]);
+      if (p.dy[j] < 0) mine = std::min(mine, -p.y[j] / p.dy[j]);
+    }
+  }
+  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  return all;
+}
+
+/// From the interior to admissible forces: open points lose theirs, slipping ones stay within their bound.
+void InteriorPath::leave(PointField& lambda) const {
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const auto& law = problem_.law()[k];
+    const double trial = lambda[2 * k] - problem_.local_stiffness()[k] * gap_[2 * k];
+    lambda[2 * k] = trial > -law.tension ? std::max(lambda[2 * k], -law.tension) : -law.tension;
+    const double limit = friction_bound(law, lambda[2 * k]);
+    lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
+  }
+}
+
+PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
+                             const PointField* known_gap, NewtonReport& report) {
+  const TpetraVector x_before(x, Teuchos::Copy);
+  const PointField lambda_before = lambda;
+  scale_ = force_scale(problem_, lambda);
+  if (known_gap) predict(x, lambda, *known_gap, report);
+  problem_.evaluate(x, *linear_, gap_);
+  const double largest = std::max(scale_, force_scale(problem_, lambda));
+  enter(lambda, gap_, start * largest);
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const auto& law = problem_.law()[k];
+    const double limit = bound(k, lambda[2 * k]);
+    lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
+    if (path_[k].opens) lambda[2 * k] = path_[k].w[0] - law.tension;
+  }
+  std::vector<double> sizes;
+  double step = 0;
+  bool arrived = false;
+  for (int iteration = 0;; ++iteration) {
+    const auto [equilibrium, contact] = measure(x, lambda);
+    const double size = std::max(equilibrium, contact);
+    arrived = size <= tolerance;
+    const bool stuck = iteration >= patience && equilibrium < balanced * contact &&
+                       size > gained * sizes[iteration - patience];
+    if (arrived || stuck || iteration >= largest_iterations) break;
+    sizes.push_back(size);
+    work_->update(1.0, x, -1.0, x_before, 0.0);
+    if (work_->normInf() > run_away * problem_.length_scale()) {
+      Tpetra::deep_copy(x, x_before);
+      lambda = lambda_before;
+      return PathEnd::ran_away;
+    }
+    resistances();
+    const double share = step > long_step ? after_long : step > middling_step ? after_middling : after_short;
+    const double residual = contact * scale_;
+    aim(lambda, std::max(share * barrier(), waiting * residual * residual));
+    Tpetra::deep_copy(*gradient_, *linear_);
+    problem_.subtract_contact_forces(force_, *gradient_);
+    const int krylov = solve(report);
+    problem_.evaluate_direction(*direction_, *work_, gap_direction_);
+    step = step_length();
+    const double length = step < 1 ? to_boundary * step : full_step;
+    x.update(length, *direction_, 1.0);
+    for (int k = 0; k < problem_.points(); ++k) {
+      if (!problem_.selected()[k]) continue;
+      auto& p = path_[k];
+      for (int c = 0; c < 2; ++c) lambda[2 * k + c] += length * force_[2 * k + c];
+      for (int j = 0; j < 3; ++j) {
+        p.w[j] += length * p.dw[j];
+        p.y[j] += length * p.dy[j];
+      }
+    }
+    tell(report, equilibrium, contact, krylov, length);
+  }
+  leave(lambda);
+  return arrived ? PathEnd::arrived : PathEnd::stuck;
+}
+
+void InteriorPath::tell(const NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
+  long long mine[2] = {0, 0}, all[2];
+  for (int k = 0; k < problem_.owned_points(); ++k) {
+    const auto& p = path_[k];
+    const double stiffness = problem_.local_stiffness()[k];
+    if (!problem_.selected()[k] || p.w[0] < stiffness * p.y[0]) continue;
+    ++mine[0];
+    mine[1] += p.w[1] < stiffness * p.y[1] || p.w[2] < stiffness * p.y[2];
+  }
+  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
+  if (narrate) narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, 1});
+}
+
+}  // namespace voussoir

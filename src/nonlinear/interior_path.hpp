@@ -1,0 +1,77 @@
+// The way to the neighbourhood of a solution: an infeasible interior-point method for contact with friction.
+//
+// Each inequality of the contact law gets a slack w >= 0 for its force and y >= 0 for its motion,
+//
+//   opening    w0 = p + tensile strength    y0 = g_N
+//   slipping   w1 = b - q,  w2 = b + q      y2 - y1 = g_T - g_T0,      b = cohesion + mu p
+//
+// and Newton follows the path w y = nu as nu falls. A point resists with 1 / (y/w + 1/k), a number between nothing and
+// its local stiffness k, so each linear system looks like those of the augmented Lagrangian and all statuses of all
+// points move at once: no collision of points cuts a step to nothing. The friction bound b follows the pressure from
+// one step to the next (Tresca's friction within a step), which keeps the systems symmetric; what a new bound breaks
+// is a residual of w1 and w2 like any other. Decisions and figures: README.md of this folder.
+//
+// Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
+//          S. Pougkakiotis, J. Gondzio, Comput. Optim. Appl. 78 (2021) 307-351 (proximal multipliers, here 1/k).
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "nonlinear/newton_report.hpp"
+#include "nonlinear/nonlinear_problem.hpp"
+
+namespace voussoir {
+
+/// Where a path ended: at its aim, where it led no further, or nowhere: the structure moved without end.
+enum class PathEnd { arrived, stuck, ran_away };
+
+class InteriorPath {
+ public:
+  /// The law must have one tangential direction.
+  explicit InteriorPath(NonlinearProblem&);
+
+  /// Called after each linear solve; may be empty.
+  std::function<void(const NewtonProgress&)> narrate;
+
+  /// Moves x and lambda [N] to a state whose residuals are below tolerance x the largest force; held unknowns of x
+  /// must have their prescribed values. Contact forces end admissible.
+  /// @param known_gap  gaps [m] of a state in equilibrium with lambda, from which supports and loads have moved;
+  ///                   null when x is near equilibrium with lambda
+  /// After PathEnd::ran_away x and lambda are as they were.
+  PathEnd follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
+                 const PointField* known_gap, NewtonReport&);
+
+ private:
+  struct Point {
+    std::array<double, 3> w{}, y{};    ///< [N], [m]: opening, slipping against and along the tangent
+    std::array<double, 3> dw{}, dy{};
+    std::array<double, 3> residual{};  ///< [N] of w
+    double gain[2] = {};               ///< [m] right-hand side of the point's two rows
+    bool opens = true, slips = true;   ///< the law bounds the force in this direction
+  };
+  struct Size {
+    double equilibrium, contact;  ///< relative to the scale
+  };
+
+  void predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport&);
+  void enter(const PointField& lambda, const PointField& gap, double shift);
+  void resistances();
+  Size measure(const TpetraVector& x, const PointField& lambda);
+  double barrier() const;
+  void aim(const PointField& lambda, double target);
+  int solve(NewtonReport&);
+  double step_length();
+  void leave(PointField& lambda) const;
+  void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
+  double bound(int point, double normal) const;
+
+  NonlinearProblem& problem_;
+  std::vector<Point> path_;
+  std::vector<PointStiffness> resistance_;
+  PointField gap_, gap_direction_, force_;
+  Teuchos::RCP<TpetraVector> linear_, gradient_, direction_, work_;
+  double scale_ = 1;  ///< [N]
+};
+
+}  // namespace voussoir

@@ -1,0 +1,34 @@
+// What load steps cost in linear solves and Krylov iterations: a guard against getting slower, in counts that do not
+// depend on the machine. Limits are a fifth above what was counted when they were written.
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "support/scenes.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+struct Limit {
+  int solves;
+  long long krylov;
+};
+
+void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream& out, bool& success) {
+  Experiment experiment(scene);
+  const auto& first = scene.loads[0].name;
+  for (const bool both : {false, true}) {
+    TEST_ASSERT(both ? experiment.advance({{first, 1}, {scene.loads[1].name, 1}}) : experiment.advance({{first, 1}}));
+    const auto report = experiment.solution().last.newton;
+    out << report.newton_iterations << " solves, " << report.krylov_iterations << " Krylov iterations\n";
+    TEST_COMPARE(report.newton_iterations, <=, both ? second.solves : weight.solves);
+    TEST_COMPARE(report.krylov_iterations, <=, both ? second.krylov : weight.krylov);
+  }
+}
+
+// Every point from a cold start; then a settlement of 5 mm or 0.15 g in one step.
+TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {27, 110}, {44, 250}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {42, 260}, {52, 420}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {30, 115}, {51, 210}, out, success); }
+
+}  // namespace
