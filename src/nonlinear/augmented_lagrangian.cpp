@@ -223,7 +223,8 @@ bool AugmentedLagrangian::runs_away(State& s) const {
     problem_.evaluate(*s.direction, *s.linear, s.gap);
     problem_.subtract_contact_forces(s.lambda, *s.linear);
     s.linear->update(-1.0, *s.gradient, 1.0);
-    if (s.linear->normInf() > unchanged * imbalance || contact_residual(problem_, s.lambda, s.gap) > unchanged * imbalance) return false;
+    if (s.linear->normInf() > unchanged * imbalance) return false;
+    if (contact_residual(problem_, s.lambda, s.gap) > unchanged * imbalance) return false;
   }
   mechanism_->scale(1 / size);
   return true;

@@ -19,7 +19,10 @@ constexpr int largest_path = 200;
 }  // namespace
 
 ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& parameters, FastWay& fast)
-    : problem_(problem), parameters_(parameters), fast_(fast), mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
+    : problem_(problem),
+      parameters_(parameters),
+      fast_(fast),
+      mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
 
 bool ContactSolver::anything_selected() const {
   const auto& selected = problem_.selected();

@@ -6,15 +6,10 @@
 #pragma once
 
 #include "nonlinear/augmented_lagrangian.hpp"
+#include "nonlinear/fast_way.hpp"
 #include "nonlinear/interior_path.hpp"
 
 namespace voussoir {
-
-/// What a series of solves remembers of the fast way.
-struct FastWay {
-  int wait = 0;       ///< solves that go without it
-  int last_wait = 0;  ///< after its last failure
-};
 
 class ContactSolver {
  public:

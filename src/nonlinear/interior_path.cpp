@@ -260,7 +260,8 @@ void InteriorPath::tell(const NewtonReport& report, double equilibrium, double c
     mine[1] += p.w[1] < stiffness * p.y[1] || p.w[2] < stiffness * p.y[2];
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
-  if (narrate) narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, 1});
+  if (!narrate) return;
+  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, 1});
 }
 
 }  // namespace voussoir

@@ -200,7 +200,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   const PointField known_gap = gaps(state.displacement);
   for (;; ++report.selection_rounds) {
     ContactProblem<dim> problem(parts, state, law_, load, prescribed);
-    ContactSolver newton(problem, scene.newton, fast_);
+    ContactSolver newton(problem, scene.newton, state.fast_way);
     newton.narrate = narrate;
     const auto x = problem.unknowns(state.displacement);
     NewtonReport solved;

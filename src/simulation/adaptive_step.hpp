@@ -54,7 +54,6 @@ class AdaptiveStep {
 
   const Model<dim>& model_;
   LinearSolver solver_;
-  FastWay fast_;
   std::vector<PointLaw> law_;
   std::vector<double> mechanism_;
 };

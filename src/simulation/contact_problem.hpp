@@ -5,6 +5,7 @@
 
 #include "homogenisation/coarse_operator.hpp"
 #include "linalg/linear_solver.hpp"
+#include "nonlinear/fast_way.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 
 namespace voussoir {
@@ -20,6 +21,7 @@ struct ContactState {
   std::vector<double> velocity;      ///< [m/s] like displacement; empty before time begins
   std::vector<double> acceleration;  ///< [m/s2] mean of the last time step, for its error; empty likewise
   double largest_energy = 0;         ///< [J] of the structure since time began, what that error is relative to
+  FastWay fast_way;                  ///< what the nonlinear solver remembers
 };
 
 template <int dim>

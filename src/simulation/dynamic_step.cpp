@@ -214,6 +214,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   mid.slip_origin.assign(state.lambda.size(), 0.0);
   mid.selected = state.selected;
   mid.broken = state.broken;
+  mid.fast_way = state.fast_way;
   step_->narrate = narrate;
   step_->narrate_round = narrate_round;
   step_->known_energy = total(elastic) + total(kinetic);
@@ -229,6 +230,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   state.lambda = mid.lambda;
   state.selected = mid.selected;
   state.broken = mid.broken;
+  state.fast_way = mid.fast_way;
   const auto gap = at_rest_.gaps(state.displacement);
   for (std::size_t k = 0; k < state.selected.size(); ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];

@@ -56,6 +56,7 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   run.steps.keep(checkpoint);
   run.time_step.keep(checkpoint);
   run.record.keep(checkpoint);
+  run.state.fast_way.keep(checkpoint);
   const auto nodes = node_rows(model.structure()), points = point_rows(model.points());
   auto& state = run.state;
   checkpoint.rows("displacement", nodes, dim, state.displacement);

@@ -12,7 +12,8 @@ using namespace voussoir;
 using namespace voussoir::test;
 
 std::vector<std::string> pushed(const std::string& mode) {
-  return {"selection/mode=" + mode, "steps/stages/push/duration=0.03", "steps/stages/push/time step=1e-3"};
+  return {"selection/mode=" + mode, "steps/stages/push/duration=0.03", "steps/stages/push/time step=1e-3",
+          "selection/largest share=1"};
 }
 
 TEUCHOS_UNIT_TEST(WallInTime, ClosesItsBookWhateverIsSelected) {

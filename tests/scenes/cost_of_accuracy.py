@@ -24,7 +24,8 @@ PATH = 1e-3
 
 def study(out, *options):
     return subprocess.run([PROGRAM, f"--xml={ROOT / 'xml/wall.xml'}", f"--out={out}", "--set", "mesh/wall/courses=6",
-                           "--set", "mesh/wall/blocks per course=6", *options], capture_output=True, text=True, check=False)
+                           "--set", "mesh/wall/blocks per course=6",
+                           "--set", "selection/largest share=1", *options], capture_output=True, text=True, check=False)
 
 
 class Study(unittest.TestCase):

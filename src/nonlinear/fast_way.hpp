@@ -1,0 +1,17 @@
+// What a series of solves remembers of the fast way through the contact conditions: part of the state of a run, so
+// that a restart takes the same way.
+#pragma once
+
+namespace voussoir {
+
+struct FastWay {
+  int wait = 0;       ///< solves that go without it
+  int last_wait = 0;  ///< after its last failure
+  template <class Archive>
+  void keep(Archive& archive) {
+    archive.value("fast_way.wait", wait);
+    archive.value("fast_way.last_wait", last_wait);
+  }
+};
+
+}  // namespace voussoir
