@@ -29,6 +29,15 @@ bool ContactSolver::anything_selected() const {
   return largest_over_ranks(problem_, std::find(selected.begin(), selected.end(), 1) != selected.end()) > 0;
 }
 
+bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const {
+  TpetraVector residual(problem_.map());
+  PointField gap;
+  problem_.evaluate(x, residual, gap);
+  problem_.subtract_contact_forces(lambda, residual);
+  const double allowed = tolerance * force_scale(problem_, lambda);
+  return residual.normInf() <= allowed && contact_residual(problem_, lambda, gap) <= allowed;
+}
+
 bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap,
                              NewtonReport& report) {
   if (fast_.wait > 0) {
@@ -63,7 +72,9 @@ const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lam
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
   NewtonReport report;
   path_ = problem_.components() == 2 && anything_selected();
-  if (path_) {
+  if (in_equilibrium(x, lambda, tolerance)) {
+    known_gap = nullptr;  // nothing has moved: closing only measures
+  } else if (path_) {
     if (known_gap && try_fast(x, lambda, tolerance, *known_gap, report)) return report;
     known_gap = along_the_path(x, lambda, tolerance, known_gap, report);
   }

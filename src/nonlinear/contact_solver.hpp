@@ -29,6 +29,7 @@ class ContactSolver {
 
  private:
   bool anything_selected() const;
+  bool in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const;
   /// Returns the known gaps when the path ran away and left the state as it was, else null.
   const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                                    NewtonReport&);

@@ -43,4 +43,16 @@ TEUCHOS_UNIT_TEST(ColdStart, Wall8) { check(wall_scene(8), out, success); }
 TEUCHOS_UNIT_TEST(ColdStart, Wall16) { check(wall_scene(16), out, success); }
 TEUCHOS_UNIT_TEST(ColdStartOfALargeWall, Wall32) { check(wall_scene(32), out, success); }
 
+// A stage that moves nothing: the state must stay, whatever the solver remembers of the steps before.
+TEUCHOS_UNIT_TEST(ColdStart, NothingMovesNothing) {
+  Experiment experiment(arch_scene(31));
+  const auto& scene = experiment.scene();
+  const std::map<std::string, double> all{{scene.loads[0].name, 1}, {scene.loads[1].name, 1}};
+  TEST_ASSERT(experiment.advance(all));
+  const auto before = experiment.solution();
+  TEST_ASSERT(experiment.advance(all));
+  TEST_EQUALITY(experiment.solution().last.newton.newton_iterations, 0);
+  TEST_EQUALITY(experiment.solution().largest_displacement(), before.largest_displacement());
+}
+
 }  // namespace
