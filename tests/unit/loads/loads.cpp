@@ -4,15 +4,12 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "unit/blocks/lattice_block.hpp"
-#include "unit/linalg/systems.hpp"
+#include "unit/loads/load_cases.hpp"
 
 namespace {
 
 using namespace voussoir;
 using namespace voussoir::test;
-
-constexpr double thickness = 0.4, density = 2000;
 
 std::unique_ptr<BlockSource<2>> wall() {  // 2 m x 1 m
   WallParameters p;
@@ -27,22 +24,6 @@ Structure<2> thin(const BlockSource<2>& source) {
 int set_number(const BlockSource<2>& source, const std::string& name) {
   const auto& sets = source.facet_sets();
   return static_cast<int>(std::find(sets.begin(), sets.end(), name) - sets.begin());
-}
-
-/// Sum of nodal forces over all owned nodes, and their moment about the origin.
-struct Resultant {
-  double x = 0, y = 0, moment = 0;
-};
-
-Resultant resultant(const Structure<2>& s, const std::vector<double>& force) {
-  Resultant r;
-  for (int i = 0; i < s.owned_nodes(); ++i) {
-    const Vector<2> f{force[2 * i], force[2 * i + 1]};
-    r.x += f[0];
-    r.y += f[1];
-    r.moment += cross(s.position()[i], f);
-  }
-  return {sum_over_ranks(*everyone(), r.x), sum_over_ranks(*everyone(), r.y), sum_over_ranks(*everyone(), r.moment)};
 }
 
 std::vector<double> nothing(const Structure<2>& s) { return std::vector<double>(2 * s.nodes(), 0.0); }

@@ -1,7 +1,6 @@
 // What a run saves is what it gets back, on any number of ranks; half a checkpoint never replaces a whole one.
 #include "output/checkpoint.hpp"
 
-#include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 #include <filesystem>
@@ -11,24 +10,14 @@
 #include "base/error.hpp"
 #include "output/history.hpp"
 #include "output/output_folder.hpp"
+#include "unit/output/folders.hpp"
 
 namespace voussoir {
 namespace {
 
+using namespace test;
 namespace fs = std::filesystem;
 using Way = Checkpoint::Way;
-
-Teuchos::RCP<const Teuchos::Comm<int>> world() { return Teuchos::DefaultComm<int>::getComm(); }
-
-std::string fresh_folder(const std::string& name) {
-  const std::string folder = name + "-np" + std::to_string(world()->getSize());
-  if (world()->getRank() == 0) {
-    fs::remove_all(folder);
-    fs::create_directory(folder);
-  }
-  world()->barrier();
-  return folder;
-}
 
 /// Rows this rank owns, ascending, then some of its neighbour's as a halo.
 LocalRows with_halo(long long total) {

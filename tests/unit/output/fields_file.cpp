@@ -6,28 +6,17 @@
 #include <numeric>
 #include <sstream>
 
-#include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "base/error.hpp"
+#include "unit/output/folders.hpp"
 
 namespace voussoir {
 namespace {
 
-Teuchos::RCP<const Teuchos::Comm<int>> world() { return Teuchos::DefaultComm<int>::getComm(); }
+using namespace test;
 int rank() { return world()->getRank(); }
 int last_rank() { return world()->getSize() - 1; }
-
-/// An empty folder of this test and this number of ranks.
-std::string fresh_folder(const std::string& name) {
-  const std::string folder = name + "-np" + std::to_string(world()->getSize());
-  if (rank() == 0) {
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directory(folder);
-  }
-  world()->barrier();
-  return folder;
-}
 
 std::string content(const std::string& path) {
   std::ostringstream text;

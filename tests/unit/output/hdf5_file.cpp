@@ -10,17 +10,16 @@
 
 #include <sys/resource.h>
 
-#include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "base/error.hpp"
+#include "unit/output/folders.hpp"
 
 namespace voussoir {
 namespace {
 
+using namespace test;
 using Ids = std::vector<long long>;
-
-Teuchos::RCP<const Teuchos::Comm<int>> world() { return Teuchos::DefaultComm<int>::getComm(); }
 
 /// Runs on one and on two ranks may happen side by side in the same folder.
 std::string file_name(const std::string& name) { return name + "-np" + std::to_string(world()->getSize()) + ".h5"; }

@@ -6,7 +6,6 @@
 #include <set>
 #include <sstream>
 
-#include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <nlohmann/json.hpp>
 
@@ -15,14 +14,14 @@
 #include "output/output_folder.hpp"
 #include "output/result_json.hpp"
 #include "output/safe_file.hpp"
+#include "unit/output/folders.hpp"
 
 namespace voussoir {
 namespace {
 
+using namespace test;
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-Teuchos::RCP<const Teuchos::Comm<int>> world() { return Teuchos::DefaultComm<int>::getComm(); }
 
 std::string content(const std::string& path) {
   std::ostringstream text;
@@ -33,17 +32,6 @@ std::string content(const std::string& path) {
 void write(const std::string& path, const std::string& text) {
   if (world()->getRank() == 0) std::ofstream(path) << text;
   world()->barrier();
-}
-
-/// A path inside an empty folder of this test and this number of ranks.
-std::string fresh_folder(const std::string& name) {
-  const std::string folder = name + "-np" + std::to_string(world()->getSize());
-  if (world()->getRank() == 0) {
-    fs::remove_all(folder);
-    fs::create_directory(folder);
-  }
-  world()->barrier();
-  return folder;
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
