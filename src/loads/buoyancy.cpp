@@ -1,6 +1,7 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
 
@@ -37,11 +38,8 @@ std::array<double, 3> area_below(const std::array<Vector<2>, 3>& x, double level
 }  // namespace
 
 void BuoyancyParameters::declare(ParameterSection& section) {
-  section.add("blocks", blocks, "set of blocks the load acts on", Presence::optional,
-              "Give \"all\" or a set of the mesh.");
-  section.add("level", level, "m", any_number(), "height y of the water");
-  section.add("density", density, "kg/m3", at_least(0.0), "of the water", "a density", "Fresh water has 1000.");
-  section.add("gravity", gravity, "m/s2", any_number(), "of the earth, downwards (-y) where masses are weighed");
+  declare_block_set(section, blocks);
+  declare_water(section, level, density, gravity);
 }
 
 std::string BuoyancyParameters::summary() const {

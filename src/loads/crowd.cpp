@@ -1,5 +1,6 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -7,8 +8,7 @@
 namespace voussoir {
 
 void CrowdParameters::declare(ParameterSection& section) {
-  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  declare_facet_set(section, on);
   section.add("intensity", intensity, "Pa", any_number(), "vertical force per horizontal area; a dense crowd has 5000");
   section.add("x from", x_from, "m", any_number(), "where it begins");
   section.add("x to", x_to, "m", any_number(), "where it ends");

@@ -4,6 +4,7 @@
 
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -11,8 +12,7 @@
 namespace voussoir {
 
 void EarthPressureParameters::declare(ParameterSection& section) {
-  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  declare_facet_set(section, on);
   section.add("unit weight", unit_weight, "N/m3", at_least(0.0), "of the soil", "a weight",
               "Backfill has 16e3 to 20e3.");
   section.add("surface", surface, "m", any_number(), "height y of the surface of the soil; facets above bear nothing");

@@ -5,6 +5,7 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
 
@@ -73,8 +74,7 @@ class MovingTrain final : public Load<2> {
 }  // namespace
 
 void MovingTrainParameters::declare(ParameterSection& section) {
-  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  declare_facet_set(section, on);
   section.add("axle loads", axle_loads, "force of each axle [N] on the modelled thickness, downwards: \"80e3, 80e3\"",
               Presence::required, "Give a number for each axle, the first in front.");
   section.add("spacings", spacings, "distances [m] from each axle to the next: \"2.5\"");

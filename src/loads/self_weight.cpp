@@ -2,13 +2,14 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
 
 namespace voussoir {
 
 void SelfWeightParameters::declare(ParameterSection& section) {
-  section.add("gravity", gravity, "m/s2", any_number(), "of the earth, downwards (-y) where masses are weighed");
+  declare_gravity(section, gravity);
 }
 
 std::string SelfWeightParameters::summary() const { return "self weight, gravity " + number_text(gravity) + " m/s2"; }

@@ -3,6 +3,7 @@
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/element_matrices.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
 
@@ -30,8 +31,7 @@ class Temperature final : public PatternLoad<2> {
 }  // namespace
 
 void TemperatureParameters::declare(ParameterSection& section) {
-  section.add("blocks", blocks, "set of blocks the load acts on", Presence::optional,
-              "Give \"all\" or a set of the mesh.");
+  declare_block_set(section, blocks);
   section.add("change", change, "K", any_number(), "how much warmer than when the structure was free of stress");
   section.add("expansion", expansion, "1/K", at_least(0.0), "coefficient of thermal expansion", "stones expand",
               "Limestone has 8e-6, granite 7e-6, brick 6e-6.");

@@ -1,5 +1,6 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -7,8 +8,7 @@
 namespace voussoir {
 
 void TractionParameters::declare(ParameterSection& section) {
-  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
+  declare_facet_set(section, on);
   section.add("tx", tx, "Pa", any_number(), "traction to the right");
   section.add("ty", ty, "Pa", any_number(), "traction upwards");
   section.add("pressure", pressure, "Pa", any_number(), "against the outward normal, added to (tx, ty)");

@@ -1,5 +1,6 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "loads/common_keys.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -7,11 +8,8 @@
 namespace voussoir {
 
 void WaterPressureParameters::declare(ParameterSection& section) {
-  section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
-  section.add("level", level, "m", any_number(), "height y of the water");
-  section.add("density", density, "kg/m3", at_least(0.0), "of the water", "a density", "Fresh water has 1000.");
-  section.add("gravity", gravity, "m/s2", any_number(), "of the earth, downwards (-y) where masses are weighed");
+  declare_facet_set(section, on);
+  declare_water(section, level, density, gravity);
 }
 
 std::string WaterPressureParameters::summary() const {
