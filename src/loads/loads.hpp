@@ -38,12 +38,13 @@ void add_point_load(const Structure<dim>&, const PointLoadParameters&, double fa
                     std::vector<double>& force);
 
 /// The node nearest to a point, of equally near ones the one with the lowest number. Collective.
+/// @param among  1 for each local node that counts; empty for all
 struct NearestNode {
   double distance = 0;  ///< [m]
   int local = -1;       ///< on this rank, owned or halo
 };
 template <int dim>
-NearestNode nearest_node(const Structure<dim>&, const Vector<dim>& point);
+NearestNode nearest_node(const Structure<dim>&, const Vector<dim>& point, const std::vector<char>& among = {});
 
 /// Vertical force per horizontal area on a part of an edge.
 template <int dim>

@@ -27,14 +27,17 @@ std::string PointLoadParameters::summary() const {
 bool PointLoadParameters::is_zero() const { return fx == 0 && fy == 0; }
 
 template <>
-NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point) {
+NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point, const std::vector<char>& among) {
   double mine = std::numeric_limits<double>::max();
   NearestNode nearest;
-  for (const auto& x : s.position()) mine = std::min(mine, norm(x - point));
+  const auto counts = [&](int i) { return among.empty() || among[i]; };
+  for (int i = 0; i < s.nodes(); ++i)
+    if (counts(i)) mine = std::min(mine, norm(s.position()[i] - point));
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(nearest.distance));
   long long first = std::numeric_limits<long long>::max(), id = 0;  // copies of a vertex are equally near
   for (int i = 0; i < s.nodes(); ++i)
-    if (norm(s.position()[i] - point) == nearest.distance) first = std::min<long long>(first, s.node_id()[i]);
+    if (counts(i) && norm(s.position()[i] - point) == nearest.distance)
+      first = std::min<long long>(first, s.node_id()[i]);
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, first, Teuchos::outArg(id));
   const auto it = std::find(s.node_id().begin(), s.node_id().end(), static_cast<NodeId>(id));
   nearest.local = it == s.node_id().end() ? -1 : static_cast<int>(it - s.node_id().begin());

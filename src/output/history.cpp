@@ -1,5 +1,7 @@
 #include "output/history.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -28,6 +30,31 @@ std::string field(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+/// Fields of a line as they are written, with their quotes.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (const char c : line) {
+    quoted ^= c == '"';
+    if (c == ',' && !quoted)
+      fields.emplace_back();
+    else
+      fields.back() += c;
+  }
+  return fields;
+}
+
+/// A line under another heading: what it has of each column, nothing where it has none.
+std::string moved(const std::string& line, const std::vector<std::string>& from, const std::vector<std::string>& to) {
+  const auto fields = fields_of(line);
+  std::string text;
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    const auto column = static_cast<std::size_t>(std::find(from.begin(), from.end(), to[k]) - from.begin());
+    text += (k == 0 ? "" : ",") + (column < fields.size() ? fields[column] : "");
+  }
+  return text;
 }
 
 struct Column {
@@ -71,19 +98,27 @@ constexpr Column columns[] = {
 
 }  // namespace
 
-std::string History::heading() {
+std::string History::heading(const std::vector<std::string>& further) {
   std::string line;
   for (const Column& c : columns) line += (line.empty() ? "" : ",") + std::string(c.name);
+  for (std::string name : further) {
+    // A name may hold anything; a row is a line.
+    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    line += ',' + field(name);
+  }
   return line;
 }
 
-History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows)
+History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows,
+                 const std::vector<std::string>& further)
     : path_(std::move(path)), comm_(std::move(comm)) {
-  on_first_rank(*comm_, [this, rows] {
-    std::string kept = heading() + '\n', line;
+  on_first_rank(*comm_, [&] {
+    const std::string now = heading(further);
+    std::string kept = now + '\n', line, then;
     std::ifstream before(path_);
-    if (rows > 0) std::getline(before, line);
-    for (int k = 0; k < rows && std::getline(before, line); ++k) kept += line + '\n';
+    if (rows > 0) std::getline(before, then);
+    for (int k = 0; k < rows && std::getline(before, line); ++k)
+      kept += (then == now ? line : moved(line, fields_of(then), fields_of(now))) + '\n';
     before.close();
     replace_file(path_, kept);
     file_.open(path_, std::ios::app);
@@ -95,6 +130,7 @@ void History::append(const HistoryRow& row) {
   on_first_rank(*comm_, [this, &row] {
     std::string line;
     for (const Column& c : columns) line += (&c == columns ? "" : ",") + c.value(row);
+    for (const double value : row.observed) line += ',' + field(value);
     put(line);
   });
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
@@ -28,18 +29,21 @@ struct HistoryRow {
   double imbalance_in_time = 0.0;         ///< [J] the part of it that arose in time steps
   double largest_displacement = 0.0;      ///< [m]
   double seconds = 0.0;
+  std::vector<double> observed;           ///< a value for each further column
 };
 
 class History {
  public:
   /// Makes the file with its heading, and keeps the first `rows` rows of the file that is there: what a run wrote after
   /// its checkpoint is cut off. Collective; rank 0 writes. Throws ResourceError on all ranks.
-  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows = 0);
+  /// @param further  names of columns behind those that every history has; kept rows keep what they have of them
+  History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int rows = 0,
+          const std::vector<std::string>& further = {});
   /// On return the row is in the file. Collective; the row of rank 0 counts.
   void append(const HistoryRow&);
 
   /// First line of the file: the names of the columns, with units.
-  static std::string heading();
+  static std::string heading(const std::vector<std::string>& further = {});
 
  private:
   void put(const std::string& line);

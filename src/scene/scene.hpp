@@ -15,6 +15,7 @@
 #include "loads/load_parameters.hpp"
 #include "mesh/mesh_parameters.hpp"
 #include "nonlinear/newton_parameters.hpp"
+#include "output/observation_parameters.hpp"
 #include "output/output_parameters.hpp"
 #include "selection/selection_parameters.hpp"
 
@@ -45,6 +46,7 @@ struct Scene {
   NewtonParameters newton;
   PreconditionerParameters preconditioner;
   SolverParameters solver;
+  std::vector<Named<ObservationParameters>> observations;
   OutputParameters output;
   std::vector<std::string> warnings;  ///< what is legal but probably not meant
 };

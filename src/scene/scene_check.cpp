@@ -193,6 +193,8 @@ void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
     check_set("scene > initial velocities > " + v.name + " > blocks", v.parameters.blocks, "blocks", blocks, problems);
   for (const auto& c : scene.construction)
     check_set("scene > construction > " + c.name + " > blocks", c.parameters.blocks, "blocks", blocks, problems);
+  for (const auto& o : scene.observations)
+    check_set("scene > observations > " + o.name + " > blocks", o.parameters.blocks, "blocks", blocks, problems);
   for (const auto& s : scene.supports)
     check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
   for (const LoadParameters& load : scene.loads)

@@ -30,10 +30,13 @@ double tangential(const PointField& f, int k, int dim) {
 template <int dim>
 Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, const std::string& folder,
                         const Record& so_far)
-    : model_(model), step_(step), record_(so_far) {
+    : model_(model),
+      step_(step),
+      observations_(model.scene(), model.source(), model.structure()),
+      record_(so_far) {
   Phase phase("output");
   const auto& comm = model.structure().comm();
-  history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps);
+  history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps, observations_.columns());
   if (model.scene().output.fields) {
     const std::string path = folder + "/fields.h5";
     const bool kept = so_far.written > 0 && cut_fields(path, so_far.written, *comm);
@@ -245,6 +248,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   row.imbalance_in_time = energy.imbalance_in_time();
   row.largest_displacement = largest_all;
   row.seconds = seconds;
+  row.observed = observations_.values(after.displacement, after.velocity);
   history_->append(row);
 
   auto& sum = record_.summary;

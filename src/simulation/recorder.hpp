@@ -10,6 +10,7 @@
 #include "output/history.hpp"
 #include "output/result_json.hpp"
 #include "simulation/dynamic_step.hpp"
+#include "simulation/observations.hpp"
 
 namespace voussoir {
 
@@ -72,6 +73,7 @@ class Recorder {
 
   const Model<dim>& model_;
   const AdaptiveStep<dim>& step_;
+  Observations<dim> observations_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;
   std::vector<double> free_strain_;

@@ -176,6 +176,38 @@ TEUCHOS_UNIT_TEST(History, HasOneRowPerStepAndOneFieldPerColumn) {
   TEST_ASSERT(!std::getline(lines, rest));
 }
 
+TEUCHOS_UNIT_TEST(History, FurtherColumnsBearTheNamesOfTheUserAndKeptRowsStayUnderTheirNames) {
+  const std::string path = fresh_folder("further") + "/history.csv";
+  const std::string crown = "ux_m of a \"crown\",\nhigh", quarter = "ux_m of quarter";
+  HistoryRow row;
+  row.stage = "push, west";
+  {
+    History history(path, world(), 0, {crown, quarter});
+    row.observed = {0.25, 0.5};
+    history.append(row);
+  }
+  world()->barrier();
+  const auto lines = [&] {
+    std::istringstream text(content(path));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(text, line);) all.push_back(line);
+    return all;
+  };
+  TEST_EQUALITY(lines()[0], History::heading() + ",\"ux_m of a \"\"crown\"\", high\",ux_m of quarter");
+  TEST_EQUALITY(lines()[1].substr(lines()[1].size() - 9), ",0.25,0.5");
+  const std::string row_before = lines()[1];
+  world()->barrier();
+  {  // a run goes on with other places: the row kept has no value for the new one
+    History history(path, world(), 1, {quarter, "ux_m of springing"});
+    row.observed = {1.5, 2.5};
+    history.append(row);
+  }
+  world()->barrier();
+  TEST_EQUALITY(lines().size(), 3);
+  TEST_EQUALITY(lines()[1], row_before.substr(0, row_before.size() - 9) + ",0.5,");
+  TEST_EQUALITY(lines()[2].substr(lines()[2].size() - 8), ",1.5,2.5");
+}
+
 TEUCHOS_UNIT_TEST(History, AFileThatCannotBeWrittenIsNamedOnAllRanks) {
   const std::string folder = fresh_folder("no-history");
   const std::string path = folder + "/history.csv";

@@ -117,13 +117,16 @@ TEUCHOS_UNIT_TEST(SceneReader, NamesOfSetsAreCheckedAgainstTheMesh) {
   scene.joints.at(0).parameters.and_ = "spandrel";
   scene.supports.at(0).parameters.on = "base";
   load_as<CrowdParameters>(scene.loads.at(5))->on = "deck";
+  scene.observations = {{"crown", {}}};
+  scene.observations.at(0).parameters.blocks = "crown";
   std::string message;
   try {
     check_names(scene, blocks, facets);
   } catch (const InputError& error) {
     message = error.what();
   }
-  TEST_EQUALITY_CONST(problems_in(message, "reference"), 4);
+  TEST_EQUALITY_CONST(problems_in(message, "reference"), 5);
+  TEST_ASSERT(holds(message, "scene > observations > crown > blocks = \"crown\"\n  is no set of blocks of this mesh"));
   TEST_ASSERT(
       holds(message,
             "scene > materials > stone > blocks = \"ring wets\"\n  is no set of blocks of this mesh (did you mean "
