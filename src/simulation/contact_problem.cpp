@@ -27,6 +27,7 @@ ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& stat
   coarse_ = std::make_shared<CoarseOperator<dim>>(s, parts.points, state.selected, *space_, parts.continuum,
                                                   parts.preconditioner);
   set_proximal_weights();
+  set_movable();
   double mine = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) mine = std::max(mine, std::abs(load[i]));
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(force_scale_));
@@ -48,6 +49,18 @@ void ContactProblem<dim>::set_proximal_weights() {
       if (k < space_->owned_clusters())
         for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * b.material.young_modulus * volume[i];
     }
+  }
+}
+
+template <int dim>
+void ContactProblem<dim>::set_movable() {
+  movable_ = state_.selected;
+  const auto held = [&](int node, int c) { return space_->held()[dim * space_->cluster()[node] + c]; };
+  for (int k = 0; k < parts_.points.size(); ++k) {
+    const auto& p = parts_.points.points()[k];
+    bool moves = false;
+    for (int c = 0; c < dim; ++c) moves |= p.axis[0][c] != 0 && !(held(p.node_i, c) && held(p.node_j, c));
+    if (!moves) movable_[k] = 0;
   }
 }
 

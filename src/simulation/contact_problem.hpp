@@ -52,7 +52,8 @@ class ContactProblem : public NonlinearProblem {
   int components() const override { return dim; }
   int points() const override { return parts_.points.size(); }
   int owned_points() const override { return parts_.points.owned(); }
-  const std::vector<char>& selected() const override { return state_.selected; }
+  /// Without points that cannot open because supports hold both sides: nothing determines their force.
+  const std::vector<char>& selected() const override { return movable_; }
   const std::vector<PointLaw>& law() const override { return law_; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
   const PointField& slip_origin() const override { return state_.slip_origin; }
@@ -69,6 +70,7 @@ class ContactProblem : public NonlinearProblem {
  private:
   void gaps(PointField& gap, bool initial) const;
   void set_proximal_weights();
+  void set_movable();
 
   Parts parts_;
   const ContactState& state_;
@@ -78,6 +80,7 @@ class ContactProblem : public NonlinearProblem {
   std::unique_ptr<MergedSpace<dim>> space_;
   std::unique_ptr<SystemMatrix<dim>> matrix_;
   std::shared_ptr<CoarseOperator<dim>> coarse_;
+  std::vector<char> movable_;
   std::vector<double> proximal_weight_, copies_, forces_;
   double force_scale_ = 0, internal_scale_ = 0;
 };

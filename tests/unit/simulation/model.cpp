@@ -26,4 +26,21 @@ TEUCHOS_UNIT_TEST(Model, ANodeOfTwoSupportsMovesOnce) {
   TEST_EQUALITY(*std::max_element(prescribed.begin(), prescribed.end()), 0.0);
 }
 
+// Two stones stand side by side on the ground, which holds the foot of the joint between them on both sides: no force
+// there changes anything, so there is none, bit for bit. Once it grew by a tenth with every time step, and with it the
+// force that tolerances refer to.
+TEUCHOS_UNIT_TEST(Model, WhereSupportsHoldBothSidesOfAJointThereIsNoForce) {
+  Experiment experiment(wall_scene(4));
+  for (const double push : {0.0, 0.5, 1.0})
+    TEST_ASSERT(experiment.advance({{"weight", 1.0}, {"sideways", push}}));
+  int held = 0;
+  const auto solution = experiment.solution();
+  for (const auto& p : solution.points)
+    if (solution.held[p.node_i][0] && solution.held[p.node_j][0]) {
+      ++held;
+      TEST_EQUALITY(p.normal_force, 0);
+    }
+  TEST_EQUALITY(held, 3);  // between the four stones of the first course
+}
+
 }  // namespace
