@@ -14,6 +14,7 @@ from matplotlib.lines import Line2D
 from geometry import bounds, round_number
 
 RED, ORANGE, BLUE, GREEN, SKY = "#c8321e", "#e69f00", "#0072b2", "#009e73", "#56b4e9"
+PURPLE, DARK_SKY = "#8a4f7d", "#2b6f94"
 INK, GREY, PALE = "#222222", "#8c8c8c", "#c9c9c9"
 STONE, STONE_EDGE, STONE_PALE = "#e5dcc8", "#6f6655", "#f3efe6"
 # Stones of different sets: muted, equally light, apart in hue; after the last they start again.
@@ -30,8 +31,9 @@ plt.rcParams.update({
 
 
 def visible(name):
-    """A name as matplotlib can draw it: no control characters, no endless lines."""
+    """A name as matplotlib can draw it: no control characters, no endless lines, no first underscore (a legend drops it)."""
     name = "".join(c if c.isprintable() else " " for c in str(name))
+    name = f" {name}" if name.startswith("_") else name
     return name if len(name) <= 40 else name[:38] + "…"
 
 

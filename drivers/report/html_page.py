@@ -76,6 +76,12 @@ class Page:
         self.parts.append(f'<figure><img width="{width}" alt="{escape(caption)}" src="data:image/png;base64,{data}">'
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
 
+    def animation(self, path, caption):
+        """An animated GIF as data URI, in its own size."""
+        data = base64.b64encode(path.read_bytes()).decode("ascii")
+        self.parts.append(f'<figure><img alt="{escape(caption)}" src="data:image/gif;base64,{data}">'
+                          f"<figcaption>{escape(caption)}</figcaption></figure>")
+
     def table(self, columns, rows, words=()):
         """columns: headings; words: numbers of the columns that hold text and are set flush left."""
         cell = lambda tag, k, value: f"<{tag}{' class=words' if k in words else ''}>{escape(value)}</{tag}>"

@@ -11,11 +11,13 @@ from pathlib import Path
 import draw_cost
 import draw_forces
 import draw_joints
+import draw_motion
 import draw_structure
+import draw_time
 import tables
 from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
 from html_page import Page
-from read_results import OPEN, SLIP, find, read_results
+from read_results import OPEN, SLIP, find, read_frames, read_results
 from statics import find_hinges, find_rings, ring_resultants
 
 # A result with holes (a table of the wrong length, say) must not take the rest of the report with it.
@@ -55,6 +57,21 @@ def add_stages(page, results, edges, folder):
                  "Deformed shape at the end of each stage"
                  + (f" ({left_out} of {len(results.stage_ends)} stages left out)" if left_out else "")
                  + ". Each has its own magnification, stated above it: compare the shapes by eye, the sizes by number.")
+
+
+def add_motion(page, results, pieces, edges, folder):
+    """A section of its own, when something moves through enough recorded steps."""
+    times = results.times
+    if len(times) < 3:
+        return
+    chosen = draw_motion.chosen_frames(times, draw_motion.frames_for(results.mesh))
+    drawn = draw_motion.draw_motion(results.mesh, results.joints, pieces, edges, read_frames(results, chosen), folder)
+    if not drawn:
+        return
+    path, scale, frames = drawn
+    page.section("The motion")
+    page.animation(path, f"The structure at {frames} of {len(times)} recorded steps, displacements drawn {factor_text(scale)} throughout. "
+                   "Red: open joints; thin grey: the structure as built.")
 
 
 def add_joints(page, results, pieces, edges, scale, rings, folder):
@@ -101,6 +118,7 @@ def add_structure_sections(page, results, folder):
     rings = attempt(page, "The arches", lambda: [(ring, ring_resultants(ring, joints, step)) for ring in find_rings(mesh, joints)]) or []
     attempt(page, "The deformed structure", add_deformed, page, results, edges, scale, folder)
     attempt(page, "The stages", add_stages, page, results, edges, folder)
+    attempt(page, "The motion", add_motion, page, results, pieces, edges, folder)
     page.section("Joints")
     attempt(page, "The joints", add_joints, page, results, pieces, edges, scale, rings, folder)
     page.section("How the load is carried")
@@ -133,6 +151,25 @@ def add_cost(page, results, folder):
         tables.step_table(page, history, tables.ENERGY_COLUMNS)
 
 
+def add_time(page, results, folder):
+    """Observed places and energies over time or load steps."""
+    history = results.history
+    places = draw_time.observed_places(history)
+    path = draw_time.draw_places(history, places, folder)
+    energy = draw_time.draw_energy(history, folder)
+    if not path and not energy:
+        return
+    page.section("Over time" if draw_time.Course(history).in_time else "Over the load steps")
+    if path:
+        left_out = len(places) - draw_time.PLACES
+        page.picture(path, "Motion of the places the scene observes"
+                     + (f" (the first {draw_time.PLACES}; {left_out} more are in history.csv)." if left_out > 0 else "."))
+    if energy:
+        path, share, in_time = energy
+        page.picture(path, "Energy book: external work is stored as elastic and kinetic energy or lost in friction, fracture and damping. "
+                     f"Right: what the book cannot explain{' of time steps' if in_time else ''}, at most {share:.2g} of the largest energy.")
+
+
 def add_tables(page, results, rings):
     page.section("Tables")
     if results.last:
@@ -152,6 +189,7 @@ def make_report(folder):
     page.figures_asked_first(tables.facts_asked_first(results))
     page.remarks(results.remarks)
     rings = add_structure_sections(page, results, pictures) if results.mesh else []
+    attempt(page, "The course of the run", add_time, page, results, pictures)
     attempt(page, "Convergence and cost", add_cost, page, results, pictures)
     add_tables(page, results, rings)
     path = results.folder / "report.html"

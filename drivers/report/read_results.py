@@ -14,6 +14,7 @@ import h5py
 import numpy as np
 
 OPEN, STICK, SLIP, BONDED = 0, 1, 2, 3
+MECHANISM = ": mechanism"  # ends the stage of a step that shows how a collapse begins
 
 # Damaged files end in one of these; anything else is a mistake of ours and should be seen.
 UNREADABLE = (OSError, ValueError, KeyError, IndexError, csv.Error, ElementTree.ParseError)
@@ -78,6 +79,7 @@ class Results:
     mesh: Mesh = None
     joints: Joints = None
     stage_ends: list = field(default_factory=list)  # last step of every stage, in the order of loading
+    times: list = field(default_factory=list)       # [s] of every recorded step of the motion, NaN for a load step
     remarks: list = field(default_factory=list)
 
     @property
@@ -170,12 +172,32 @@ def last_of_each_stage(steps):
     return [name for k, name in enumerate(names) if k + 1 == len(names) or stages[k] != stages[k + 1]]
 
 
+def steps_of_motion(steps):
+    """Names of the step groups in order, without the mechanism of a collapse, which is a direction and no state."""
+    names = sorted((name for name in steps if name.isdigit()), key=int)
+    return [name for name in names if not text(steps[name].attrs.get("stage", "")).endswith(MECHANISM)]
+
+
+def read_frames(results, chosen):
+    """Rows (stage, time or NaN, displacement, status of the points) of the recorded steps with these numbers."""
+    with h5py.File(results.folder / "fields.h5", "r") as file:
+        steps, points = file["steps"], len(results.joints.area)
+        names = steps_of_motion(steps)
+        rows = []
+        for k in chosen:
+            group = steps[names[k]]
+            status = group["joint_status"][()].astype(int).reshape(-1) if "joint_status" in group else np.full(points, BONDED)
+            rows.append((text(group.attrs.get("stage", "")), results.times[k], group["displacement"][:, :2], status))
+        return rows
+
+
 def read_fields(path, results):
     with h5py.File(path, "r") as file:
         results.mesh = read_mesh(file)
         results.joints = read_joints(file)
         steps = file.get("steps", {})
         results.stage_ends = [read_step(name, steps[name], len(results.joints.area)) for name in last_of_each_stage(steps)]
+        results.times = [float(steps[name].attrs.get("time_s", np.nan)) for name in steps_of_motion(steps)]
     if not results.stage_ends:
         results.remarks.append("fields.h5 holds no load step; only the undeformed structure is drawn.")
 

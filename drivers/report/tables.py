@@ -86,8 +86,9 @@ STEP_COLUMNS = (("step", "step"), ("stage", "stage"), ("load factor", "load_fact
                 ("linear solves", "linear_solves"), ("Krylov", "krylov_iterations"), ("complementarity residual", "complementarity_residual"),
                 ("penetration [m]", "largest_penetration_m"), ("error estimate", "error_estimate"),
                 ("displacement [m]", "largest_displacement_m"), ("seconds", "seconds"))
-ENERGY_COLUMNS = (("step", "step"), ("stage", "stage"), ("elastic [J]", "elastic_J"), ("external work [J]", "external_work_J"),
-                  ("friction [J]", "friction_J"), ("fracture [J]", "fracture_J"), ("imbalance [J]", "imbalance_J"))
+ENERGY_COLUMNS = (("step", "step"), ("stage", "stage"), ("elastic [J]", "elastic_J"), ("kinetic [J]", "kinetic_J"),
+                  ("external work [J]", "external_work_J"), ("friction [J]", "friction_J"), ("fracture [J]", "fracture_J"),
+                  ("damping [J]", "damping_J"), ("imbalance [J]", "imbalance_J"))
 
 
 def step_table(page, history, columns):

@@ -8,12 +8,15 @@ Three stones under their weight and pressed from above, with a title, stages and
 import base64
 import csv
 import html.parser
+import io
 import json
 import pathlib
 import re
 import subprocess
 import sys
 import unittest
+
+import PIL.Image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = pathlib.Path("report").resolve()
@@ -22,6 +25,7 @@ PROGRAM = None
 TITLE = """Stones <script>alert("title")</script> & 'quotes' $x$"""
 STAGES = ("<b>weight</b> & more", "</td></table><img src=x onerror=alert(1)>")
 STONES = 'ring <script>alert("set")</script>'
+PLACE = '=1+1 <svg onload=alert(2)>, $top$ "quoted"'
 
 SCENE = """
 <ParameterList name="stones">
@@ -68,6 +72,9 @@ SCENE = """
       </ParameterList>
     </ParameterList>
   </ParameterList>
+  <ParameterList name="observations">
+    <ParameterList name="{place}"><Parameter name="place" type="string" value="mean"/></ParameterList>
+  </ParameterList>
   <ParameterList name="selection"><Parameter name="mode" type="string" value="all"/></ParameterList>
 </ParameterList>
 """
@@ -76,6 +83,7 @@ SCENE = """
 TAGS = set("html head meta title style body header h1 h2 h3 span div ul li dl dt dd small p figure img figcaption table thead "
            "tbody tr th td footer".split())
 ATTRIBUTES = {"lang", "charset", "name", "content", "class", "width", "alt", "src"}
+EMBEDDED = ("data:image/png;base64,", "data:image/gif;base64,")
 UNITS = {"m": 1.0, "mm": 1e-3, "µm": 1e-6}
 
 
@@ -123,6 +131,20 @@ def escaped(text):
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
 
 
+def content_of(picture):
+    return base64.b64decode(picture["src"].split(",", 1)[1], validate=True)
+
+
+def frames_of(page):
+    """Frames of the one animation of a page, all of which can be decoded."""
+    (motion,) = [p for p in page.pictures if p["src"].startswith(EMBEDDED[1])]
+    image = PIL.Image.open(io.BytesIO(content_of(motion)))
+    for frame in range(image.n_frames):
+        image.seek(frame)
+        image.load()
+    return image.n_frames
+
+
 class Report(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -131,7 +153,8 @@ class Report(unittest.TestCase):
         name = STONES.replace('"', "'")  # gmsh ends a name at a double quote
         (FOLDER / "stones.geo").write_text(f'{geo}Physical Surface("{name}") = {{1, 2, 3}};\n')
         scene = FOLDER / "stones.xml"
-        scene.write_text(SCENE.format(title=escaped(TITLE), first=escaped(STAGES[0]), second=escaped(STAGES[1])))
+        scene.write_text(SCENE.format(title=escaped(TITLE), first=escaped(STAGES[0]), second=escaped(STAGES[1]),
+                                      place=escaped(PLACE)))
         cls.out = FOLDER / "out"
         subprocess.run([PROGRAM, f"--xml={scene}", f"--out={cls.out}", "--overwrite", "--quiet"], check=True)
         subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", cls.out], check=True,
@@ -157,20 +180,32 @@ class Report(unittest.TestCase):
 
     def test_nothing_is_loaded_from_elsewhere(self):
         for picture in self.page.pictures:
-            self.assertTrue(picture["src"].startswith("data:image/png;base64,"), picture["src"][:60])
+            self.assertTrue(picture["src"].startswith(EMBEDDED), picture["src"][:60])
         style = "".join(self.page.texts["style"])
         for word in ("url(", "@import", "http:", "https:"):
             self.assertNotIn(word, style)
 
     def test_pictures_are_whole_and_captioned(self):
-        # Structure, deformed shape, stages, joints, forces, selection, history; phases where there is time to show.
-        self.assertGreaterEqual(len(self.page.pictures), 7)
+        # Structure, deformed shape, stages, motion, joints, forces, selection, places, energy, history; phases where there
+        # is time to show.
+        self.assertGreaterEqual(len(self.page.pictures), 10)
         self.assertEqual(len(self.page.texts["figcaption"]), len(self.page.pictures))
         for picture in self.page.pictures:
-            content = base64.b64decode(picture["src"].split(",", 1)[1], validate=True)
+            content = content_of(picture)
+            if picture["src"].startswith(EMBEDDED[1]):
+                continue
             self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
             self.assertEqual(content[-8:-4], b"IEND")
             self.assertGreater(int.from_bytes(content[16:20], "big"), 500)  # pixels: wide enough for a page
+
+    def test_the_motion_has_a_frame_for_every_recorded_step(self):
+        self.assertEqual(frames_of(self.page), len(self.history))
+
+    def test_an_observed_place_has_columns_under_its_name(self):
+        columns = [key for key in self.history[0] if key.startswith(("ux_m of ", "uy_m of "))]
+        self.assertEqual(columns, [f"ux_m of {PLACE}", f"uy_m of {PLACE}"])
+        # Pressed from above, the stones sink.
+        self.assertLess(float(self.history[-1][columns[1]]), float(self.history[0][columns[1]]))
 
     def test_nothing_failed_to_be_drawn(self):
         self.assertNotIn("could not be drawn", self.text)
@@ -201,6 +236,35 @@ class Report(unittest.TestCase):
             self.assertAlmostEqual(shown / known, 1, delta=5e-3)
         energy = next(t for t in self.page.tables if "imbalance [J]" in t[0])
         self.assertEqual(len(energy) - 1, len(self.history))
+
+
+class InTime(unittest.TestCase):
+    """Two bars that collide, the first ten of their time steps, every second recorded."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = FOLDER / "in-time"
+        settings = ["steps/stages/impact/duration=2.5e-5", "output/every=2"]
+        subprocess.run([PROGRAM, f"--xml={ROOT / 'xml/impact-bars.xml'}", f"--out={cls.out}", "--overwrite", "--quiet"]
+                       + [f"--set={s}" for s in settings], check=True)
+        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", cls.out], check=True,
+                       stdout=subprocess.DEVNULL)
+        cls.text = (cls.out / "report.html").read_text(encoding="utf-8")
+        cls.page = Page(cls.text)
+
+    def test_the_course_of_energies_places_and_the_motion_are_drawn(self):
+        self.assertNotIn("could not be drawn", self.text)
+        for heading in ("Over time", "The motion"):
+            self.assertIn(heading, self.page.texts["h2"])
+        self.assertEqual(frames_of(self.page), 5)
+        for name in ("energy", "places"):
+            self.assertTrue((self.out / f"pictures/{name}.png").exists())
+
+    def test_the_energy_book_shows_what_moves(self):
+        table = next(t for t in self.page.tables if "kinetic [J]" in t[0])
+        # The flying bar: 1 m x 0.02 m x 1 m of 7800 kg/m3 at 1 m/s has 78 J, before it touches and after.
+        column = table[0].index("kinetic [J]")
+        self.assertEqual(float(table[1][column]), 78)
 
 
 class DamagedResults(unittest.TestCase):
