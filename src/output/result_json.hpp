@@ -48,7 +48,7 @@ struct RunSummary {
   long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
   double largest_penetration = 0.0;       ///< [m] largest of all steps
   double complementarity_residual = 0.0;  ///< [-] largest of all steps
-  double error_estimate = 0.0;            ///< [-] relative, energy norm, at the end
+  double error_estimate = 0.0;            ///< [-] relative, energy norm, the largest of all steps
   double largest_displacement = 0.0;      ///< [m] at the end
   EnergySummary energy;
   std::map<std::string, EffectSummary> effects;  ///< every effect the program knows

@@ -36,11 +36,11 @@ struct AccuracyRow {
   long long candidate_points = 0, selected_points = 0;
   double error_energy = unknown;        ///< [-]
   double error_displacement = unknown;  ///< [-]
-  double estimate = unknown;            ///< [-] the program's own, of the last load step
+  double estimate = unknown;            ///< [-] the program's own: the largest of all load steps
   double seconds = 0;                   ///< from mesh to solution, the slowest rank
   long long linear_solves = 0, krylov_iterations = 0;
   std::string outcome;                  ///< "equilibrium", "collapse", "not converged" or "refused"
-  double largest_estimate = unknown;    ///< [-] over all load steps
+  double last_estimate = unknown;       ///< [-] of the last load step
   double largest_displacement = unknown;  ///< [m]
   double energy = unknown;              ///< [J] elastic
 };

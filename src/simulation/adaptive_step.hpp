@@ -13,6 +13,7 @@ namespace voussoir {
 struct StepReport {
   NewtonReport newton;
   int selection_rounds = 0;
+  int estimate_solves = 0;  ///< linear solves for error estimates, besides those of newton
   double error_estimate = 0;  ///< [-] relative, energy norm
   long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
 };
@@ -43,14 +44,11 @@ class AdaptiveStep {
 
  private:
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
+  bool solve_round(const typename ContactProblem<dim>::Parts&, ContactState&, const std::vector<double>& load,
+                   const std::vector<double>& prescribed, double tolerance, const PointField* known_gap,
+                   std::vector<int>& cluster, StepReport&);
   bool break_points(ContactState&) const;
-  bool select_all(ContactState&) const;
   std::vector<PointLaw> current_law(const ContactState&) const;
-  long long count_selected(const ContactState&) const;
-  double estimate(const ContactState&, const std::vector<int>& cluster, std::vector<double>& eta) const;
-  bool release(ContactState&, const std::vector<int>& cluster, const std::vector<double>& eta) const;
-  double elastic_energy(const std::vector<double>& u) const;
-  double largest_violation(const ContactState&, const std::vector<double>& eta) const;
 
   const Model<dim>& model_;
   LinearSolver solver_;

@@ -233,7 +233,8 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   row.stick_points = count.stick;
   row.slip_points = count.slip;
   row.selection_rounds = report.selection_rounds;
-  row.newton_iterations = row.linear_solves = report.newton.newton_iterations;
+  row.newton_iterations = report.newton.newton_iterations;
+  row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
   row.krylov_iterations = static_cast<int>(report.newton.krylov_iterations);
   row.complementarity_residual = report.newton.complementarity;
   row.largest_penetration = report.newton.penetration;
@@ -258,11 +259,11 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   sum.slip_points = count.slip;
   sum.selection_rounds += report.selection_rounds;
   sum.newton_iterations += report.newton.newton_iterations;
-  sum.linear_solves += report.newton.newton_iterations;
+  sum.linear_solves += row.linear_solves;
   sum.krylov_iterations += report.newton.krylov_iterations;
   sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
-  sum.error_estimate = report.error_estimate;
+  sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);
   sum.largest_displacement = largest_all;
   sum.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
                 energy.friction(), energy.fracture(), energy.imbalance(),

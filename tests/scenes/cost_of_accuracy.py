@@ -16,7 +16,7 @@ FOLDER = pathlib.Path("cost_of_accuracy").resolve()
 PROGRAM = None
 THRESHOLDS = (0.3, 0.03, 0.003)
 COLUMNS = ("sweep,mode,threshold,element_size_m,blocks,unknowns,candidate_points,selected_points,error_energy,"
-           "error_displacement,estimate,effectivity,seconds,linear_solves,krylov_iterations,outcome,largest_estimate,"
+           "error_displacement,estimate,effectivity,seconds,linear_solves,krylov_iterations,outcome,last_estimate,"
            "largest_displacement_m,energy_J").split(",")
 # Friction remembers the path: two right solutions of this wall may differ by this much in energy norm.
 PATH = 1e-3

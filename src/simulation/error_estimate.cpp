@@ -1,0 +1,138 @@
+#include "simulation/error_estimate.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "nonlinear/point_update.hpp"
+
+namespace voussoir {
+namespace {
+
+// Violations below this multiple of the solver's tolerance are its noise.
+constexpr double noise = 10;
+// Relative residual of the linear solve. 1e-2 changes no third digit and saves a twentieth of the Krylov iterations,
+// but the estimate would then depend on the number of ranks by as much.
+constexpr double solve_tolerance = 1e-4;
+
+// Errors beyond this many times the solution are all the same: no solution at all. Bounds the estimate where nothing
+// would be left under load.
+constexpr double largest_error = 100;
+
+double largest(const Teuchos::Comm<int>& comm, double mine) {
+  double all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all;
+}
+
+/// u.K u / 2 [J].
+template <int dim>
+double elastic_energy(const Structure<dim>& structure, const std::vector<double>& u) {
+  std::vector<double> ku;
+  structure.apply_stiffness(u, ku);
+  double mine = 0, all = 0;
+  for (int i = 0; i < dim * structure.owned_nodes(); ++i) mine += u[i] * ku[i] / 2;
+  Teuchos::reduceAll(*structure.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+/// Releases every point at the vertex of a violating one: each of them ties its nodes.
+template <int dim>
+void release_violating(const ContactPoints<dim>& points, const std::vector<int>& cluster,
+                       const TiedViolations& violations, std::vector<char>& selected) {
+  std::vector<double> violates(points.size(), 0.0);
+  for (int k = 0; k < points.owned(); ++k) violates[k] = violations.force[k] > 0;
+  points.exchange().update(violates, 1);
+  std::vector<char> vertex(cluster.size(), 0);
+  for (int k = 0; k < points.size(); ++k)
+    if (violates[k] > 0) vertex[cluster[points.points()[k].node_i]] = 1;
+  std::vector<double> released(selected.begin(), selected.end());
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    if (cluster[p.node_i] == cluster[p.node_j] && vertex[cluster[p.node_i]]) released[k] = 1;
+  }
+  points.exchange().update(released, 1);
+  for (int k = 0; k < points.size(); ++k) selected[k] = released[k] > 0;
+}
+
+}  // namespace
+
+template <int dim>
+TiedViolations tied_violations(const Model<dim>& model, const std::vector<PointLaw>& law, const ContactState& state,
+                               const std::vector<int>& cluster) {
+  const auto& points = model.points();
+  const auto& comm = *model.structure().comm();
+  TiedViolations v;
+  v.force.assign(points.owned(), 0.0);
+  double force = 0, worst = 0;
+  for (int k = 0; k < points.owned(); ++k) force = std::max(force, std::abs(state.lambda[dim * k]));
+  force = largest(comm, force);
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    if (cluster[p.node_i] != cluster[p.node_j]) continue;
+    Vector<dim> f;
+    std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
+    const double r = violation(law[k], f);
+    if (r <= noise * model.scene().newton.tolerance * force) continue;
+    v.force[k] = r;
+    worst = std::max(worst, r);
+  }
+  worst = largest(comm, worst);
+  v.largest = force > 0 ? worst / force : 0.0;
+  return v;
+}
+
+std::vector<double> predicted_decrease(const TiedViolations& violations, const std::vector<double>& local_stiffness) {
+  std::vector<double> eta;
+  for (std::size_t k = 0; k < violations.force.size(); ++k)
+    eta.push_back(violations.force[k] * violations.force[k] / (2 * local_stiffness[k]));
+  return eta;
+}
+
+template <int dim>
+TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const std::vector<PointLaw>& law,
+                   const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations,
+                   const std::vector<double>& load, const std::vector<double>& prescribed) {
+  if (violations.largest == 0) return {};
+  ContactState released = state;
+  release_violating(parts.points, cluster, violations, released.selected);
+  ContactProblem<dim> problem(parts, released, law, load, prescribed);
+  const auto x = problem.unknowns(state.displacement);
+  const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
+  const auto e = Teuchos::rcp(new TpetraVector(problem.map()));
+  PointField gap, trial, forces;
+  std::vector<double> bound;
+  std::vector<PointStiffness> resistance;
+  problem.evaluate(*x, *b, gap);
+  trial_forces(problem, state.lambda, gap, 1.0, trial);
+  friction_bounds(problem, trial, bound);
+  project(problem, trial, bound, forces);
+  resistances(problem, trial, bound, 1.0, resistance);
+  problem.subtract_contact_forces(forces, *b);
+  b->scale(-1);
+  TieError error;
+  error.krylov_iterations = problem.solve(resistance, 1.0, b, e, solve_tolerance);
+  error.linear_solves = 1;
+  problem.space().scatter(*e, error.change);
+  return error;
+}
+
+template <int dim>
+double relative_error(const Structure<dim>& structure, const std::vector<double>& displacement, const TieError& error,
+                      double known_energy) {
+  if (error.change.empty()) return 0.0;
+  auto without = displacement;
+  for (std::size_t i = 0; i < without.size(); ++i) without[i] += error.change[i];
+  const double changed = elastic_energy(structure, error.change);
+  const double energy = std::max(elastic_energy(structure, without), known_energy);
+  return std::sqrt(changed) < largest_error * std::sqrt(energy) ? std::sqrt(changed / energy) : largest_error;
+}
+
+template TiedViolations tied_violations<2>(const Model<2>&, const std::vector<PointLaw>&, const ContactState&,
+                                           const std::vector<int>&);
+template TieError tie_error<2>(const ContactProblem<2>::Parts&, const std::vector<PointLaw>&, const ContactState&,
+                               const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
+                               const std::vector<double>&);
+template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double);
+
+}  // namespace voussoir

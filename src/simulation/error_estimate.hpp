@@ -1,0 +1,58 @@
+// What it costs that points stay tied: how the structure would move if those that violate their law gave way.
+//
+// One linear system, of the structure in which every violating point is released and no longer resists where it
+// violates, under the forces r by which it does:
+//     (K + resistances) e = B^T r,     relative error^2 = e.K e / (u + e).K (u + e)
+// This is the first semismooth Newton step of the problem without ties, so blocks that would turn or slide as a whole
+// do so. Reasons and numbers: src/selection/README.md.
+#pragma once
+
+#include "simulation/contact_problem.hpp"
+#include "simulation/model.hpp"
+
+namespace voussoir {
+
+/// How far the forces of tied points are from what their law admits.
+struct TiedViolations {
+  std::vector<double> force;  ///< [N] per owned point; 0 at free points and where it is noise of the solver
+  double largest = 0;         ///< [-] over all ranks, relative to the largest normal force
+};
+
+/// @param state      forces of tied points recovered
+/// @param cluster    per local node copy; a point is tied when its nodes have the same cluster
+/// Collective.
+template <int dim>
+TiedViolations tied_violations(const Model<dim>&, const std::vector<PointLaw>&, const ContactState&,
+                               const std::vector<int>& cluster);
+
+/// Energy that releasing each point alone would set free, r^2 / (2 k) [J]: good for telling points apart, not for
+/// their sum. k is the stiffness of the cells beside the point [N/m].
+std::vector<double> predicted_decrease(const TiedViolations&, const std::vector<double>& local_stiffness);
+
+/// The error of ties, and what it took to know it.
+struct TieError {
+  std::vector<double> change;  ///< [m] e on local node copies; empty when nothing is violated
+  int linear_solves = 0, krylov_iterations = 0;
+};
+
+/// @param state  in equilibrium with its ties; ghosts of its forces up to date
+/// Collective. Costs a linear solve where anything is violated.
+template <int dim>
+TieError tie_error(const typename ContactProblem<dim>::Parts&, const std::vector<PointLaw>&, const ContactState&,
+                   const std::vector<int>& cluster, const TiedViolations&, const std::vector<double>& load,
+                   const std::vector<double>& prescribed);
+
+/// Error of ties relative to the energy that the structure would have without them [-]. Collective.
+/// @param known_energy  [J] of the structure, where displacement does not tell
+template <int dim>
+double relative_error(const Structure<dim>&, const std::vector<double>& displacement, const TieError&,
+                      double known_energy);
+
+extern template TiedViolations tied_violations<2>(const Model<2>&, const std::vector<PointLaw>&,
+                                                  const ContactState&, const std::vector<int>&);
+extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const std::vector<PointLaw>&,
+                                      const ContactState&, const std::vector<int>&, const TiedViolations&,
+                                      const std::vector<double>&, const std::vector<double>&);
+extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double);
+
+}  // namespace voussoir

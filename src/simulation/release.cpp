@@ -1,0 +1,87 @@
+#include "simulation/release.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+
+#include "selection/marking.hpp"
+
+namespace voussoir {
+namespace {
+
+long long total(const Teuchos::Comm<int>& comm, long long mine) {
+  long long all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+/// Brings the forces of selected points to the nearest admissible ones, normal part first.
+template <int dim>
+void admit(const std::vector<PointLaw>& law, ContactState& state) {
+  for (std::size_t k = 0; k < law.size(); ++k) {
+    if (!state.selected[k]) continue;
+    const double normal = project_normal(law[k], state.lambda[dim * k]);
+    Vector<dim - 1> q;
+    std::copy_n(state.lambda.begin() + dim * k + 1, dim - 1, q.begin());
+    q = project_tangential(q, friction_bound(law[k], normal));
+    state.lambda[dim * k] = normal;
+    std::copy_n(q.begin(), dim - 1, state.lambda.begin() + dim * k + 1);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+bool release(const Model<dim>& model, const std::vector<PointLaw>& law, const std::vector<int>& cluster,
+             const std::vector<double>& eta, ContactState& state) {
+  const auto& points = model.points();
+  const auto& comm = *model.structure().comm();
+  const auto& parameters = model.scene().selection;
+  const double share = parameters.error_tolerance > 0 ? parameters.bulk : 1.0;
+  const auto marked = mark_bulk(eta, share, comm);
+  std::vector<double> flag(points.size(), 0.0);
+  for (int k = 0; k < points.owned(); ++k) flag[k] = marked[k];
+  points.exchange().update(flag, 1);
+  // A marked point that is selected already is tied by others at its vertex: they must go.
+  std::vector<char> vertex(model.structure().nodes(), 0), joint(points.joints().size(), 0);
+  for (int k = 0; k < points.size(); ++k) {
+    if (flag[k] == 0) continue;
+    joint[points.points()[k].joint] = 1;
+    if (state.selected[k]) vertex[cluster[points.points()[k].node_i]] = 1;
+  }
+  long long released = 0;
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    const bool tied = cluster[p.node_i] == cluster[p.node_j];
+    const bool chosen = flag[k] != 0 || (parameters.whole_joints && joint[p.joint]) ||
+                        (tied && vertex[cluster[p.node_i]]);
+    if (!chosen || state.selected[k]) continue;
+    state.selected[k] = 1;
+    ++released;
+  }
+  std::vector<double> selected(state.selected.begin(), state.selected.end());
+  points.exchange().update(selected, 1);
+  for (int k = 0; k < points.size(); ++k) state.selected[k] = selected[k] != 0;
+  admit<dim>(law, state);
+  return total(comm, released) > 0;
+}
+
+template <int dim>
+bool release_all(const Model<dim>& model, const std::vector<PointLaw>& law, ContactState& state) {
+  const bool more = count_selected(model, state) < model.points().total();
+  std::fill(state.selected.begin(), state.selected.end(), 1);
+  admit<dim>(law, state);
+  return more;
+}
+
+template <int dim>
+long long count_selected(const Model<dim>& model, const ContactState& state) {
+  const auto owned = state.selected.begin() + model.points().owned();
+  return total(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
+}
+
+template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,
+                         const std::vector<double>&, ContactState&);
+template bool release_all<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
+template long long count_selected<2>(const Model<2>&, const ContactState&);
+
+}  // namespace voussoir

@@ -1,0 +1,30 @@
+// Which tied points of a state become contact points, and with which forces they begin.
+#pragma once
+
+#include "simulation/contact_problem.hpp"
+#include "simulation/model.hpp"
+
+namespace voussoir {
+
+/// Selects the points whose predicted decrease `eta` [J, per owned point] holds the share the scene asks for, with
+/// their joints where it says so; their forces become admissible. Collective.
+/// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
+/// @return false when nothing new was selected
+template <int dim>
+bool release(const Model<dim>&, const std::vector<PointLaw>&, const std::vector<int>& cluster,
+             const std::vector<double>& eta, ContactState&);
+
+/// Selects every point, with admissible forces; false when all were selected already. Collective.
+template <int dim>
+bool release_all(const Model<dim>&, const std::vector<PointLaw>&, ContactState&);
+
+/// Selected points of all ranks. Collective.
+template <int dim>
+long long count_selected(const Model<dim>&, const ContactState&);
+
+extern template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,
+                                const std::vector<double>&, ContactState&);
+extern template bool release_all<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
+extern template long long count_selected<2>(const Model<2>&, const ContactState&);
+
+}  // namespace voussoir
