@@ -7,8 +7,6 @@
 namespace voussoir {
 namespace {
 
-// Linear solves of the fast way: few changes of status need no more.
-constexpr int fast_solves = 8;
 // Solves for which the fast way is left alone after it has failed, doubling up to the second number.
 constexpr int longest_wait = 7;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75.
@@ -46,8 +44,9 @@ bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double toleran
   }
   const TpetraVector x_before(x, Teuchos::Copy);
   const PointField lambda_before = lambda;
-  AugmentedLagrangian quick(problem_, {parameters_.tolerance, std::min(fast_solves, parameters_.largest_iterations)});
+  AugmentedLagrangian quick(problem_, {parameters_.tolerance, std::min(parameters_.fast_solves, parameters_.largest_iterations)});
   quick.narrate = narrate;
+  quick.first_augmentation = parameters_.fast_augmentation;
   report = quick.solve(x, lambda, tolerance, &known_gap);
   if (report.outcome == NewtonOutcome::converged) {
     fast_ = {};
