@@ -40,9 +40,6 @@ def one_palette(images):
     for k, image in enumerate((images[0], images[len(images) // 2], images[-1])):
         sample.paste(image, (0, k * image.height))
     palette = sample.quantize(COLOURS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-    colours = np.array(palette.getpalette()[:3 * COLOURS]).reshape(-1, 3)
-    colours[colours.sum(1).argmax()] = 255  # paper stays white
-    palette.putpalette(colours.reshape(-1).tolist())
     return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
 
 
