@@ -18,6 +18,15 @@ struct PointLaw {
   double tension = 0;   ///< [N] tensile force borne, may be infinite; 0 once broken
 };
 
+/// What mortar gives way under a force, in series with contact: the law holds for gap + normal x p and slip +
+/// tangential x q, which are those of the stones without the mortar between them. 0 where stone meets stone [m/N].
+struct PointCompliance {
+  double normal = 0;
+  double tangential = 0;  ///< the same in all tangential directions
+
+  double along(int component) const { return component == 0 ? normal : tangential; }
+};
+
 /// Stiffness with which a point resists in a linear system [N/m], 0 where it gives way.
 struct PointStiffness {
   double normal = 0;

@@ -1,6 +1,7 @@
 #include "joints/joint_law_parameters.hpp"
 
 #include "base/parameter_section.hpp"
+#include "base/text.hpp"
 
 namespace voussoir {
 
@@ -18,6 +19,19 @@ void JointLawParameters::declare(ParameterSection& section) {
   section.add("tension strength", tension_strength, "Pa", at_least(0.0).or_infinite(),
               "tension a joint bears, lost for good once a point has opened or slipped", "a strength",
               "Dry joints have 0, lime mortar 0.02e6 to 0.2e6.");
+  section.add("normal stiffness", normal_stiffness, "Pa/m", above(0.0).or_infinite(),
+              "pressure per shortening of the mortar, Young's modulus by thickness; inf: no mortar",
+              "mortar without stiffness carries nothing", "10 mm of lime mortar have 1e11 to 4e11.");
+  section.add("tangential stiffness", tangential_stiffness, "Pa/m", above(0.0).or_infinite(),
+              "shear per distortion of the mortar, shear modulus by thickness; inf: no mortar",
+              "mortar without stiffness carries nothing", "10 mm of lime mortar have 0.4e11 to 1.6e11.");
+  const auto too_stiff = [](double k) { return k > stiffest && k < infinity; };
+  const std::string why = "must be <= " + number_text(stiffest) + " or inf (that is a millimetre of stone)";
+  const auto check = [&](const char* name, double value) {
+    section.check(!too_stiff(value), name, number_text(value) + " Pa/m", why, "Leave it out");
+  };
+  check("normal stiffness", normal_stiffness);
+  check("tangential stiffness", tangential_stiffness);
   section.add("initial gap", initial_gap, "m", at_least(0.0),
               "opening of these joints at the start; the mesh shows them closed",
               "blocks do not lie in each other", "Give 0 for blocks that touch.");

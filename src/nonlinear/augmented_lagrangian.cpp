@@ -83,8 +83,8 @@ double AugmentedLagrangian::line_search(State& s) {
   PointField moved(s.trial.size()), forces;
   return exact_step([&](double alpha) {
     for (int k = 0; k < problem_.owned_points(); ++k) {
-      const double sigma = s.augmentation * problem_.local_stiffness()[k];
-      for (int c = k * n; c < (k + 1) * n; ++c) moved[c] = s.trial[c] - alpha * sigma * s.gap_direction[c];
+      for (int c = k * n; c < (k + 1) * n; ++c)
+        moved[c] = s.trial[c] - alpha * stiffness_of(problem_, k, c - k * n, s.augmentation) * s.gap_direction[c];
     }
     project(problem_, moved, s.bound, forces);
     double work = 0, all = 0;
@@ -122,8 +122,8 @@ void AugmentedLagrangian::anticipate(State& s) const {
   PointField end(s.trial.size());
   const int n = problem_.components();
   for (int k = 0; k < problem_.points(); ++k) {
-    const double sigma = s.augmentation * problem_.local_stiffness()[k];
-    for (int c = k * n; c < (k + 1) * n; ++c) end[c] = s.trial[c] - sigma * s.gap_direction[c];
+    for (int c = k * n; c < (k + 1) * n; ++c)
+      end[c] = s.trial[c] - stiffness_of(problem_, k, c - k * n, s.augmentation) * s.gap_direction[c];
   }
   resistances(problem_, end, s.bound, s.augmentation, s.colliding);
 }
@@ -200,7 +200,10 @@ void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
   report.complementarity = contact_residual(problem_, s.lambda, s.gap) / s.scale;
   double penetration = 0;
   for (int k = 0; k < problem_.owned_points(); ++k)
-    if (problem_.selected()[k]) penetration = std::max(penetration, -s.gap[k * problem_.components()]);
+    if (problem_.selected()[k]) {
+      const int normal = k * problem_.components();
+      penetration = std::max(penetration, -s.gap[normal] - compliance_of(problem_, k, 0) * s.lambda[normal]);
+    }
   report.penetration = largest_over_ranks(problem_, penetration);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 
 namespace voussoir {
@@ -47,6 +48,12 @@ double InteriorPath::bound(int point, double normal) const {
   return friction_bound(law, normal);
 }
 
+/// Gap, or slip from its origin, less what mortar gives way [m].
+double InteriorPath::motion(int point, int component, const PointField& gap, const PointField& lambda) const {
+  const int at = 2 * point + component;
+  return gap[at] - problem_.slip_origin()[at] + compliance_of(problem_, point, component) * lambda[at];
+}
+
 /// Starts the path at a distance [N] from the bounds, around some forces and gaps.
 void InteriorPath::enter(const PointField& lambda, const PointField& gap, double shift) {
   path_.assign(problem_.points(), {});
@@ -57,12 +64,13 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
     p.opens = std::isfinite(law.tension);
     p.slips = std::isfinite(law.cohesion);
     const double distance = shift / problem_.local_stiffness()[k];
-    const double slip = gap[2 * k + 1] - problem_.slip_origin()[2 * k + 1];
+    const double slip = motion(k, 1, gap, lambda);
     const double limit = bound(k, lambda[2 * k]), q = std::clamp(lambda[2 * k + 1], -limit, limit);
     const double shifted = p.opens ? bound(k, std::max(lambda[2 * k], -law.tension) + shift) : limit;
     p.w = {std::max(lambda[2 * k] + law.tension, 0.0) + shift, std::max(shifted - q, start * shift),
            std::max(shifted + q, start * shift)};
-    p.y = {std::max(gap[2 * k], 0.0) + distance, std::max(-slip, 0.0) + distance, std::max(slip, 0.0) + distance};
+    p.y = {std::max(motion(k, 0, gap, lambda), 0.0) + distance, std::max(-slip, 0.0) + distance,
+           std::max(slip, 0.0) + distance};
   }
 }
 
@@ -72,9 +80,9 @@ void InteriorPath::resistances() {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& p = path_[k];
-    const double floor = 1 / problem_.local_stiffness()[k];
-    resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor);
-    resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor);
+    const double floor[] = {1 / stiffness_of(problem_, k, 0, 1.0), 1 / stiffness_of(problem_, k, 1, 1.0)};
+    resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
+    resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
   }
 }
 
@@ -144,9 +152,8 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     const double nu = target / problem_.local_stiffness()[k];
     const double limit = bound(k, lambda[2 * k]), q = lambda[2 * k + 1];
     p.residual = {0, limit - q - p.w[1], limit + q - p.w[2]};
-    const double slip = gap_[2 * k + 1] - problem_.slip_origin()[2 * k + 1];
-    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - gap_[2 * k];
-    p.gain[1] = -slip;
+    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion(k, 0, gap_, lambda);
+    p.gain[1] = -motion(k, 1, gap_, lambda);
     if (p.slips)
       p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
     force_[2 * k] += resistance_[k].normal * p.gain[0];
@@ -182,7 +189,7 @@ void InteriorPath::leave(PointField& lambda) const {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& law = problem_.law()[k];
-    const double trial = lambda[2 * k] - problem_.local_stiffness()[k] * gap_[2 * k];
+    const double trial = lambda[2 * k] - stiffness_of(problem_, k, 0, 1.0) * motion(k, 0, gap_, lambda);
     lambda[2 * k] = trial > -law.tension ? std::max(lambda[2 * k], -law.tension) : -law.tension;
     const double limit = friction_bound(law, lambda[2 * k]);
     lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);

@@ -65,6 +65,7 @@ class InteriorPath {
   void leave(PointField& lambda) const;
   void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
+  double motion(int point, int component, const PointField& gap, const PointField& lambda) const;
 
   NonlinearProblem& problem_;
   std::vector<Point> path_;

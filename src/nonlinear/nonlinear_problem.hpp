@@ -11,6 +11,12 @@ namespace voussoir {
 /// One number per contact point and direction, row-major [points x components]; component 0 is normal.
 using PointField = std::vector<double>;
 
+/// Compliances of a structure whose joints have no mortar: none.
+inline const std::vector<PointCompliance>& no_mortar() {
+  static const std::vector<PointCompliance> none;
+  return none;
+}
+
 /// Equilibrium K u - f = B^T lambda of one load step with the contact law at its selected points.
 ///
 /// Point fields cover this rank's points and ghosts; each owner and its ghosts compute the same bits,
@@ -28,6 +34,8 @@ class NonlinearProblem {
   virtual const std::vector<PointLaw>& law() const = 0;
   /// Stiffness of the blocks as a point sees it [N/m]: the natural augmentation.
   virtual const std::vector<double>& local_stiffness() const = 0;
+  /// Mortar of each point; empty when stone meets stone everywhere.
+  virtual const std::vector<PointCompliance>& compliance() const { return no_mortar(); }
   /// Slip at the start of the load step [m], normal component 0.
   virtual const PointField& slip_origin() const = 0;
 

@@ -19,8 +19,11 @@ void trial_forces(const NonlinearProblem& problem, const PointField& lambda, con
   trial.resize(lambda.size());
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
-    const double sigma = augmentation * problem.local_stiffness()[k];
-    for (int c = k * n; c < (k + 1) * n; ++c) trial[c] = lambda[c] - sigma * (gap[c] - problem.slip_origin()[c]);
+    for (int c = k * n; c < (k + 1) * n; ++c) {
+      const double compliance = compliance_of(problem, k, c - k * n);
+      const double motion = gap[c] - problem.slip_origin()[c] + compliance * lambda[c];
+      trial[c] = lambda[c] - stiffness_of(problem, k, c - k * n, augmentation) * motion;
+    }
   }
 }
 
@@ -52,9 +55,8 @@ void resistances(const NonlinearProblem& problem, const PointField& trial, const
   resistance.assign(problem.points(), {});
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
-    const double sigma = augmentation * problem.local_stiffness()[k];
-    if (trial[k * n] >= -problem.law()[k].tension) resistance[k].normal = sigma;
-    if (tangential_size(trial, k, n) < bound[k]) resistance[k].tangential = sigma;
+    if (trial[k * n] >= -problem.law()[k].tension) resistance[k].normal = stiffness_of(problem, k, 0, augmentation);
+    if (tangential_size(trial, k, n) < bound[k]) resistance[k].tangential = stiffness_of(problem, k, 1, augmentation);
   }
 }
 

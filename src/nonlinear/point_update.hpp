@@ -5,7 +5,18 @@
 
 namespace voussoir {
 
-/// lambda - sigma (g - g_0), the slip measured from its origin.
+/// What mortar gives way under a force [m/N]; 0 without mortar.
+inline double compliance_of(const NonlinearProblem& problem, int point, int component) {
+  return problem.compliance().empty() ? 0.0 : problem.compliance()[point].along(component);
+}
+
+/// Stiffness with which the augmented law resists a gap or slip [N/m]: sigma, with mortar in series.
+inline double stiffness_of(const NonlinearProblem& problem, int point, int component, double augmentation) {
+  const double sigma = augmentation * problem.local_stiffness()[point];
+  return problem.compliance().empty() ? sigma : sigma / (1 + sigma * problem.compliance()[point].along(component));
+}
+
+/// lambda - sigma (g - g_0 + c lambda), sigma in series with the mortar's 1/c, the slip measured from its origin.
 void trial_forces(const NonlinearProblem&, const PointField& lambda, const PointField& gap, double augmentation,
                   PointField& trial);
 

@@ -143,6 +143,24 @@ void check_construction(const Scene& scene, InputProblems& problems) {
                                              "  Give adaptive or all.");
 }
 
+void check_mortar(const Scene& scene, InputProblems& problems) {
+  for (const auto& [name, law] : scene.joints) {
+    if (!law.has_mortar()) continue;
+    const bool normal = law.normal_stiffness < law.infinity;
+    const std::string path = "scene > joints > " + name + " > " + (normal ? "normal" : "tangential") + " stiffness";
+    const double stiffness = normal ? law.normal_stiffness : law.tangential_stiffness;
+    const std::string value = " = " + number_text(stiffness) + " [Pa/m]\n";
+    for (const StageParameters& stage : scene.stages)
+      if (stage.dynamic())
+        problems.add(path, value + "  does not go with stage " + in_quotes(stage.name) +
+                               ", which has a duration (time steps do not know of mortar).\n"
+                               "  Leave the stiffness or the duration out.");
+    if (scene.selection.mode == SelectionMode::bonded)
+      problems.add(path, value + "  does not go with selection > mode = \"bonded\" (a bond is rigid).\n"
+                                 "  Give adaptive or all.");
+  }
+}
+
 /// Reports a name that is no set of the mesh.
 void check_set(const std::string& path, const std::string& name, const std::string& kind,
                const std::vector<std::string>& sets, InputProblems& problems) {
@@ -176,6 +194,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_loads(scene);
   check_velocities(scene);
   check_construction(scene, problems);
+  check_mortar(scene, problems);
 }
 
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,

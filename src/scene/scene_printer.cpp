@@ -78,7 +78,10 @@ void print_scene(std::ostream& os, const Scene& scene) {
     row("joints", name,
         in_quotes(j.between) + " and " + in_quotes(j.and_) + ": mu " + number_text(j.friction_coefficient) +
             ", cohesion " + number_text(j.cohesion) + " Pa, tension strength " + number_text(j.tension_strength) +
-            " Pa");
+            " Pa" +
+            (j.has_mortar() ? ", stiffness " + number_text(j.normal_stiffness) + " and " +
+                                  number_text(j.tangential_stiffness) + " Pa/m"
+                            : ""));
   for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");
   for (const LoadParameters& load : scene.loads) row("load", load.name, load.summary());
   for (const auto& [name, v] : scene.velocities)

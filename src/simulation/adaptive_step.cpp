@@ -105,7 +105,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   const auto& scene = model_.scene();
   const typename ContactProblem<dim>::Parts parts{model_.structure(),       model_.points(), model_.continuum(),
                                                   model_.held(),            model_.local_stiffness(),
-                                                  model_.initial_gap(),     scene.preconditioner, solver_};
+                                                  model_.initial_gap(),     scene.preconditioner, solver_,
+                                                  model_.compliance(),      model_.softest_mortar()};
   StepReport report;
   law_ = current_law(state);
   const auto& selection = scene.selection;
@@ -141,8 +142,10 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
     if (narrate_round) narrate_round(report.selection_rounds, count_selected(model_, state), report.error_estimate);
     bool more = false;
-    if (selection.mode == SelectionMode::all && selected_before == 0 && report.selection_rounds == 0) {
-      more = release_all(model_, law_, state);
+    const bool first_look = report.selection_rounds == 0;
+    const bool release_rest = selection.mode == SelectionMode::all && selected_before == 0 && first_look;
+    if ((release_rest && release_all(model_, law_, state)) || (first_look && release_mortar(model_, law_, state))) {
+      more = true;
       wanted = tolerance;
     } else if (selection.mode == SelectionMode::adaptive && report.error_estimate > selection.error_tolerance &&
                report.selection_rounds < selection.largest_rounds) {
@@ -164,7 +167,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
 /// Takes cohesion and tension strength from points that opened or slipped; false when none did.
 template <int dim>
 bool AdaptiveStep<dim>::break_points(ContactState& state) const {
-  const auto gap = gaps(state.displacement);
+  const auto gap = stone_gaps(state);
   long long broken = 0;
   for (int k = 0; k < model_.points().size(); ++k) {
     if (!state.selected[k] || state.broken[k] || (law_[k].cohesion == 0 && law_[k].tension == 0)) continue;
@@ -196,7 +199,7 @@ StepReport AdaptiveStep<dim>::solve(ContactState& state, const std::vector<doubl
     report.error_estimate = again.error_estimate;
   }
   if (report.newton.outcome != NewtonOutcome::converged) return report;
-  const auto gap = gaps(state.displacement);
+  const auto gap = stone_gaps(state);
   for (int k = 0; k < model_.points().size(); ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
   return report;

@@ -41,6 +41,8 @@ class AdaptiveStep {
   const std::vector<double>& mechanism() const { return mechanism_; }
   /// Gap and slip of every point [m].
   PointField gaps(const std::vector<double>& displacement) const { return model_.gaps(displacement); }
+  /// Of the stones, without the mortar between them.
+  PointField stone_gaps(const ContactState& s) const { return model_.gaps(s.displacement, s.lambda); }
 
  private:
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);

@@ -42,12 +42,14 @@ void ContactProblem<dim>::set_proximal_weights() {
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (!any) return;  // the bonded continuum cannot run away
   const double factor = proximal_strain / (s.size() * s.size());
+  const double mortar = parts_.softest_mortar * s.size();
   for (const auto& b : s.blocks()) {
     const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    const double stone = b.material.young_modulus, modulus = std::isinf(mortar) ? stone : stone / (1 + stone / mortar);
     for (std::size_t i = 0; i < volume.size(); ++i) {
       const int k = space_->cluster()[b.first_local + i];
       if (k < space_->owned_clusters())
-        for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * b.material.young_modulus * volume[i];
+        for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * modulus * volume[i];
     }
   }
 }

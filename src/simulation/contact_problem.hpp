@@ -37,6 +37,9 @@ class ContactProblem : public NonlinearProblem {
     const std::vector<double>& initial_gap;       ///< per point [m], empty when all joints are closed at first
     const PreconditionerParameters& preconditioner;
     LinearSolver& solver;
+    /// Per point, empty without mortar.
+    const std::vector<PointCompliance>& compliance = no_mortar();
+    double softest_mortar = std::numeric_limits<double>::infinity();  ///< [Pa/m] of all joints, the same on every rank
   };
 
   /// @param load        nodal forces [N, dim x local node copies]
@@ -56,6 +59,7 @@ class ContactProblem : public NonlinearProblem {
   const std::vector<char>& selected() const override { return movable_; }
   const std::vector<PointLaw>& law() const override { return law_; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
+  const std::vector<PointCompliance>& compliance() const override { return parts_.compliance; }
   const PointField& slip_origin() const override { return state_.slip_origin; }
   void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) override;
   void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) override;

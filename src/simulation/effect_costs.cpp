@@ -36,6 +36,8 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
   costs["friction"].bytes = points * bytes_of_friction;
   costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_strength;
+  const bool mortar = costs["joint stiffness"].in_play;
+  costs["joint stiffness"].bytes = mortar ? points * static_cast<long long>(sizeof(PointCompliance)) : 0;
   costs["inertia"].bytes = costs["inertia"].in_play ? bytes_of_inertia(structure) : 0;
   if (!scene.construction.empty())  // a gap for each point, in the model and in the state
     costs["construction"].bytes = points * 2 * static_cast<long long>(sizeof(double));

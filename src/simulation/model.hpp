@@ -38,10 +38,18 @@ class Model {
   /// Law of each point, unbroken.
   const std::vector<PointLaw>& law() const { return law_; }
   bool brittle() const { return brittle_; }
+  /// Mortar of each point; empty when no joint has any.
+  const std::vector<PointCompliance>& compliance() const { return compliance_; }
+  /// Stiffness of the softest mortar [Pa/m]; infinite when no joint has any. The same on every rank.
+  double softest_mortar() const { return softest_mortar_; }
   /// Opening of each point at zero displacement [m]; empty when all joints are closed.
   const std::vector<double>& initial_gap() const { return initial_gap_; }
   /// Gap and slip of every point under a displacement [m], [points x dim].
   std::vector<double> gaps(const std::vector<double>& displacement) const;
+  /// The same less what mortar gives way under contact forces [N]: zero where a point sticks.
+  std::vector<double> gaps(const std::vector<double>& displacement, const std::vector<double>& lambda) const;
+  /// Energy in the mortar of the points of this rank [J].
+  double mortar_energy(const std::vector<double>& lambda) const;
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
   /// Holds all of the blocks that are not there [per local block], and what supports hold.
   void set_absent(const std::vector<char>& absent);
@@ -67,6 +75,8 @@ class Model {
   std::vector<char> held_;
   std::vector<double> local_stiffness_;
   std::vector<PointLaw> law_;
+  std::vector<PointCompliance> compliance_;
+  double softest_mortar_ = JointLawParameters::infinity;
   std::vector<double> initial_gap_;
   bool brittle_ = false;
   std::unique_ptr<LoadsAtWork<dim>> loads_;

@@ -164,7 +164,8 @@ void Recorder<dim>::book(const ContactState& before, const std::vector<double>& 
     work += moved * (load_before[i] + load[i]) / 2;
     if (model_.held()[i]) work += moved * (reaction_before[i] + reaction[i]) / 2;
   }
-  const auto gap_before = step_.gaps(before.displacement), gap = step_.gaps(after.displacement);
+  elastic += model_.mortar_energy(after.lambda);
+  const auto gap_before = step_.stone_gaps(before), gap = step_.stone_gaps(after);
   for (int k = 0; k < model_.points().owned(); ++k) {
     if (!after.selected[k]) continue;
     const bool broke = after.broken[k] && !before.broken[k];
@@ -207,7 +208,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
                            const std::string& stage, double load_factor, std::optional<double> time,
                            bool write_fields, double seconds) {
   const auto& comm = *model_.structure().comm();
-  const auto gap = step_.gaps(after.displacement);
+  const auto gap = step_.stone_gaps(after);
   const auto status = statuses(after, gap, before.slip_origin);
   long long mine[4] = {0, 0, 0, 0}, all[4];
   for (int s : status) ++mine[s];

@@ -74,6 +74,17 @@ bool release_all(const Model<dim>& model, const std::vector<PointLaw>& law, Cont
 }
 
 template <int dim>
+bool release_mortar(const Model<dim>& model, const std::vector<PointLaw>& law, ContactState& state) {
+  if (model.softest_mortar() == JointLawParameters::infinity) return false;
+  const auto before = count_selected(model, state);
+  const auto& mortar = model.compliance();
+  for (std::size_t k = 0; k < mortar.size(); ++k)
+    if (mortar[k].normal > 0 || mortar[k].tangential > 0) state.selected[k] = 1;
+  admit<dim>(law, state);
+  return count_selected(model, state) > before;
+}
+
+template <int dim>
 long long count_selected(const Model<dim>& model, const ContactState& state) {
   const auto owned = state.selected.begin() + model.points().owned();
   return total(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
@@ -82,6 +93,7 @@ long long count_selected(const Model<dim>& model, const ContactState& state) {
 template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,
                          const std::vector<double>&, ContactState&);
 template bool release_all<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
+template bool release_mortar<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
 template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -18,6 +18,11 @@ bool release(const Model<dim>&, const std::vector<PointLaw>&, const std::vector<
 template <int dim>
 bool release_all(const Model<dim>&, const std::vector<PointLaw>&, ContactState&);
 
+/// Selects every point with mortar, for which no bond can stand, with admissible forces; false when there was none to
+/// select. Collective where joints have mortar.
+template <int dim>
+bool release_mortar(const Model<dim>&, const std::vector<PointLaw>&, ContactState&);
+
 /// Selected points of all ranks. Collective.
 template <int dim>
 long long count_selected(const Model<dim>&, const ContactState&);
@@ -25,6 +30,7 @@ long long count_selected(const Model<dim>&, const ContactState&);
 extern template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,
                                 const std::vector<double>&, ContactState&);
 extern template bool release_all<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
+extern template bool release_mortar<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
 extern template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -17,7 +17,7 @@ TEUCHOS_UNIT_TEST(BrokenScenes, AKeyThatIsNotKnownIsRefusedWithTheNearest) {
            "\"friction\"",
            {"scene > joints > dry > friction is not known here", "did you mean \"friction coefficient\"?",
             "knows: between, and, friction coefficient, cohesion, tension strength, "
-            "initial gap."}},
+            "normal stiffness, tangential stiffness, initial gap."}},
           {"wall", "\"density\"", "\"dnesity\"", {"stone > dnesity", "did you mean \"density\"?"}},
           {"wall", "\"Young modulus\"", "\"young_modulus\"", {"young_modulus", "did you mean \"Young modulus\"?"}},
           {"wall",
