@@ -9,6 +9,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import FixedLocator, NullLocator
 
 from draw_common import BLUE, DPI, GREEN, GREY, INK, ORANGE, PALE, RED, WIDTH
 from read_results import number
@@ -38,28 +39,37 @@ def by_threshold(rows):
     return sorted((r for r in rows if r["mode"] == "adaptive"), key=lambda r: -(number(r["threshold"]) or 0))
 
 
-def set_decades(axis, values):
-    """Labels a logarithmic axis in percent, and keeps the small ticks unlabelled when it spans decades."""
-    low, high = np.nanmin(values), np.nanmax(values)
-    axis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{100 * v:g}"))
-    if high / low > 5:
-        axis.set_minor_formatter(plt.NullFormatter())
+def set_ticks(axis, values, scale=1.0, most=8):
+    """Labels a logarithmic axis at 1, 2, 5 of each decade, or at the decades alone where those would be too many."""
+    low, high = np.nanmin(values) / 1.6, np.nanmax(values) * 1.6
+    decades = range(int(np.floor(np.log10(low * scale))), int(np.ceil(np.log10(high * scale))) + 1)
+    for steps in ((1, 2, 5), (1,)):
+        ticks = [f * 10.0**d / scale for d in decades for f in steps]
+        ticks = [t for t in ticks if low <= t <= high]
+        if len(ticks) <= most:
+            break
+    axis.set_major_locator(FixedLocator(ticks))
+    axis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{scale * v:.3g}"))
+    axis.set_minor_locator(NullLocator())
+
+
+def labels_of(rows):
+    return " / ".join(f"{100 * number(r['threshold']):.3g}" for r in rows) + " %"
 
 
 def draw_cost(axes, rows):
     """Error over time: one point per threshold, those that coincide share a label."""
-    shown = positive(by_threshold(rows), "error_energy", "seconds")
-    shown = [r for r in shown if number(r["error_energy"]) > LOWEST]
+    solved = positive(by_threshold(rows), "seconds")
+    shown = [r for r in solved if (number(r["error_energy"]) or 0) > LOWEST]
+    exact = [r for r in solved if number(r["error_energy"]) is not None and number(r["error_energy"]) <= LOWEST]
     bonded = positive([r for r in rows if r["mode"] == "bonded"], "error_energy", "seconds")
-    truth = [r for r in rows if r["outcome"] == SOLVED and number(r.get("error_energy")) == 0]
+    truth = [r for r in rows if r["outcome"] == SOLVED and r["mode"] == "all"]
     axes.set_xscale("log")
     axes.set_yscale("log")
     groups = {}
     for row in shown:
         groups.setdefault(round(np.log(number(row["error_energy"])), 3), []).append(row)
-    points = [(min(column(g, "seconds")), number(g[0]["error_energy"]), " / ".join(percent(number(r["threshold"])) for r in g))
-              for g in groups.values()]
-    axes.plot([p[0] for p in points], [p[1] for p in points], color=BLUE, lw=1.2, zorder=2)
+    points = [(min(column(g, "seconds")), number(g[0]["error_energy"]), labels_of(g)) for g in groups.values()]
     axes.plot([p[0] for p in points], [p[1] for p in points], "o", color=BLUE, ms=8, zorder=3, **EDGE)
     for seconds, error, label in points:
         axes.annotate(label, (seconds, error), xytext=(7, 3), textcoords="offset points", fontsize=9, color=BLUE)
@@ -67,27 +77,31 @@ def draw_cost(axes, rows):
         at = number(row["seconds"]), number(row["error_energy"])
         axes.plot(*at, "s", color=ORANGE, ms=8, zorder=3, **EDGE)
         axes.annotate("bonded", at, xytext=(7, -12), textcoords="offset points", fontsize=9, color=INK)
-    for row in truth[:1]:
-        seconds = number(row["seconds"])
-        axes.axvline(seconds, color=GREEN, lw=1.4, ls="--", zorder=1)
-        name = "all points" if row["mode"] == "all" else "threshold 0"
-        axes.annotate(f"{name}: truth,\n{seconds:.3g} s", (seconds, 0.02), xycoords=("data", "axes fraction"), xytext=(-5, 0),
-                      textcoords="offset points", fontsize=9, color=GREEN, ha="right")
+    errors = [p[1] for p in points] + [number(r["error_energy"]) for r in bonded]
+    times = [p[0] for p in points] + [number(r["seconds"]) for r in bonded + truth[:1] + exact]
+    if errors:
+        low, high = min(errors) / 5, max(errors) * 2
+        axes.set_xlim(min(times) / 1.4, max(times) * 2)
+        axes.set_ylim(low, high)
+        set_ticks(axes.yaxis, [low * 1.6, high / 1.6], 100)
+        set_ticks(axes.xaxis, [min(times) * 1.14, max(times) * 1.25])
+        # Runs without error stand at the foot of the picture: a logarithmic axis has no place for them.
+        for row in truth[:1]:
+            axes.plot(number(row["seconds"]), low, "v", color=GREEN, ms=9, clip_on=False, zorder=4, **EDGE)
+            axes.annotate("all points", (number(row["seconds"]), low), xytext=(-8, 6), ha="right",
+                          textcoords="offset points", fontsize=9, color=GREEN)
+        if exact:
+            axes.plot(column(exact, "seconds"), [low] * len(exact), "o", color=BLUE, ms=8, clip_on=False, zorder=3, **EDGE)
+            axes.annotate(f"{labels_of(exact)}:\nno error", (max(column(exact, "seconds")), low), xytext=(9, 6),
+                          textcoords="offset points", fontsize=9, color=BLUE)
     failed = [r for r in rows if r["outcome"] != SOLVED]
     if failed:
         words = [f"{r['mode']}{' ' + percent(number(r['threshold'])) if number(r.get('threshold')) is not None else ''}: {r['outcome']}"
                  for r in failed]
         axes.annotate("\n".join(words), (0.02, 0.02), xycoords="axes fraction", fontsize=8, color=RED)
     axes.set_xlabel("seconds, mesh to solution")
-    axes.set_title("error over cost: energy norm [%]\n(label: threshold)", loc="left")
-    errors = [p[1] for p in points] + [number(r["error_energy"]) for r in bonded]
-    times = [p[0] for p in points] + [number(r["seconds"]) for r in bonded + truth[:1]]
-    if errors:
-        set_decades(axes.yaxis, errors)
-        axes.set_xlim(min(times) / 1.6, max(times) * 4)
-        axes.set_ylim(min(errors) / 3, max(errors) * 2)
-    axes.xaxis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{v:g}"))
-    axes.xaxis.set_minor_formatter(plt.NullFormatter())
+    axes.set_ylabel("error, energy norm [%]")
+    axes.set_title("Error over cost (label: threshold)", loc="left")
 
 
 def draw_estimate(axes, rows):
@@ -102,13 +116,15 @@ def draw_estimate(axes, rows):
         axes.plot(threshold, threshold, color=GREY, lw=1.0, ls=":", label="threshold asked for")
         axes.plot(threshold, truth, "o-", color=BLUE, ms=7, lw=1.4, label="true error", **EDGE)
         axes.plot(threshold, estimate, "D--", color=ORANGE, ms=6, lw=1.4, label="estimate", **EDGE)
-        set_decades(axes.yaxis, np.concatenate([truth, estimate, threshold]))
-        axes.set_xticks(threshold, [f"{100 * t:g}" for t in threshold])
+        set_ticks(axes.yaxis, np.concatenate([TRUSTED[0] * truth, TRUSTED[1] * truth, estimate]), 100)
+        axes.xaxis.set_major_locator(FixedLocator(threshold))
+        axes.xaxis.set_major_formatter(plt.FuncFormatter(lambda t, _: f"{100 * t:.3g}"))
+        axes.xaxis.set_minor_locator(NullLocator())
         axes.invert_xaxis()
-        axes.legend(frameon=False, fontsize=8, loc="best")
-    axes.minorticks_off()
+        axes.legend(frameon=False, fontsize=8, loc="lower left")
     axes.set_xlabel("threshold [%]")
-    axes.set_title("estimate beside the truth:\nenergy norm [%]", loc="left")
+    axes.set_ylabel("relative error, energy norm [%]")
+    axes.set_title("Estimate beside the truth", loc="left")
 
 
 def draw_sizes(axes, rows):
@@ -126,14 +142,15 @@ def draw_sizes(axes, rows):
         sizes += list(column(shown, "element_size_m"))
     finest = [r for r in rows if r["outcome"] == SOLVED and number(r.get("error_energy")) == 0]
     if values:
-        set_decades(axes.yaxis, values)
-        ticks = sorted(set(sizes))
-        axes.set_xticks(ticks, [f"{1e3 * s:.3g}" for s in ticks])
-        axes.minorticks_off()
+        set_ticks(axes.yaxis, values, 100)
+        axes.xaxis.set_major_locator(FixedLocator(sorted(set(sizes))))
+        axes.xaxis.set_major_formatter(plt.FuncFormatter(lambda v, _: f"{1e3 * v:.3g}"))
+        axes.xaxis.set_minor_locator(NullLocator())
         axes.legend(frameon=False, fontsize=8, loc="best")
     axes.set_xlabel("element size [mm]")
-    against = f"against {1e3 * number(finest[0]['element_size_m']):.3g} mm" if finest else "no truth"
-    axes.set_title(f"error of the mesh, {against} [%]", loc="left")
+    axes.set_ylabel("relative error [%]")
+    against = f", against {1e3 * number(finest[0]['element_size_m']):.3g} mm" if finest else ""
+    axes.set_title(f"Error of the mesh{against}", loc="left")
 
 
 def main(folder):
