@@ -44,7 +44,8 @@ bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double toleran
   }
   const TpetraVector x_before(x, Teuchos::Copy);
   const PointField lambda_before = lambda;
-  AugmentedLagrangian quick(problem_, {parameters_.tolerance, std::min(parameters_.fast_solves, parameters_.largest_iterations)});
+  const int most = std::min(parameters_.fast_solves, parameters_.largest_iterations);
+  AugmentedLagrangian quick(problem_, {parameters_.tolerance, most});
   quick.narrate = narrate;
   quick.first_augmentation = parameters_.fast_augmentation;
   report = quick.solve(x, lambda, tolerance, &known_gap);

@@ -74,7 +74,7 @@ double DynamicStep<dim>::courant_time() const {
 
 template <int dim>
 double DynamicStep<dim>::begin(ContactState& state) const {
-  if (!state.velocity.empty()) return 0;
+  if (largest(*mass_.comm(), !state.velocity.empty()) > 0) return 0;  // a rank without blocks never has any
   const auto& s = at_rest_.structure();
   auto& v = state.velocity;
   v.assign(state.displacement.size(), 0.0);
@@ -180,8 +180,8 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
   for (std::size_t i = 0; i < acceleration.size(); ++i)
     acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
   auto change = acceleration;
-  const bool known = !after.acceleration.empty();
-  if (known)
+  const bool known = largest(*mass_.comm(), !after.acceleration.empty()) > 0;  // a rank without blocks has none
+  if (!after.acceleration.empty())
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= after.acceleration[i];
   after.acceleration = std::move(acceleration);
   after.largest_energy = std::max(after.largest_energy, energy);

@@ -28,9 +28,9 @@ std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>
   return partition(source.graph(), weight, comm);
 }
 
-// Inertia holds blocks where they are, so a time step changes few points: Newton alone nearly always arrives, and forces
-// that are asked for to 1e-11 settle by a factor of 20 per solve where the local stiffness leaves a third (README.md of
-// dynamics, Cost).
+// Inertia holds blocks where they are, so a time step changes few points: Newton alone nearly always arrives, and
+// forces that are asked for to 1e-11 settle by a factor of 20 per solve where the local stiffness leaves a third
+// (README.md of dynamics, Cost).
 constexpr int fast_solves_in_time = 40;
 constexpr double augmentation_in_time = 100;
 // Where points share a vertex, mortar alone decides between their forces, and a solver that sees them as softer creeps:

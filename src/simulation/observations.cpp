@@ -67,7 +67,7 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
 
 template <int dim>
 std::vector<double> Observations<dim>::values(const std::vector<double>& displacement,
-                                              const std::vector<double>& velocity) const {
+                                              const std::vector<double>& velocity, bool moving) const {
   std::vector<double> mine(columns_.size(), 0.0), all(columns_.size());
   if (columns_.empty()) return all;
   std::size_t column = 0;
@@ -75,7 +75,6 @@ std::vector<double> Observations<dim>::values(const std::vector<double>& displac
     for (int c = 0; c < dim; ++c, ++column)
       for (const auto& [node, weight] : weights) mine[column] += weight * field[dim * node + c];
   };
-  const bool moving = !velocity.empty();
   for (const auto& weights : places_) {
     add(displacement, weights);
     if (in_time_ && moving) add(velocity, weights);

@@ -20,8 +20,10 @@ class Observations {
   /// "ux_m of crown", ...: displacements, and velocities when the scene has stages with a duration.
   const std::vector<std::string>& columns() const { return columns_; }
   /// A value per column, the same on every rank; velocities are not numbers in load steps. Collective unless empty.
-  /// @param displacement, velocity  [m, m/s, dim x local node copies]; no velocity in load steps
-  std::vector<double> values(const std::vector<double>& displacement, const std::vector<double>& velocity) const;
+  /// @param displacement, velocity  [m, m/s, dim x local node copies]
+  /// @param moving  false in load steps, which have no velocity
+  std::vector<double> values(const std::vector<double>& displacement, const std::vector<double>& velocity,
+                             bool moving) const;
 
  private:
   using Weights = std::vector<std::pair<int, double>>;  ///< local node, weight

@@ -250,7 +250,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   row.imbalance_in_time = energy.imbalance_in_time();
   row.largest_displacement = largest_all;
   row.seconds = seconds;
-  row.observed = observations_.values(after.displacement, after.velocity);
+  row.observed = observations_.values(after.displacement, after.velocity, time.has_value());
   history_->append(row);
 
   auto& sum = record_.summary;
