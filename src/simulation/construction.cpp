@@ -1,10 +1,17 @@
 #include "simulation/construction.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulation/scene_fit.hpp"
 
 namespace voussoir {
+namespace {
+
+// Gaps below this share of the structure's size are those of closed points.
+constexpr double closed_gap = 1e-13;
+
+}  // namespace
 
 template <int dim>
 Construction<dim>::Construction(const Model<dim>& model)
@@ -47,6 +54,12 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
     const auto& p = points[k];
     const bool missing = absent_[structure_.block_of_node()[p.node_i]] || absent_[structure_.block_of_node()[p.node_j]];
     const bool was_missing = state.initial_gap[k] == apart;
+    const auto between = [&](int a) {
+      double moved = 0;
+      for (int c = 0; c < dim; ++c)
+        moved += (state.displacement[dim * p.node_j + c] - state.displacement[dim * p.node_i + c]) * p.axis[a][c];
+      return moved;
+    };
     if (missing) {
       state.initial_gap[k] = apart;
       state.selected[k] = 1;
@@ -54,20 +67,21 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
     } else if (was_missing) {
       bool moved = false;
       for (int a = 0; a < dim; ++a) {
-        double between = 0;
-        for (int c = 0; c < dim; ++c)
-          between += (state.displacement[dim * p.node_j + c] - state.displacement[dim * p.node_i + c]) * p.axis[a][c];
-        moved |= between != 0;
+        moved |= between(a) != 0;
         if (a == 0)
-          state.initial_gap[k] = drawn(k) - between;
+          state.initial_gap[k] = drawn(k) - between(a);
         else
-          state.slip_origin[dim * k + a] = between;
+          state.slip_origin[dim * k + a] = between(a);
       }
       // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
       state.selected[k] = moved || all || drawn(k) > 0;
       state.broken[k] = 0;
-    } else if (all) {
-      state.selected[k] = 1;
+    } else {
+      // The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would
+      // be a force of some percent of the largest, which creeps in or out.
+      const double gap = state.initial_gap[k] + between(0);
+      if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
+      if (all) state.selected[k] = 1;
     }
   }
   model.set_initial_gap(state.initial_gap);

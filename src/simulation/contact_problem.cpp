@@ -62,7 +62,9 @@ void ContactProblem<dim>::set_movable() {
     const auto& p = parts_.points.points()[k];
     bool moves = false;
     for (int c = 0; c < dim; ++c) moves |= p.axis[0][c] != 0 && !(held(p.node_i, c) && held(p.node_j, c));
-    if (!moves) movable_[k] = 0;
+    // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
+    const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
+    if (!moves || far) movable_[k] = 0;
   }
 }
 
