@@ -22,6 +22,10 @@ void solve_grounded(std::vector<double>& a, std::vector<double>& b) {
   }
 }
 
+// A tied point that stands open counts as if it had this share of its area: far more than round-off, far less than any
+// closed point.
+constexpr double share_of_open = 1e-6;
+
 struct TiedPoint {
   int cluster;
   int point;
@@ -47,9 +51,17 @@ void add_contact_forces(const ContactPoints<dim>& points, const std::vector<int>
 template <int dim>
 void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<int>& cluster,
                          const std::vector<char>& held, const std::vector<double>& residual,
-                         std::vector<double>& lambda) {
+                         std::vector<double>& lambda, const std::vector<double>& before,
+                         const std::vector<char>& open) {
   auto carried = residual;
-  add_contact_forces(points, cluster, lambda, -1.0, carried);
+  if (!before.empty())
+    for (int k = 0; k < points.size(); ++k)
+      if (cluster[points.points()[k].node_i] == cluster[points.points()[k].node_j])
+        std::copy_n(before.begin() + dim * k, dim, lambda.begin() + dim * k);
+  add_contact_forces(points, before.empty() ? cluster : std::vector<int>{}, lambda, -1.0, carried);
+  const auto share = [&](int k) {
+    return points.points()[k].area * (!open.empty() && open[k] ? share_of_open : 1.0);
+  };
 
   std::vector<TiedPoint> tied;
   for (int k = 0; k < points.size(); ++k) {
@@ -83,10 +95,11 @@ void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& poin
       for (std::size_t k = first; k < last; ++k) {
         const auto& p = points.points()[tied[k].point];
         const int i = number[p.node_i], j = number[p.node_j];
-        a[i * n + i] += p.area;
-        a[j * n + j] += p.area;
-        a[i * n + j] -= p.area;
-        a[j * n + i] -= p.area;
+        const double area = share(tied[k].point);
+        a[i * n + i] += area;
+        a[j * n + j] += area;
+        a[i * n + j] -= area;
+        a[j * n + i] -= area;
       }
       const auto ground = [&](int i) {
         for (int j = 0; j < n; ++j) a[i * n + j] = a[j * n + i] = 0;
@@ -108,8 +121,9 @@ void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& poin
       for (int axis = 0; axis < dim; ++axis) {
         double value = 0;
         for (int c = 0; c < dim; ++c)
-          value += p.area * (force[number[p.node_j] * dim + c] - force[number[p.node_i] * dim + c]) * p.axis[axis][c];
-        lambda[dim * tied[k].point + axis] = value;
+          value += (force[number[p.node_j] * dim + c] - force[number[p.node_i] * dim + c]) * p.axis[axis][c];
+        value *= share(tied[k].point);
+        lambda[dim * tied[k].point + axis] = before.empty() ? value : lambda[dim * tied[k].point + axis] + value;
       }
     }
     for (int node : nodes) number[node] = -1;
@@ -120,6 +134,7 @@ void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& poin
 template void add_contact_forces<2>(const ContactPoints<2>&, const std::vector<int>&, const std::vector<double>&,
                                     double, std::vector<double>&);
 template void recover_tied_forces<2>(const Structure<2>&, const ContactPoints<2>&, const std::vector<int>&,
-                                     const std::vector<char>&, const std::vector<double>&, std::vector<double>&);
+                                     const std::vector<char>&, const std::vector<double>&, std::vector<double>&,
+                                     const std::vector<double>&, const std::vector<char>&);
 
 }  // namespace voussoir

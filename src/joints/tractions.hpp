@@ -16,10 +16,13 @@ namespace voussoir {
 /// @param residual  K u - f of each block alone [N], per local node copy and component
 /// @param lambda    forces in the points' axes [N], [points x dim]; those of free points are used, those of tied ones
 ///                  set. Owned points are set; the caller updates ghosts
+/// @param before    forces that tied points had: only what was added since is divided. Empty for none
+/// @param open      1 where a tied point stands open: it is given what closed ones cannot carry. Empty for none
 template <int dim>
 void recover_tied_forces(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<int>& cluster,
                          const std::vector<char>& held, const std::vector<double>& residual,
-                         std::vector<double>& lambda);
+                         std::vector<double>& lambda, const std::vector<double>& before = {},
+                         const std::vector<char>& open = {});
 
 /// Adds factor B^T lambda to nodal forces, for points whose nodes differ in `cluster` (all points when it is empty).
 template <int dim>

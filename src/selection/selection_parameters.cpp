@@ -20,6 +20,10 @@ void SelectionParameters::declare(ParameterSection& section) {
               "0 would select all at once, which is mode all", "0.5 is usual, 1 ties whatever can be tied.");
   section.add("largest rounds", largest_rounds, "-", between(1, 1e6), "rounds of release in one load step",
               "the first round is the solution itself");
+  section.add("rest", rest, "-", between(0, 1e6),
+              "time steps without opening or slip after which a point is bonded again as it stands; twice as many "
+              "where it had to be released soon after; 0 = never",
+              "rest takes time", "10 is usual.");
 }
 
 }  // namespace voussoir

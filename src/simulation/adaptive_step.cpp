@@ -16,6 +16,12 @@ namespace {
 // A round whose points will be released is not worth more accuracy than a tenth of what is wrong with them,
 // nor less than a percent of the forces.
 constexpr double share_of_violation = 0.1, coarsest_tolerance = 1e-2;
+// The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md); once it
+// was computed for a selection it follows the root within this margin.
+constexpr double decreases_in_error = 5, margin = 1.5;
+// An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
+// the shaken wall of tests/analytic/rest_in_time was up to 2.2 % beside the solution with all points.
+constexpr double share_of_a_time_step = 0.5;
 
 template <class T>
 T total(const Teuchos::Comm<int>& comm, T mine) {
@@ -73,8 +79,8 @@ std::vector<PointLaw> AdaptiveStep<dim>::current_law(const ContactState& state) 
 template <int dim>
 bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& parts, ContactState& state,
                                     const std::vector<double>& load, const std::vector<double>& prescribed,
-                                    double tolerance, const PointField* known_gap, std::vector<int>& cluster,
-                                    StepReport& report) {
+                                    double tolerance, const PointField* known_gap, const PointField& force_before,
+                                    std::vector<int>& cluster, StepReport& report) {
   ContactProblem<dim> problem(parts, state, law_, load, prescribed);
   ContactSolver newton(problem, model_.scene().newton, state.fast_way);
   newton.narrate = narrate;
@@ -94,7 +100,11 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
   std::vector<double> r;
   model_.structure().apply_stiffness(state.displacement, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] -= load[i];
-  recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda);
+  if (in_time)
+    recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda, force_before,
+                        open_points(model_));
+  else
+    recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda);
   model_.points().exchange().update(state.lambda, dim);
   return true;
 }
@@ -111,17 +121,18 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   law_ = current_law(state);
   const auto& selection = scene.selection;
   const double tolerance = scene.newton.tolerance;
+  const double allowed = (in_time ? share_of_a_time_step : 1.0) * selection.error_tolerance;
   double wanted = tolerance;
   const long long selected_before = count_selected(model_, state);
   // With nothing selected yet, a first look needs no more than the violations it is to show.
-  if (selected_before == 0 && selection.mode != SelectionMode::bonded) wanted = 1e-4;
+  if (selected_before == 0 && selection.mode != SelectionMode::bonded && !in_time) wanted = 1e-4;
   const ContactState before = state;
   bool from_before = true;
   const PointField known_gap = gaps(state.displacement);
   for (;; ++report.selection_rounds) {
     std::vector<int> cluster;
     if (!solve_round(parts, state, load, prescribed, wanted, from_before && selected_before > 0 ? &known_gap : nullptr,
-                     cluster, report)) {
+                     before.lambda, cluster, report)) {
       // Joints that were held together may be what left no way: resolve them all before giving up.
       if (selection.mode != SelectionMode::adaptive || count_selected(model_, state) == model_.points().total())
         return report;
@@ -136,10 +147,19 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     from_before = false;
     Phase phase("selection");
     const auto violations = tied_violations(model_, law_, state, cluster);
-    const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
-    report.estimate_solves += error.linear_solves;
-    report.newton.krylov_iterations += error.krylov_iterations;
-    report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
+    const auto decrease = predicted_decrease(violations, model_.local_stiffness());
+    // Time steps are many: where the decreases alone tell that the error is small, no system is solved to know it.
+    const double root = in_time ? root_of_decreases(decrease, known_energy, *model_.structure().comm()) : 0.0;
+    auto& known = state.rest.error_by_decreases;
+    report.error_estimate = root * (known > 0 ? margin * known : decreases_in_error);
+    const bool told = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);
+    if (!told) {
+      const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
+      report.estimate_solves += error.linear_solves;
+      report.newton.krylov_iterations += error.krylov_iterations;
+      report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
+      known = root > 0 ? report.error_estimate / root : 0.0;
+    }
     if (narrate_round) narrate_round(report.selection_rounds, count_selected(model_, state), report.error_estimate);
     bool more = false;
     const bool first_look = report.selection_rounds == 0;
@@ -147,9 +167,10 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     if ((release_rest && release_all(model_, law_, state)) || (first_look && release_mortar(model_, law_, state))) {
       more = true;
       wanted = tolerance;
-    } else if (selection.mode == SelectionMode::adaptive && report.error_estimate > selection.error_tolerance &&
+    } else if (selection.mode == SelectionMode::adaptive && report.error_estimate > allowed &&
                report.selection_rounds < selection.largest_rounds) {
-      more = release(model_, law_, cluster, predicted_decrease(violations, model_.local_stiffness()), state);
+      more = release(model_, law_, cluster, decrease, state);
+      if (more) known = 0;
       if (more) wanted = std::clamp(share_of_violation * violations.largest, tolerance, coarsest_tolerance);
       const auto most = selection.largest_share * static_cast<double>(model_.points().total());
       if (static_cast<double>(count_selected(model_, state)) > most && release_all(model_, law_, state)) {

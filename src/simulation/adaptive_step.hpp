@@ -27,6 +27,8 @@ class AdaptiveStep {
   std::function<void(int round, long long selected, double error_estimate)> narrate_round;
   /// Energy of the structure that the estimate may refer to [J], where displacement does not tell: in time steps.
   double known_energy = 0;
+  /// In time steps: ties hold what has moved where it is, so their forces go on from what they were.
+  bool in_time = false;
 
   /// State before the first load step: nothing has moved; everything or nothing is selected, as the scene asks.
   ContactState initial_state() const;
@@ -48,7 +50,7 @@ class AdaptiveStep {
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
   bool solve_round(const typename ContactProblem<dim>::Parts&, ContactState&, const std::vector<double>& load,
                    const std::vector<double>& prescribed, double tolerance, const PointField* known_gap,
-                   std::vector<int>& cluster, StepReport&);
+                   const PointField& force_before, std::vector<int>& cluster, StepReport&);
   bool break_points(ContactState&) const;
   std::vector<PointLaw> current_law(const ContactState&) const;
 

@@ -7,6 +7,7 @@
 #include "linalg/linear_solver.hpp"
 #include "nonlinear/fast_way.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "selection/rest.hpp"
 
 namespace voussoir {
 
@@ -22,6 +23,7 @@ struct ContactState {
   std::vector<double> acceleration;  ///< [m/s2] mean of the last time step, for its error; empty likewise
   double largest_energy = 0;         ///< [J] of the structure since time began, what that error is relative to
   FastWay fast_way;                  ///< what the nonlinear solver remembers
+  Rest rest;                         ///< of points in time steps
 };
 
 template <int dim>

@@ -7,6 +7,7 @@
 
 #include "blocks/assembly.hpp"
 #include "simulation/phase.hpp"
+#include "simulation/release.hpp"
 #include "simulation/scene_fit.hpp"
 
 namespace voussoir {
@@ -18,6 +19,8 @@ constexpr double force_tolerance = 1e-11;
 constexpr double closed_gap = 1e-13;
 // Relative velocities below this share of the fastest, or of what the energy of the structure could move it with, rest.
 constexpr double share_of_fastest = 1e-6, share_of_energy = 1e-9;
+// If all selected points moved by what counts as rest, the error would be this share of what the selection may cost.
+constexpr double share_of_tolerance = 0.15;
 // Energy lost in closing below this share of all energy is round-off.
 constexpr double no_loss = 1e-16;
 
@@ -103,8 +106,10 @@ void DynamicStep<dim>::set_time_step(double time_step) {
   rule_.time_step = time_step;
   const double tolerance = std::min(force_tolerance, at_rest_.scene().newton.tolerance);
   step_.reset();
+  velocities_.forget();
   model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
   step_ = std::make_unique<AdaptiveStep<dim>>(*model_);
+  step_->in_time = true;
 }
 
 /// The gaps that the points of the time step have at w = 0.
@@ -189,6 +194,28 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
   return rule_.time_step / 12 * std::sqrt(velocities_.kinetic_energy(change) / after.largest_energy);
 }
 
+/// Ties the points that have rested, as they stand.
+template <int dim>
+void DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy) const {
+  const auto& selection = at_rest_.scene().selection;
+  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return;
+  const double share = share_of_tolerance * selection.error_tolerance;
+  const auto selected = std::max(1LL, count_selected(at_rest_, state));
+  const double negligible = share * share * energy / static_cast<double>(selected);
+  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), negligible,
+                                              selection.rest);
+  if (largest(*mass_.comm(), mine) > 0) state.rest.error_by_decreases = 0;
+}
+
+template <int dim>
+void untie_what_moved(const Model<dim>& model, ContactState& state) {
+  const auto gap = model.gaps(state.displacement);
+  for (std::size_t k = 0; k < state.selected.size(); ++k)
+    for (int c = 0; c < dim; ++c)
+      if (std::abs(gap[dim * k + c]) > closed_gap * model.structure().size()) state.selected[k] = 1;
+  state.rest = {};
+}
+
 template <int dim>
 TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<double>& load,
                                        const std::vector<double>& prescribed) {
@@ -215,6 +242,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   mid.selected = state.selected;
   mid.broken = state.broken;
   mid.fast_way = state.fast_way;
+  mid.rest.error_by_decreases = state.rest.error_by_decreases;
   step_->narrate = narrate;
   step_->narrate_round = narrate_round;
   step_->known_energy = total(elastic) + total(kinetic);
@@ -231,6 +259,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   state.selected = mid.selected;
   state.broken = mid.broken;
   state.fast_way = mid.fast_way;
+  state.rest.error_by_decreases = mid.rest.error_by_decreases;
   const auto gap = at_rest_.gaps(state.displacement);
   for (std::size_t k = 0; k < state.selected.size(); ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
@@ -244,6 +273,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   if (!(closing > no_loss * energy)) closing = 0;
   report.friction += velocities_.apply(*model_, state, closing, resting_speed(state, energy));
   report.kinetic = velocities_.kinetic_energy(state.velocity);
+  bond_what_rests(state, gap, energy);
   report.error = error(state, velocity_before, energy);
   if (!std::isfinite(report.elastic + report.kinetic)) {
     report.step.newton.outcome = NewtonOutcome::not_converged;
@@ -252,6 +282,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   return report;
 }
 
+template void untie_what_moved<2>(const Model<2>&, ContactState&);
 template class DynamicStep<2>;
 
 }  // namespace voussoir

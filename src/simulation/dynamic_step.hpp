@@ -50,6 +50,7 @@ class DynamicStep {
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
   double book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
               const std::vector<double>& effective, TimeStepReport&) const;
+  void bond_what_rests(ContactState&, const PointField& gap, double energy) const;
   double resting_speed(const ContactState&, double energy) const;
   double error(ContactState& after, const std::vector<double>& velocity_before, double energy) const;
   double total(double mine) const;
@@ -63,6 +64,11 @@ class DynamicStep {
   std::unique_ptr<AdaptiveStep<dim>> step_;
 };
 
+/// Selects points that are tied where they have moved: load steps tie places, not increments.
+template <int dim>
+void untie_what_moved(const Model<dim>&, ContactState&);
+
+extern template void untie_what_moved<2>(const Model<2>&, ContactState&);
 extern template class DynamicStep<2>;
 
 }  // namespace voussoir

@@ -67,12 +67,14 @@ TiedViolations tied_violations(const Model<dim>& model, const std::vector<PointL
   double force = 0, worst = 0;
   for (int k = 0; k < points.owned(); ++k) force = std::max(force, std::abs(state.lambda[dim * k]));
   force = largest(comm, force);
+  const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
     if (cluster[p.node_i] != cluster[p.node_j]) continue;
     Vector<dim> f;
     std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
-    const double r = violation(law[k], f);
+    // An open point that is tied bears nothing.
+    const double r = !open.empty() && open[k] ? norm(f) : violation(law[k], f);
     if (r <= noise * model.scene().newton.tolerance * force) continue;
     v.force[k] = r;
     worst = std::max(worst, r);
@@ -87,6 +89,20 @@ std::vector<double> predicted_decrease(const TiedViolations& violations, const s
   for (std::size_t k = 0; k < violations.force.size(); ++k)
     eta.push_back(violations.force[k] * violations.force[k] / (2 * local_stiffness[k]));
   return eta;
+}
+
+double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, const Teuchos::Comm<int>& comm) {
+  double mine = 0, sum = 0;
+  for (const double decrease : predicted_decrease) mine += decrease;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
+  return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest_error;
+}
+
+template <int dim>
+std::vector<char> open_points(const Model<dim>& model) {
+  std::vector<char> open;
+  for (const double gap : model.initial_gap()) open.push_back(gap > 0);
+  return open;
 }
 
 template <int dim>
@@ -130,6 +146,7 @@ double relative_error(const Structure<dim>& structure, const std::vector<double>
 
 template TiedViolations tied_violations<2>(const Model<2>&, const std::vector<PointLaw>&, const ContactState&,
                                            const std::vector<int>&);
+template std::vector<char> open_points<2>(const Model<2>&);
 template TieError tie_error<2>(const ContactProblem<2>::Parts&, const std::vector<PointLaw>&, const ContactState&,
                                const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
                                const std::vector<double>&);

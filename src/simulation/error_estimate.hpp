@@ -29,6 +29,13 @@ TiedViolations tied_violations(const Model<dim>&, const std::vector<PointLaw>&, 
 /// their sum. k is the stiffness of the cells beside the point [N/m].
 std::vector<double> predicted_decrease(const TiedViolations&, const std::vector<double>& local_stiffness);
 
+/// Root of the sum of decreases by the energy of the structure [J]; the error is at most five times that. Collective.
+double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, const Teuchos::Comm<int>&);
+
+/// 1 where a point stands open when a step begins.
+template <int dim>
+std::vector<char> open_points(const Model<dim>&);
+
 /// The error of ties, and what it took to know it.
 struct TieError {
   std::vector<double> change;  ///< [m] e on local node copies; empty when nothing is violated
@@ -50,6 +57,7 @@ double relative_error(const Structure<dim>&, const std::vector<double>& displace
 
 extern template TiedViolations tied_violations<2>(const Model<2>&, const std::vector<PointLaw>&,
                                                   const ContactState&, const std::vector<int>&);
+extern template std::vector<char> open_points<2>(const Model<2>&);
 extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const std::vector<PointLaw>&,
                                       const ContactState&, const std::vector<int>&, const TiedViolations&,
                                       const std::vector<double>&, const std::vector<double>&);

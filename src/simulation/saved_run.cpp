@@ -17,7 +17,7 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 2;  // of the file; raised when a value changes its meaning
+constexpr int format = 3;  // of the file; raised when a value changes its meaning
 
 // FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv/
 constexpr std::uint64_t fnv_start = 14695981039346656037u, fnv_prime = 1099511628211u;
@@ -68,6 +68,11 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);
   checkpoint.rows("selected", points, 1, state.selected);
   checkpoint.rows("broken", points, 1, state.broken);
+  checkpoint.value("rest.error_by_decreases", state.rest.error_by_decreases);
+  checkpoint.rows("rest.place", points, dim, state.rest.place);
+  checkpoint.rows("rest.steps", points, 1, state.rest.steps);
+  checkpoint.rows("rest.needed", points, 1, state.rest.needed);
+  checkpoint.rows("rest.bonded", points, 1, state.rest.bonded);
   if (model.scene().construction.empty()) return;
   state.initial_gap.resize(model.points().size());
   checkpoint.rows("initial_gap", points, 1, state.initial_gap);

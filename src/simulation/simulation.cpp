@@ -112,6 +112,7 @@ class Run {
   bool load_step(const ContactState& before) {
     const auto& summary = recorder_->summary();
     dynamics_.reset();
+    if (!state_.velocity.empty()) untie_what_moved(model_, state_);
     state_.velocity.clear();
     std::vector<double> next_load, prescribed;
     model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);

@@ -97,6 +97,11 @@ template <int dim>
 VelocityUpdate<dim>::~VelocityUpdate() = default;
 
 template <int dim>
+void VelocityUpdate<dim>::forget() {
+  systems_.reset();
+}
+
+template <int dim>
 double VelocityUpdate<dim>::product(const std::vector<double>& v, const std::vector<double>& w) const {
   std::vector<double> mw;
   mass_.apply_stiffness(w, mw);
@@ -192,7 +197,7 @@ double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, d
   const bool impact = fastest(speed, closed) > resting || lost > 0;
   if (!impact && fastest(speed, sliding) <= resting) return 0;
 
-  if (!systems_ || &systems_->step != &step || systems_->state.selected != state.selected)
+  if (!systems_ || systems_->state.selected != state.selected)
     systems_ = std::make_unique<Systems>(at_rest_, mass_, step, state, solver_);
   for (int k = 0; k < points.size(); ++k) {
     closed[k].normal *= systems_->hold[k];

@@ -29,6 +29,9 @@ class VelocityUpdate {
   /// @param resting  relative velocity below which a point counts as resting [m/s]
   double apply(const Model<dim>& step, ContactState& state, double lost, double resting);
 
+  /// Forgets what depends on the model of a time step; to be called before that model goes.
+  void forget();
+
   double kinetic_energy(const std::vector<double>& velocity) const { return product(velocity, velocity) / 2; }
 
  private:
