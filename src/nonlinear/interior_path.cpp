@@ -51,7 +51,7 @@ double InteriorPath::bound(int point, double normal) const {
 /// Gap, or slip from its origin, less what mortar gives way [m].
 double InteriorPath::motion(int point, int component, const PointField& gap, const PointField& lambda) const {
   const int at = 2 * point + component;
-  return gap[at] - problem_.slip_origin()[at] + compliance_of(problem_, point, component) * lambda[at];
+  return gap[at] - slip_origin_of(problem_, at) + compliance_of(problem_, point, component) * lambda[at];
 }
 
 /// Starts the path at a distance [N] from the bounds, around some forces and gaps.

@@ -36,7 +36,7 @@ class NonlinearProblem {
   virtual const std::vector<double>& local_stiffness() const = 0;
   /// Mortar of each point; empty when stone meets stone everywhere.
   virtual const std::vector<PointCompliance>& compliance() const { return no_mortar(); }
-  /// Slip at the start of the load step [m], normal component 0.
+  /// Slip at the start of the load step [m], normal component 0; empty when it is 0 everywhere, or nothing rubs.
   virtual const PointField& slip_origin() const = 0;
 
   /// r = K R x - f, on unknowns; held rows 0. Also the gaps g [m] of x.

@@ -21,7 +21,7 @@ void trial_forces(const NonlinearProblem& problem, const PointField& lambda, con
     if (!problem.selected()[k]) continue;
     for (int c = k * n; c < (k + 1) * n; ++c) {
       const double compliance = compliance_of(problem, k, c - k * n);
-      const double motion = gap[c] - problem.slip_origin()[c] + compliance * lambda[c];
+      const double motion = gap[c] - slip_origin_of(problem, c) + compliance * lambda[c];
       trial[c] = lambda[c] - stiffness_of(problem, k, c - k * n, augmentation) * motion;
     }
   }

@@ -10,6 +10,11 @@ inline double compliance_of(const NonlinearProblem& problem, int point, int comp
   return problem.compliance().empty() ? 0.0 : problem.compliance()[point].along(component);
 }
 
+/// Slip at the start of the load step [m]; 0 in the normal direction.
+inline double slip_origin_of(const NonlinearProblem& problem, std::size_t at) {
+  return problem.slip_origin().empty() ? 0.0 : problem.slip_origin()[at];
+}
+
 /// Stiffness with which the augmented law resists a gap or slip [N/m]: sigma, with mortar in series.
 inline double stiffness_of(const NonlinearProblem& problem, int point, int component, double augmentation) {
   const double sigma = augmentation * problem.local_stiffness()[point];

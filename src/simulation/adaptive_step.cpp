@@ -48,7 +48,7 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   const int points = model_.points().size();
   state.displacement.assign(static_cast<std::size_t>(dim) * model_.structure().nodes(), 0.0);
   state.lambda.assign(static_cast<std::size_t>(dim) * points, 0.0);
-  state.slip_origin = state.lambda;
+  if (model_.rubs()) state.slip_origin = state.lambda;
   state.selected.assign(points, 0);
   // Open joints cannot begin bonded.
   const auto& gap = model_.initial_gap();
@@ -195,7 +195,10 @@ bool AdaptiveStep<dim>::break_points(ContactState& state) const {
     const auto f = force_at<dim>(state.lambda, k);
     const double sigma = model_.local_stiffness()[k];
     double slip = 0;
-    for (int c = 1; c < dim; ++c) slip += std::abs(gap[dim * k + c] - state.slip_origin[dim * k + c]);
+    for (int c = 1; c < dim; ++c) {
+      const double origin = state.slip_origin.empty() ? 0.0 : state.slip_origin[dim * k + c];
+      slip += std::abs(gap[dim * k + c] - origin);
+    }
     double q = 0;
     for (int c = 1; c < dim; ++c) q += f[c] * f[c];
     q = std::sqrt(q);
@@ -220,6 +223,7 @@ StepReport AdaptiveStep<dim>::solve(ContactState& state, const std::vector<doubl
     report.error_estimate = again.error_estimate;
   }
   if (report.newton.outcome != NewtonOutcome::converged) return report;
+  if (state.slip_origin.empty()) return report;
   const auto gap = stone_gaps(state);
   for (int k = 0; k < model_.points().size(); ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];

@@ -70,7 +70,7 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
         moved |= between(a) != 0;
         if (a == 0)
           state.initial_gap[k] = drawn(k) - between(a);
-        else
+        else if (!state.slip_origin.empty())
           state.slip_origin[dim * k + a] = between(a);
       }
       // Where both sides are as drawn the point may be tied; else only contact knows where it was born.

@@ -15,7 +15,7 @@ namespace voussoir {
 struct ContactState {
   std::vector<double> displacement;  ///< [m, dim x local node copies]
   PointField lambda;                 ///< [N]
-  PointField slip_origin;            ///< [m] slip at the end of the last load step, 0 in the normal direction
+  PointField slip_origin;            ///< [m] slip at the end of the last load step, normal 0; empty where nothing rubs
   std::vector<char> selected;        ///< per point
   std::vector<char> broken;          ///< per point: cohesion and tension strength lost
   std::vector<double> initial_gap;   ///< [m] per point: what construction adds to its gap; empty without construction

@@ -238,7 +238,6 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   ContactState mid;
   mid.displacement.assign(load.size(), 0.0);
   mid.lambda = state.lambda;
-  mid.slip_origin.assign(state.lambda.size(), 0.0);
   mid.selected = state.selected;
   mid.broken = state.broken;
   mid.fast_way = state.fast_way;
@@ -261,7 +260,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   state.fast_way = mid.fast_way;
   state.rest.error_by_decreases = mid.rest.error_by_decreases;
   const auto gap = at_rest_.gaps(state.displacement);
-  for (std::size_t k = 0; k < state.selected.size(); ++k)
+  for (std::size_t k = 0; k < state.slip_origin.size() / dim; ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
   move_supports(state, half, report);
 

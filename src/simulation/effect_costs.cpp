@@ -7,10 +7,11 @@
 namespace voussoir {
 namespace {
 
-// What a state between load steps and a law hold of a contact point for an effect of joints, whether it is in play or
-// not: contact points are all of one kind, so that the solver has one loop.
-constexpr long long bytes_of_friction = 3 * sizeof(double);  // tangential force, slip origin, coefficient; in the plane
-constexpr long long bytes_of_strength = sizeof(double);      // cohesion, and the same again for tension strength
+// What a law holds of a contact point for friction, for cohesion and for tension strength, whether they are in play or
+// not: points are all of one kind, so that the solver has one loop.
+constexpr long long bytes_of_number = sizeof(double);
+// What a state between load steps holds of a point where something rubs: its slip, as a vector.
+constexpr long long bytes_of_slip = 2 * sizeof(double);
 
 /// Of all ranks: the mass of each block and the matrix of the midpoint rule, as large as its stiffness; velocity and
 /// acceleration of each node.
@@ -34,8 +35,9 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   long long points = 0;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
   for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
-  costs["friction"].bytes = points * bytes_of_friction;
-  costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_strength;
+  const bool friction = costs["friction"].in_play;
+  costs["friction"].bytes = points * (bytes_of_number + (friction ? bytes_of_slip : 0));
+  costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_number;
   const bool mortar = costs["joint stiffness"].in_play;
   costs["joint stiffness"].bytes = mortar ? points * static_cast<long long>(sizeof(PointCompliance)) : 0;
   costs["inertia"].bytes = costs["inertia"].in_play ? bytes_of_inertia(structure) : 0;

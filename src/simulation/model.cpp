@@ -112,8 +112,10 @@ void Model<dim>::set_laws() {
     brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
     initial_gap_.push_back(law.initial_gap);
   }
-  for (const auto& [name, law] : scene_.joints)
+  for (const auto& [name, law] : scene_.joints) {
+    rubs_ |= law.friction_coefficient > 0 || law.cohesion > 0 || law.tension_strength > 0;
     softest_mortar_ = std::min({softest_mortar_, law.normal_stiffness, law.tangential_stiffness});
+  }
   if (softest_mortar_ < JointLawParameters::infinity)
     for (const auto& p : points_->points()) {
       const auto& law = scene_.joints[joints[p.joint].family].parameters;

@@ -38,6 +38,8 @@ class Model {
   /// Law of each point, unbroken.
   const std::vector<PointLaw>& law() const { return law_; }
   bool brittle() const { return brittle_; }
+  /// Some joint has friction or strength, so that it matters where a point has slipped to.
+  bool rubs() const { return rubs_; }
   /// Mortar of each point; empty when no joint has any.
   const std::vector<PointCompliance>& compliance() const { return compliance_; }
   /// Stiffness of the softest mortar [Pa/m]; infinite when no joint has any. The same on every rank.
@@ -78,7 +80,7 @@ class Model {
   std::vector<PointCompliance> compliance_;
   double softest_mortar_ = JointLawParameters::infinity;
   std::vector<double> initial_gap_;
-  bool brittle_ = false;
+  bool brittle_ = false, rubs_ = false;
   std::unique_ptr<LoadsAtWork<dim>> loads_;
 };
 

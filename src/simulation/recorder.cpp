@@ -114,7 +114,8 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
     const double normal = state.lambda[dim * k] - sigma * gap[dim * k];
     double q = 0;
     for (int c = 1; c < dim; ++c) {
-      const double trial = state.lambda[dim * k + c] - sigma * (gap[dim * k + c] - slip_before[dim * k + c]);
+      const double slipped = gap[dim * k + c] - (slip_before.empty() ? 0.0 : slip_before[dim * k + c]);
+      const double trial = state.lambda[dim * k + c] - sigma * slipped;
       q += trial * trial;
     }
     const bool sticks = std::sqrt(q) < friction_bound(law, state.lambda[dim * k]);

@@ -232,7 +232,7 @@ Solution Experiment::solution() const {
     q.tangential_force = state_.lambda[2 * k + 1];
     q.gap = gap[2 * k];
     q.slip = gap[2 * k + 1];
-    q.slip_before = slip_before_[2 * k + 1];
+    q.slip_before = slip_before_.empty() ? 0.0 : slip_before_[2 * k + 1];
     q.selected = state_.selected[k];
     q.broken = state_.broken[k];
     all.points.push_back(q);

@@ -116,6 +116,24 @@ TEUCHOS_UNIT_TEST(Effects, OfJointsAreAbsentWhereNoFamilyHasThem) {
   TEST_ASSERT(!in_play("friction") && in_play("cohesion"));
 }
 
+TEUCHOS_UNIT_TEST(Effects, WhereNothingRubsNoSlipIsRemembered) {
+  Scene scene = plain();
+  scene.mesh.wall.blocks_per_course = 1;  // a column stands without friction
+  for (const double friction : {0.0, 0.6}) {
+    scene.joints[0].parameters.friction_coefficient = friction;
+    Experiment column(scene);
+    TEST_ASSERT(column.run());
+    TEST_EQUALITY(column.state().slip_origin.size(), friction > 0 ? column.state().lambda.size() : 0);
+    const auto bytes = effect_costs(column.model()).at("friction").bytes;
+    // Per point of all ranks the coefficient, which every law has; with friction its slip, a vector, as well.
+    long long points = effect_costs(column.model()).at("cohesion").bytes / 8;
+    TEST_EQUALITY(bytes, points * (friction > 0 ? 24 : 8));
+    double shear = 0;
+    for (const auto& p : column.solution().points) shear = std::max(shear, std::abs(p.tangential_force));
+    if (friction == 0) TEST_EQUALITY(shear, 0.0);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Effects, OfTimeAreAbsentFromLoadStepsAndHoldNothing) {
   Scene scene = plain();
   Experiment still(scene);
