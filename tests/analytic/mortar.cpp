@@ -1,4 +1,5 @@
 // Joints with mortar: springs in series with contact, against closed forms.
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
@@ -200,6 +201,51 @@ TEUCHOS_UNIT_TEST(Mortar, RemembersWhereItsStonesSlipped) {
   TEST_COMPARE(slipped, <, static_cast<int>(pushed.points.size()));
   TEST_COMPARE(wrong / largest, <, tolerance);
   TEST_COMPARE(left / largest, >, 1e-3);  // shear stays locked in where no load is left
+}
+
+// Courses are laid on what has settled: each sinks by what is laid later, under its own weight on fresh mortar too.
+TEUCHOS_UNIT_TEST(Mortar, OfAColumnThatIsBuiltBearsWhatIsLaidAfterIt) {
+  const double kn = 1e9;
+  Scene scene = column(3, kn, kn);
+  scene.stages.clear();
+  for (const char* name : {"first", "second", "third"}) {
+    StageParameters stage;
+    stage.name = name;
+    stage.factors["weight"] = 1;
+    scene.stages.push_back(stage);
+  }
+  scene.construction = {{"second", {"course 1", "second", ""}}, {"third", {"course 2", "third", ""}}};
+  Experiment built(scene);
+  TEST_ASSERT(built.run());
+  const auto s = built.solution();
+  const double height = scene.mesh.wall.block_height, weight = density * gravity * height;
+  const double stone = weight * height / modulus, joint = weight / kn;
+  // Bottom of the second course: its own weight and the third on the joint, both on the first course since then.
+  // Bottom of the third: its own weight on two joints and two courses.
+  double worst = 0;
+  for (std::size_t i = 0; i < s.position.size(); ++i) {
+    const int course = s.block_of_node[i] == 0 ? 0 : s.block_of_node[i] < 3 ? 1 : 2;  // one, two halves, one
+    if (course > 0 && std::abs(s.position[i][1] - course * height) < 1e-9)
+      worst = std::max(worst, std::abs(s.displacement[i][1] + 2 * joint + 2 * stone));
+  }
+  TEST_COMPARE(worst / (2 * joint), <, tolerance);
+}
+
+TEUCHOS_UNIT_TEST(Mortar, StoresWhatTheWeightLoses) {
+  Experiment standing(column(4, 1e9, 1e9));
+  TEST_ASSERT(standing.run());
+  const auto& s = standing.model().structure();
+  std::vector<double> ku;
+  s.apply_stiffness(standing.state().displacement, ku);
+  double mine[2] = {standing.model().mortar_energy(standing.state().lambda), 0}, all[2];
+  const double mortar = mine[0];
+  for (int i = 0; i < 2 * s.owned_nodes(); ++i) {
+    mine[0] += standing.state().displacement[i] * ku[i] / 2;
+    mine[1] += standing.state().displacement[i] * standing.load()[i] / 2;
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  TEST_FLOATING_EQUALITY(all[0], all[1], tolerance);
+  if (s.comm()->getSize() == 1) TEST_COMPARE(mortar, >, 0.9 * all[0]);  // the stones are stiff
 }
 
 TEUCHOS_UNIT_TEST(Mortar, UnnamedHoldsNothing) {
