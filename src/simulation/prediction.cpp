@@ -1,5 +1,6 @@
 #include "simulation/prediction.hpp"
 
+#include <cmath>
 #include <iomanip>
 
 #include "joints/contact_points.hpp"
@@ -10,7 +11,9 @@ namespace {
 
 // Measured on walls and on the bridge (src/simulation/README.md): linear solves of a load step by mode of selection,
 // Krylov iterations of a solve, seconds of an iteration per unknown on one core, bytes per unknown.
+constexpr int solves_in_time = 7;  // 2 to 14 on the scenes of xml/, 20 in a strong earthquake
 constexpr int solves_bonded = 3, solves_adaptive = 40, solves_all = 45;
+constexpr double round_off = 1e-12;  // of a number of time steps, which is a quotient
 constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
 
 /// Makes the loads and applies them once in full: bytes they hold and seconds of a load step.
@@ -39,6 +42,11 @@ void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const 
   say << "  absent, without cost: " << absent << " effects\n";
 }
 
+std::string steps_text(int steps, const std::string& kind, int solves) {
+  if (steps == 0) return "";
+  return std::to_string(steps) + " " + kind + " steps of about " + std::to_string(solves) + " linear solves each\n";
+}
+
 }  // namespace
 
 void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
@@ -49,18 +57,31 @@ void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RC
   const Structure<2> structure(source, owner, scene.model, [](const Block<2>&) { return Material{1.0, 0.0, 1.0}; },
                                comm);
   const ContactPoints<2> points(source, structure);
-  int steps = 0;
-  for (const auto& stage : scene.stages) steps += stage.increments;
+  int load_steps = 0;
+  int time_steps = 0;
+  bool as_it_goes = false;
+  for (const auto& stage : scene.stages) {
+    if (!stage.dynamic())
+      load_steps += stage.increments;
+    else if (stage.time_step > 0)
+      time_steps += static_cast<int>(std::ceil(stage.duration / stage.time_step * (1 - round_off)));
+    else
+      as_it_goes = true;
+  }
   const auto unknowns = static_cast<double>(2 * structure.total_nodes());
   const int solves = scene.selection.mode == SelectionMode::bonded ? solves_bonded
                      : scene.selection.mode == SelectionMode::all  ? solves_all
                                                                    : solves_adaptive;
   say << source.block_count() << " blocks, " << points.total_joints() << " joints, " << structure.total_nodes()
       << " nodes, " << 2 * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
-      << steps << " load steps of about " << solves << " linear solves each, " << steps * solves << " in all\n"
-      << "expected: " << unknowns * bytes_per_unknown / 1e6 << " MB in all, "
-      << steps * solves * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize() << " s on "
-      << comm->getSize() << " ranks (within a factor of three)\n";
+      << steps_text(load_steps, "load", solves);
+  say << steps_text(time_steps, "time", solves_in_time);
+  if (as_it_goes) say << "time steps of stages that leave their length to the program: as many as it finds it needs\n";
+  const double all = load_steps * solves + time_steps * solves_in_time;
+  say << "expected: " << all << " linear solves" << (as_it_goes ? " without those" : "") << ", "
+      << unknowns * bytes_per_unknown / 1e6 << " MB in all, "
+      << all * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize() << " s on " << comm->getSize()
+      << " ranks (within a factor of three)\n";
   print_effect_costs(scene, source, structure, points, say);
 }
 
