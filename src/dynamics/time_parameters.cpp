@@ -16,6 +16,10 @@ void TimeParameters::declare(ParameterSection& section) {
   section.add("error tolerance", error_tolerance, "-", above(0.0),
               "error of one automatic time step, relative, energy norm", "an error never vanishes",
               "0.02 resolves impacts, 0.1 gives an impression.");
+  section.add("force tolerance", force_tolerance, "-", between(1e-13, 1e-4),
+              "of the forces of a time step, relative to the largest; newton > tolerance where that is smaller",
+              "below 1e-13 is round-off, above 1e-4 no energy is kept",
+              "1e-11 keeps energy over ten thousand steps; 1e-8 is for hundreds of points at their friction bound.");
   section.add("largest Courant number", largest_courant, "-", at_least(1.0),
               "an automatic time step lasts no longer than so many passages of a wave through the smallest cell",
               "one passage is what a cell resolves");

@@ -14,6 +14,7 @@ struct TimeParameters {
   double mass_damping = 0;        ///< [1/s] alpha of C = alpha M + beta K
   double stiffness_damping = 0;   ///< [s] beta
   double error_tolerance = 0.02;  ///< [-] of an automatic time step
+  double force_tolerance = 1e-11;  ///< [-] of the forces of a time step, relative to the largest
   double largest_courant = 100;   ///< [-] of an automatic time step
   int largest_halvings = 12;      ///< of one time step that does not converge
   void declare(ParameterSection&);

@@ -13,8 +13,6 @@
 namespace voussoir {
 namespace {
 
-// Energies must close over ten thousand steps: forces are solved far closer than those of load steps.
-constexpr double force_tolerance = 1e-11;
 // Gaps below this share of the structure's size are those of closed points: round-off, not a way to fall.
 constexpr double closed_gap = 1e-13;
 // Relative velocities below this share of the fastest, or of what the energy of the structure could move it with, rest.
@@ -104,7 +102,7 @@ template <int dim>
 void DynamicStep<dim>::set_time_step(double time_step) {
   if (model_ && rule_.time_step == time_step) return;
   rule_.time_step = time_step;
-  const double tolerance = std::min(force_tolerance, at_rest_.scene().newton.tolerance);
+  const double tolerance = std::min(at_rest_.scene().time.force_tolerance, at_rest_.scene().newton.tolerance);
   step_.reset();
   velocities_.forget();
   model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
