@@ -192,11 +192,13 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
   return rule_.time_step / 12 * std::sqrt(velocities_.kinetic_energy(change) / after.largest_energy);
 }
 
-/// Ties the points that have rested, as they stand.
+/// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
 template <int dim>
 void DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy) const {
   const auto& selection = at_rest_.scene().selection;
   if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return;
+  const auto& joints = at_rest_.scene().joints;
+  if (std::any_of(joints.begin(), joints.end(), [](const auto& joint) { return joint.parameters.has_mortar(); })) return;
   const double share = share_of_tolerance * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);

@@ -33,6 +33,8 @@ std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>
 // (README.md of dynamics, Cost).
 constexpr int fast_solves_in_time = 40;
 constexpr double augmentation_in_time = 100;
+// The fast way, one path and one closing: what has not arrived then goes in circles, and half the step is the way out.
+constexpr int largest_iterations_in_time = 250;
 // Where points share a vertex, mortar alone decides between their forces, and a solver that sees them as softer creeps:
 // W(8) with mortar of 1e12 Pa/m took 254 linear solves as soft as its stones, 57 as stiff as these multiples allow.
 constexpr double beyond_mortar = 10, beyond_stone = 100;
@@ -71,6 +73,7 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
         scene.newton.tolerance = tolerance;
         scene.newton.fast_solves = fast_solves_in_time;
         scene.newton.fast_augmentation = augmentation_in_time;
+        scene.newton.largest_iterations = std::min(scene.newton.largest_iterations, largest_iterations_in_time);
         return scene;
       }())),
       scene_(*own_scene_),
