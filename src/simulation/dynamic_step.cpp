@@ -198,7 +198,8 @@ void DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& ga
   const auto& selection = at_rest_.scene().selection;
   if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return;
   const auto& joints = at_rest_.scene().joints;
-  if (std::any_of(joints.begin(), joints.end(), [](const auto& joint) { return joint.parameters.has_mortar(); })) return;
+  const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
+  if (std::any_of(joints.begin(), joints.end(), mortar)) return;
   const double share = share_of_tolerance * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
