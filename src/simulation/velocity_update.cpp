@@ -197,7 +197,8 @@ double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, d
   const bool impact = fastest(speed, closed) > resting || lost > 0;
   if (!impact && fastest(speed, sliding) <= resting) return 0;
 
-  if (!systems_ || systems_->state.selected != state.selected)
+  // A selection that changed on one rank changed for all.
+  if (largest(*mass_.comm(), !systems_ || systems_->state.selected != state.selected) > 0)
     systems_ = std::make_unique<Systems>(at_rest_, mass_, step, state, solver_);
   for (int k = 0; k < points.size(); ++k) {
     closed[k].normal *= systems_->hold[k];
