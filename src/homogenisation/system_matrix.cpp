@@ -1,5 +1,6 @@
 #include "homogenisation/system_matrix.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 
 #include "base/check.hpp"
@@ -105,6 +106,38 @@ void SystemMatrix<dim>::add_point(int k, const PointStiffness& stiffness) {
 }
 
 template <int dim>
+bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
+  const auto& held = space_.held();
+  int mine = 0, any = 0;
+  for (int k = 0; k < points_.size(); ++k) {
+    if (!selected_[k] || stiffness[k].coupling == 0) continue;
+    mine = 1;
+    const auto& p = points_.points()[k];
+    const std::array<int, 2> node{space_.cluster()[p.node_i], space_.cluster()[p.node_j]};
+    if (node[0] == node[1]) continue;
+    for (int a = 0; a < 2; ++a) {
+      if (node[a] >= space_.owned_clusters()) continue;
+      for (int b = 0; b < 2; ++b)
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j) {
+            const int row = dim * node[a] + i, column = dim * node[b] + j;
+            const double value = stiffness[k].coupling * p.axis[1][i] * p.axis[0][j];
+            if (!held[row] && !held[column]) entry(row, column) += a == b ? value : -value;
+          }
+    }
+  }
+  Teuchos::reduceAll(*matrix_->getComm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  if (any) copy_values();
+  return any != 0;
+}
+
+template <int dim>
+void SystemMatrix<dim>::copy_values() {
+  auto values = matrix_->getLocalMatrixHost().values;
+  std::copy(local_.value.begin(), local_.value.end(), values.data());
+}
+
+template <int dim>
 void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness,
                                const std::vector<double>& proximal) {
   local_.value = stiffness_values_;
@@ -113,8 +146,7 @@ void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness,
   if (!proximal.empty())
     for (int i = 0; i < local_.rows(); ++i)
       if (!space_.held()[i]) local_.value[diagonal_[i]] += proximal[i];
-  auto values = matrix_->getLocalMatrixHost().values;
-  std::copy(local_.value.begin(), local_.value.end(), values.data());
+  copy_values();
 }
 
 template class SystemMatrix<2>;

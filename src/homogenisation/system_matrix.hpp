@@ -23,12 +23,17 @@ class SystemMatrix {
   /// @param stiffness  per local contact point; only selected points count
   void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
 
+  /// Adds the couplings, after what the preconditioner is made of was read: friction that follows the pressure makes
+  /// rows of H unsymmetric. Returns whether any point of any rank is coupled.
+  bool couple(const std::vector<PointStiffness>& stiffness);
+
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
   /// Rows this rank owns, columns of the column map.
   const LocalCsr& local() const { return local_; }
 
  private:
   void add_point(int k, const PointStiffness&);
+  void copy_values();
   double& entry(int row, int column);
 
   const Structure<dim>& structure_;

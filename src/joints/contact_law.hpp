@@ -31,6 +31,7 @@ struct PointCompliance {
 struct PointStiffness {
   double normal = 0;
   double tangential = 0;  ///< the same in all tangential directions
+  double coupling = 0;    ///< tangential force per normal gap, first tangent: friction that follows the pressure
 };
 
 /// Largest tangential force under a normal force: cohesion + mu p, never negative.

@@ -10,6 +10,8 @@
 namespace voussoir {
 namespace {
 
+constexpr int restart = 60;
+
 /// A Preconditioner seen as the operator Belos expects.
 class PreconditionerOperator : public TpetraOperator {
  public:
@@ -33,7 +35,8 @@ class PreconditionerOperator : public TpetraOperator {
 struct LinearSolver::Data {
   using Problem = Belos::LinearProblem<double, TpetraMultiVector, TpetraOperator>;
   SolverParameters parameters;
-  Teuchos::RCP<Belos::SolverManager<double, TpetraMultiVector, TpetraOperator>> manager;
+  using Manager = Belos::SolverManager<double, TpetraMultiVector, TpetraOperator>;
+  Teuchos::RCP<Manager> manager[2];  ///< for symmetric systems and others
 };
 
 LinearSolver::LinearSolver(const SolverParameters& parameters) : data_(std::make_unique<Data>()) {
@@ -45,24 +48,29 @@ LinearSolver::~LinearSolver() = default;
 LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& a,
                                       const std::shared_ptr<const Preconditioner>& m,
                                       const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
-                                      double relative_tolerance) {
+                                      double relative_tolerance, Symmetry symmetry) {
   auto problem = Teuchos::rcp(new Data::Problem(a, x, b));
   const auto& given = data_->parameters;
+  const bool symmetric = symmetry == Symmetry::symmetric;
+  const auto& method = symmetric ? given.method : given.unsymmetric_method;
+  auto& manager = data_->manager[symmetric ? 0 : 1];
   if (m) {
     const auto preconditioner = Teuchos::rcp(new PreconditionerOperator(m, b->getMap()));
     // On the right GMRES sees the residual itself; its flexible variant knows no other side.
-    if (given.method == "FLEXIBLE GMRES") {
+    if (method != "CG" && method != "PSEUDOBLOCK CG") {
       problem->setRightPrec(preconditioner);
     } else {
       problem->setLeftPrec(preconditioner);
     }
   }
-  problem->setHermitian();
+  if (symmetric) problem->setHermitian();
   problem->setProblem();
 
-  auto list = Teuchos::parameterList(given.belos);
+  auto list = Teuchos::parameterList(symmetric ? given.belos : given.belos_unsymmetric);
   list->set("Convergence Tolerance", relative_tolerance);
   list->set("Maximum Iterations", given.largest_iterations);
+  // A restart loses little after so many vectors, and their memory stays below that of the matrix.
+  if (method == "BLOCK GMRES" && !list->isParameter("Num Blocks")) list->set("Num Blocks", restart);
   const double size = b->norm2();
   if (size == 0) {
     x->putScalar(0);
@@ -70,18 +78,18 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   }
   // Relative to the right-hand side, not to a first residual that a good start makes small.
   if (!list->isParameter("Implicit Residual Scaling")) list->set("Implicit Residual Scaling", "Norm of RHS");
-  if (data_->manager.is_null()) {
+  if (manager.is_null()) {
     Belos::SolverFactory<double, TpetraMultiVector, TpetraOperator> factory;
-    data_->manager = factory.create(given.method, list);
+    manager = factory.create(method, list);
   } else {
-    data_->manager->setParameters(list);
+    manager->setParameters(list);
   }
-  data_->manager->setProblem(problem);
+  manager->setProblem(problem);
   try {
-    const bool converged = data_->manager->solve() == Belos::Converged;
-    return {data_->manager->getNumIters(), converged};
+    const bool converged = manager->solve() == Belos::Converged;
+    return {manager->getNumIters(), converged};
   } catch (const std::exception&) {  // curvature lost to round-off; x holds what was reached
-    return {data_->manager->getNumIters(), false};
+    return {manager->getNumIters(), false};
   }
 }
 

@@ -13,6 +13,9 @@ struct LinearSolveResult {
   bool converged = false;
 };
 
+/// Of a system; without symmetry another Krylov method is needed.
+enum class Symmetry { symmetric, none };
+
 class LinearSolver {
  public:
   explicit LinearSolver(const SolverParameters&);
@@ -22,7 +25,8 @@ class LinearSolver {
   /// M may be null. Every rank calls it.
   LinearSolveResult solve(const Teuchos::RCP<const TpetraOperator>& a, const std::shared_ptr<const Preconditioner>& m,
                           const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
-                          double relative_tolerance);
+                          double relative_tolerance,
+                          Symmetry = Symmetry::symmetric);
 
  private:
   struct Data;

@@ -9,11 +9,16 @@ void SolverParameters::declare(ParameterSection& section) {
       "method", method,
       {{"CG", "CG"}, {"PSEUDOBLOCK CG", "PSEUDOBLOCK CG"}, {"FLEXIBLE GMRES", "FLEXIBLE GMRES"}},
       "Krylov method of Belos; the systems are symmetric positive definite, so CG is the cheapest");
+  section.add_choice<std::string>("unsymmetric method", unsymmetric_method,
+                                  {{"BICGSTAB", "BICGSTAB"}, {"BLOCK GMRES", "BLOCK GMRES"},
+                                   {"FLEXIBLE GMRES", "FLEXIBLE GMRES"}},
+                                  "Krylov method of Belos for systems in which friction follows the pressure");
   section.add("tolerance", tolerance, "-", between(1e-15, 1e-2), "of a linear solve, relative to its right-hand side",
               "1e-15 is round-off, beyond 1e-2 Newton cannot converge", "1e-10 is usual.");
   section.add("largest iterations", largest_iterations, "-", between(1, 1e6), "of a linear solve",
               "none would solve nothing");
   section.add_list("Belos", belos, "parameters for Belos, going before those Voussoir sets; its manual applies");
+  section.add_list("Belos unsymmetric", belos_unsymmetric, "the same for the unsymmetric method");
   section.add_list("MueLu", muelu, "parameters for MueLu, going before those Voussoir sets; its manual applies");
 }
 

@@ -10,9 +10,11 @@ class ParameterSection;
 
 struct SolverParameters {
   std::string method = "CG";         ///< of Belos; must suit symmetric positive definite systems
+  std::string unsymmetric_method = "BLOCK GMRES";  ///< of Belos, for systems in which friction follows the pressure
   double tolerance = 1e-10;          ///< [-] of a linear solve, relative to its right-hand side
   int largest_iterations = 2000;
   Teuchos::ParameterList belos;      ///< sublist "Belos": overrides what Voussoir sets
+  Teuchos::ParameterList belos_unsymmetric;  ///< sublist "Belos unsymmetric"
   Teuchos::ParameterList muelu;      ///< sublist "MueLu": overrides what Voussoir sets
   void declare(ParameterSection&);
 };

@@ -29,6 +29,10 @@ constexpr double locking_friction = 100;
 constexpr double proximal = 1e-2;
 // Linear solves are no more accurate than the path needs.
 constexpr double solve_accuracy = 1e-3;
+// Where forces creep at an even pace, the bound on the resistance rises. Waiting so many steps for so little of a gain is
+// creeping: less haste (2 steps, a half) made friction bounds jump on the bridge, and its abutment stood still.
+constexpr int creeping_steps = 2;
+constexpr double creeping_gain = 0.5, faster = 10, fast = 100, fastest = 1e3;
 // The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
 constexpr int patience = 10;
 constexpr double balanced = 0.1, gained = 0.9;
@@ -74,22 +78,32 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
   }
 }
 
-/// Stiffness of each point on the path [N/m].
-void InteriorPath::resistances() {
+/// Change of the friction bound with the pressure [-].
+double InteriorPath::friction(int point, double normal) const {
+  const double limit = bound(point, normal);
+  return limit > 0 && std::isfinite(limit) ? std::min(problem_.law()[point].friction, locking_friction) : 0.0;
+}
+
+/// Stiffness of each point on the path [N/m]. Where only a prediction is made, friction stays as it is.
+void InteriorPath::resistances(const PointField& lambda, bool predicting) {
   resistance_.assign(problem_.points(), {});
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const auto& p = path_[k];
-    const double floor[] = {1 / stiffness_of(problem_, k, 0, 1.0), 1 / stiffness_of(problem_, k, 1, 1.0)};
+    auto& p = path_[k];
+    const double floor[] = {1 / stiffness_of(problem_, k, 0, augmentation_),
+                            1 / stiffness_of(problem_, k, 1, augmentation_)};
     resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
     resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
+    if (predicting || !p.slips) continue;
+    p.drag = friction(k, lambda[2 * k]) * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
+    resistance_[k].coupling = -resistance_[k].tangential * p.drag * resistance_[k].normal;
   }
 }
 
 /// Moves supports and loads with the resistances that the path gives the points of the old state.
 void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport& report) {
   enter(lambda, known_gap, start * scale_);
-  resistances();
+  resistances(lambda, true);
   problem_.evaluate(x, *gradient_, gap_);
   force_ = lambda;
   const auto yield = [&](const PointField& gap, const PointField* from) {
@@ -156,23 +170,25 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     p.gain[1] = -motion(k, 1, gap_, lambda);
     if (p.slips)
       p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
-    force_[2 * k] += resistance_[k].normal * p.gain[0];
-    force_[2 * k + 1] += resistance_[k].tangential * p.gain[1];
+    const double more = resistance_[k].normal * p.gain[0];
+    force_[2 * k] += more;
+    force_[2 * k + 1] += resistance_[k].tangential * (p.gain[1] - p.drag * more);
     for (int j = 0; j < 3; ++j) p.dy[j] = nu / p.w[j] - p.y[j];
   }
 }
 
 /// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, 1 at most.
-double InteriorPath::step_length() {
+double InteriorPath::step_length(const PointField& lambda) {
   double mine = 1, all = 1;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
     const double dp = resistance_[k].normal * (p.gain[0] - gap_direction_[2 * k]);
-    const double dq = resistance_[k].tangential * (p.gain[1] - gap_direction_[2 * k + 1]);
+    const double dq = resistance_[k].tangential * (p.gain[1] - p.drag * dp - gap_direction_[2 * k + 1]);
+    const double more = p.slips ? friction(k, lambda[2 * k]) * dp : 0;
     force_[2 * k] = dp;
     force_[2 * k + 1] = dq;
-    p.dw = {dp, p.residual[1] - dq, p.residual[2] + dq};
+    p.dw = {dp, p.residual[1] + more - dq, p.residual[2] + more + dq};
     for (int j = 0; j < 3; ++j) {
       if (!(j == 0 ? p.opens : p.slips)) continue;
       p.dy[j] -= p.y[j] / p.w[j] * p.dw[j];
@@ -213,14 +229,20 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   }
   std::vector<double> sizes;
   double step = 0;
+  int waits = 0, raised = 0;
+  augmentation_ = 1;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     arrived = size <= tolerance;
-    const bool stuck = iteration >= patience && equilibrium < balanced * contact &&
-                       size > gained * sizes[iteration - patience];
-    if (arrived || stuck || iteration >= largest_iterations) break;
+    const bool slow = iteration >= raised + patience && equilibrium < balanced * contact &&
+                      size > gained * sizes[iteration - patience];
+    if (arrived || (slow && augmentation_ >= fastest) || iteration >= largest_iterations) break;
+    if (slow) {
+      augmentation_ *= faster;
+      raised = iteration;
+    }
     sizes.push_back(size);
     work_->update(1.0, x, -1.0, x_before, 0.0);
     if (work_->normInf() > run_away * problem_.length_scale()) {
@@ -228,15 +250,21 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
       lambda = lambda_before;
       return PathEnd::ran_away;
     }
-    resistances();
+    const double distance = barrier(), least = waiting * std::pow(contact * scale_, 2);
+    waits = 2 * least > distance ? waits + 1 : 0;
+    if (waits >= creeping_steps && augmentation_ < fast && size > creeping_gain * sizes[iteration - creeping_steps]) {
+      augmentation_ = std::min(faster * augmentation_, fastest);
+      waits = 0;
+      raised = iteration;
+    }
+    resistances(lambda, false);
     const double share = step > long_step ? after_long : step > middling_step ? after_middling : after_short;
-    const double residual = contact * scale_;
-    aim(lambda, std::max(share * barrier(), waiting * residual * residual));
+    aim(lambda, std::max(share * distance, least));
     Tpetra::deep_copy(*gradient_, *linear_);
     problem_.subtract_contact_forces(force_, *gradient_);
     const int krylov = solve(report);
     problem_.evaluate_direction(*direction_, *work_, gap_direction_);
-    step = step_length();
+    step = step_length(lambda);
     const double length = step < 1 ? to_boundary * step : full_step;
     x.update(length, *direction_, 1.0);
     for (int k = 0; k < problem_.points(); ++k) {
@@ -265,7 +293,7 @@ void InteriorPath::tell(const NewtonReport& report, double equilibrium, double c
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;
-  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, 1});
+  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, augmentation_});
 }
 
 }  // namespace voussoir

@@ -47,6 +47,7 @@ class InteriorPath {
     std::array<double, 3> w{}, y{};    ///< [N], [m]: opening, slipping against and along the tangent
     std::array<double, 3> dw{}, dy{};
     std::array<double, 3> residual{};  ///< [N] of w
+    double drag = 0;                   ///< [m/N] slip wanted per change of the normal force
     double gain[2] = {};               ///< [m] right-hand side of the point's two rows
     bool opens = true, slips = true;   ///< the law bounds the force in this direction
   };
@@ -56,22 +57,24 @@ class InteriorPath {
 
   void predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport&);
   void enter(const PointField& lambda, const PointField& gap, double shift);
-  void resistances();
+  void resistances(const PointField& lambda, bool predicting);
   Size measure(const TpetraVector& x, const PointField& lambda);
   double barrier() const;
   void aim(const PointField& lambda, double target);
   int solve(NewtonReport&);
-  double step_length();
+  double step_length(const PointField& lambda);
   void leave(PointField& lambda) const;
   void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
   double motion(int point, int component, const PointField& gap, const PointField& lambda) const;
+  double friction(int point, double normal) const;
 
   NonlinearProblem& problem_;
   std::vector<Point> path_;
   std::vector<PointStiffness> resistance_;
   PointField gap_, gap_direction_, force_;
   Teuchos::RCP<TpetraVector> linear_, gradient_, direction_, work_;
+  double augmentation_ = 1;  ///< largest resistance of a point, relative to its local stiffness
   double scale_ = 1;  ///< [N]
 };
 

@@ -133,7 +133,8 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
   matrix_->update(stiffness, proximal);
   coarse_->update(*matrix_, stiffness, proximal);
-  return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance).iterations;
+  const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
+  return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance, symmetry).iterations;
 }
 
 template class ContactProblem<2>;
