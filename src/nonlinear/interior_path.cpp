@@ -27,14 +27,19 @@ constexpr double waiting = 1e-2;
 constexpr double locking_friction = 100;
 // Share of the proximal weights of the problem: enough to hold loose stones, a hundredth of what bounds a collapse.
 constexpr double proximal = 1e-2;
-// Linear solves are no more accurate than the path needs.
-constexpr double solve_accuracy = 1e-3;
-// Where forces creep at an even pace, the bound on the resistance rises. Waiting so many steps for so little of a gain is
-// creeping: less haste (2 steps, a half) made friction bounds jump on the bridge, and its abutment stood still.
+// Linear solves are no more accurate than the path needs: 1e-3 takes as many solves and 1.6 times the Krylov iterations
+// on the bridge, 3e-2 more solves, and the deformed bridge does not arrive.
+constexpr double solve_accuracy = 1e-2;
+// What points resist at most, relative to their local stiffness; figures in README.md. Where forces creep (so many
+// steps for so little of a gain) it rises.
 constexpr int creeping_steps = 2;
-constexpr double creeping_gain = 0.5, faster = 10, fast = 100, fastest = 1e3;
+constexpr double creeping_gain = 0.5, usual = 10, faster = 100, fastest = 1e3;
+// The path then begins anew, this many times the contact residual from the bounds.
+constexpr double recentring = 1;
+// Forces that drift evenly step after step may go so many steps at once.
+constexpr double drift = 0.9, far = 100;
 // The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
-constexpr int patience = 10;
+constexpr int patience = 15;
 constexpr double balanced = 0.1, gained = 0.9;
 // A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
 constexpr double run_away = 0.2;
@@ -177,9 +182,10 @@ void InteriorPath::aim(const PointField& lambda, double target) {
   }
 }
 
-/// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, 1 at most.
-double InteriorPath::step_length(const PointField& lambda) {
-  double mine = 1, all = 1;
+/// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, at most the
+/// furthest.
+double InteriorPath::step_length(const PointField& lambda, double furthest) {
+  double mine = furthest, all = furthest;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
@@ -212,14 +218,9 @@ void InteriorPath::leave(PointField& lambda) const {
   }
 }
 
-PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
-                             const PointField* known_gap, NewtonReport& report) {
-  const TpetraVector x_before(x, Teuchos::Copy);
-  const PointField lambda_before = lambda;
-  scale_ = force_scale(problem_, lambda);
-  if (known_gap) predict(x, lambda, *known_gap, report);
-  problem_.evaluate(x, *linear_, gap_);
-  enter(lambda, gap_, start * std::max(scale_, force_scale(problem_, lambda)));
+/// Enters the path and takes the forces along.
+void InteriorPath::set_out(PointField& lambda, double shift) {
+  enter(lambda, gap_, shift);
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& law = problem_.law()[k];
@@ -227,22 +228,28 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
     if (path_[k].opens) lambda[2 * k] = path_[k].w[0] - law.tension;
   }
+}
+
+PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
+                             const PointField* known_gap, NewtonReport& report) {
+  const TpetraVector x_before(x, Teuchos::Copy);
+  const PointField lambda_before = lambda;
+  scale_ = force_scale(problem_, lambda);
+  if (known_gap) predict(x, lambda, *known_gap, report);
+  problem_.evaluate(x, *linear_, gap_);
+  set_out(lambda, start * std::max(scale_, force_scale(problem_, lambda)));
   std::vector<double> sizes;
   double step = 0;
   int waits = 0, raised = 0;
-  augmentation_ = 1;
+  augmentation_ = usual;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     arrived = size <= tolerance;
-    const bool slow = iteration >= raised + patience && equilibrium < balanced * contact &&
+    const bool slow = iteration > raised + patience && equilibrium < balanced * contact &&
                       size > gained * sizes[iteration - patience];
     if (arrived || (slow && augmentation_ >= fastest) || iteration >= largest_iterations) break;
-    if (slow) {
-      augmentation_ *= faster;
-      raised = iteration;
-    }
     sizes.push_back(size);
     work_->update(1.0, x, -1.0, x_before, 0.0);
     if (work_->normInf() > run_away * problem_.length_scale()) {
@@ -250,13 +257,17 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
       lambda = lambda_before;
       return PathEnd::ran_away;
     }
-    const double distance = barrier(), least = waiting * std::pow(contact * scale_, 2);
-    waits = 2 * least > distance ? waits + 1 : 0;
-    if (waits >= creeping_steps && augmentation_ < fast && size > creeping_gain * sizes[iteration - creeping_steps]) {
-      augmentation_ = std::min(faster * augmentation_, fastest);
+    const double least = waiting * std::pow(contact * scale_, 2);
+    waits = 2 * least > barrier() ? waits + 1 : 0;
+    const bool creeping = waits >= creeping_steps && size > creeping_gain * sizes[iteration - creeping_steps];
+    if (augmentation_ < fastest && (creeping || slow)) {
+      augmentation_ *= faster;
       waits = 0;
       raised = iteration;
+      set_out(lambda, recentring * contact * scale_);
+      step = 0;
     }
+    const double distance = barrier();
     resistances(lambda, false);
     const double share = step > long_step ? after_long : step > middling_step ? after_middling : after_short;
     aim(lambda, std::max(share * distance, least));
@@ -264,8 +275,11 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     problem_.subtract_contact_forces(force_, *gradient_);
     const int krylov = solve(report);
     problem_.evaluate_direction(*direction_, *work_, gap_direction_);
-    step = step_length(lambda);
-    const double length = step < 1 ? to_boundary * step : full_step;
+    const bool drifting = step == 1 && waits >= creeping_steps && size > drift * sizes[iteration - 1];
+    const double furthest = drifting ? far : 1;
+    step = step_length(lambda, furthest);
+    const double length = step < furthest ? to_boundary * step : full_step * furthest;
+    step = std::min(step, 1.0);
     x.update(length, *direction_, 1.0);
     for (int k = 0; k < problem_.points(); ++k) {
       if (!problem_.selected()[k]) continue;
@@ -293,7 +307,8 @@ void InteriorPath::tell(const NewtonReport& report, double equilibrium, double c
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;
-  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, augmentation_});
+  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
+           augmentation_});
 }
 
 }  // namespace voussoir

@@ -6,10 +6,9 @@
 //   slipping   w1 = b - q,  w2 = b + q      y2 - y1 = g_T - g_T0,      b = cohesion + mu p
 //
 // and Newton follows the path w y = nu as nu falls. A point resists with 1 / (y/w + 1/k), a number between nothing and
-// its local stiffness k, so each linear system looks like those of the augmented Lagrangian and all statuses of all
-// points move at once: no collision of points cuts a step to nothing. The friction bound b follows the pressure from
-// one step to the next (Tresca's friction within a step), which keeps the systems symmetric; what a new bound breaks
-// is a residual of w1 and w2 like any other. Decisions and figures: README.md of this folder.
+// a multiple k of its local stiffness, so each linear system looks like those of the augmented Lagrangian and all
+// statuses of all points move at once: no collision of points cuts a step to nothing. The friction bound b follows the
+// pressure within a step, which makes the systems unsymmetric. Decisions and figures: README.md of this folder.
 //
 // Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
 //          S. Pougkakiotis, J. Gondzio, Comput. Optim. Appl. 78 (2021) 307-351 (proximal multipliers, here 1/k).
@@ -57,12 +56,13 @@ class InteriorPath {
 
   void predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport&);
   void enter(const PointField& lambda, const PointField& gap, double shift);
+  void set_out(PointField& lambda, double shift);
   void resistances(const PointField& lambda, bool predicting);
   Size measure(const TpetraVector& x, const PointField& lambda);
   double barrier() const;
   void aim(const PointField& lambda, double target);
   int solve(NewtonReport&);
-  double step_length(const PointField& lambda);
+  double step_length(const PointField& lambda, double furthest);
   void leave(PointField& lambda) const;
   void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;

@@ -27,8 +27,8 @@ void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream
 }
 
 // Every point from a cold start; then a settlement of 5 mm or 0.15 g in one step.
-TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {27, 110}, {44, 250}, out, success); }
-TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {42, 260}, {52, 420}, out, success); }
-TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {30, 115}, {51, 210}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {23, 90}, {38, 215}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {22, 120}, {35, 215}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {23, 80}, {38, 150}, out, success); }
 
 }  // namespace
