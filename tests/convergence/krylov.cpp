@@ -78,4 +78,13 @@ TEUCHOS_UNIT_TEST(Krylov, IterationsStayWhereTheyAreWhenAnArchHasMoreVoussoirs) 
   }
 }
 
+// Measured: 14 and 19.
+TEUCHOS_UNIT_TEST(LargeWall, Of64CoursesTakesAsManyIterationsAsASmallOne) {
+  const int small = iterations_at_solution(wall_scene(8)), large = iterations_at_solution(wall_scene(64));
+  out << "W(8), W(64): " << small << ", " << large << "\n";
+  TEST_COMPARE(small, >, 0);
+  TEST_COMPARE(large, >, 0);
+  TEST_COMPARE(large, <=, 1.5 * small);
+}
+
 }  // namespace
