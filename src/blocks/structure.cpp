@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "blocks/assembly.hpp"
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 
@@ -104,6 +105,15 @@ template <int dim>
 void Structure<dim>::apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const {
   y.resize(u.size());
   for (const auto& b : blocks_) b.stiffness.multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
+}
+
+template <int dim>
+double Structure<dim>::elastic_energy(const std::vector<double>& u) const {
+  std::vector<double> ku;
+  apply_stiffness(u, ku);
+  double energy = 0;
+  for (int i = 0; i < dim * owned_nodes(); ++i) energy += u[i] * ku[i] / 2;
+  return total_over_ranks(*comm_, energy);
 }
 
 template <int dim>

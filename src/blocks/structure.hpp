@@ -57,6 +57,8 @@ class Structure {
 
   /// y = K u on local node copies [dim nodes], owned and halo; no communication.
   void apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const;
+  /// u.K u / 2 over all ranks [J]. Collective.
+  double elastic_energy(const std::vector<double>& u) const;
   /// The same structure with other matrices in the place of the stiffness of its blocks.
   /// @param matrix_of  matrix of each local block, in the rows and columns of its stiffness
   Structure with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const;

@@ -1,9 +1,9 @@
 #include "homogenisation/system_matrix.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
@@ -85,8 +85,10 @@ double& SystemMatrix<dim>::entry(int row, int column) {
   return local_.value[it - local_.column.begin()];
 }
 
+/// Adds w_ij (d_i, d_j) for the motion d of one node of a point against the other.
 template <int dim>
-void SystemMatrix<dim>::add_point(int k, const PointStiffness& stiffness) {
+template <class Weight>
+void SystemMatrix<dim>::add_between(int k, const Weight& weight) {
   const auto& p = points_.points()[k];
   const std::array<int, 2> node{space_.cluster()[p.node_i], space_.cluster()[p.node_j]};
   if (node[0] == node[1]) return;  // tied by other points
@@ -98,37 +100,33 @@ void SystemMatrix<dim>::add_point(int k, const PointStiffness& stiffness) {
         for (int j = 0; j < dim; ++j) {
           const int row = dim * node[a] + i, column = dim * node[b] + j;
           if (held[row] || held[column]) continue;
-          double value = stiffness.normal * p.axis[0][i] * p.axis[0][j];
-          for (int t = 1; t < dim; ++t) value += stiffness.tangential * p.axis[t][i] * p.axis[t][j];
+          const double value = weight(p.axis, i, j);
           entry(row, column) += a == b ? value : -value;
         }
   }
 }
 
 template <int dim>
+void SystemMatrix<dim>::add_point(int k, const PointStiffness& stiffness) {
+  add_between(k, [&](const auto& axis, int i, int j) {
+    double value = stiffness.normal * axis[0][i] * axis[0][j];
+    for (int t = 1; t < dim; ++t) value += stiffness.tangential * axis[t][i] * axis[t][j];
+    return value;
+  });
+}
+
+template <int dim>
 bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
-  const auto& held = space_.held();
-  int mine = 0, any = 0;
+  bool coupled = false;
   for (int k = 0; k < points_.size(); ++k) {
-    if (!selected_[k] || stiffness[k].coupling == 0) continue;
-    mine = 1;
-    const auto& p = points_.points()[k];
-    const std::array<int, 2> node{space_.cluster()[p.node_i], space_.cluster()[p.node_j]};
-    if (node[0] == node[1]) continue;
-    for (int a = 0; a < 2; ++a) {
-      if (node[a] >= space_.owned_clusters()) continue;
-      for (int b = 0; b < 2; ++b)
-        for (int i = 0; i < dim; ++i)
-          for (int j = 0; j < dim; ++j) {
-            const int row = dim * node[a] + i, column = dim * node[b] + j;
-            const double value = stiffness[k].coupling * p.axis[1][i] * p.axis[0][j];
-            if (!held[row] && !held[column]) entry(row, column) += a == b ? value : -value;
-          }
-    }
+    const double c = stiffness[k].coupling;
+    if (!selected_[k] || c == 0) continue;
+    coupled = true;
+    add_between(k, [c](const auto& axis, int i, int j) { return c * axis[1][i] * axis[0][j]; });
   }
-  Teuchos::reduceAll(*matrix_->getComm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  if (any) copy_values();
-  return any != 0;
+  coupled = largest_over_ranks(*matrix_->getComm(), coupled) > 0;
+  if (coupled) copy_values();
+  return coupled;
 }
 
 template <int dim>

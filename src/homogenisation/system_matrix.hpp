@@ -32,6 +32,8 @@ class SystemMatrix {
   const LocalCsr& local() const { return local_; }
 
  private:
+  template <class Weight>
+  void add_between(int k, const Weight&);
   void add_point(int k, const PointStiffness&);
   void copy_values();
   double& entry(int row, int column);

@@ -30,8 +30,6 @@ constexpr double stagnating = 0.9;
 constexpr double collision_step = 0.1;
 // An update waits for its minimum no longer than this many Newton steps.
 constexpr int largest_inner = 60;
-// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
-constexpr double run_away = 0.2;
 // A motion carried that far that leaves more than this share of the imbalance would have to go on as far again.
 constexpr double unchanged = 0.5;
 // Forces have settled when the contact law asks for less than this share of the imbalance.
@@ -63,9 +61,7 @@ void AugmentedLagrangian::solve_direction(State& s, double relative_tolerance, N
   s.gradient->scale(-1.0);
   s.direction->putScalar(0);
   s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, relative_tolerance);
-  report.newton_iterations += 1;
-  report.krylov_iterations += s.krylov_last;
-  report.largest_krylov = std::max(report.largest_krylov, s.krylov_last);
+  report.count(s.krylov_last);
 }
 
 /// Step along the direction that minimises the augmented function with its friction bounds held.
@@ -195,9 +191,9 @@ double AugmentedLagrangian::update_forces(State& s) const {
 /// Karush-Kuhn-Tucker residuals of the true problem: no proximal term, augmentation 1.
 void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
   problem_.evaluate(s.x, *s.gradient, s.gap);
-  problem_.subtract_contact_forces(s.lambda, *s.gradient);
-  report.residual = s.gradient->normInf() / s.scale;
-  report.complementarity = contact_residual(problem_, s.lambda, s.gap) / s.scale;
+  const auto [equilibrium, contact] = imbalance(problem_, s.lambda, s.gap, *s.gradient);
+  report.residual = equilibrium / s.scale;
+  report.complementarity = contact / s.scale;
   double penetration = 0;
   for (int k = 0; k < problem_.owned_points(); ++k)
     if (problem_.selected()[k]) {

@@ -31,9 +31,8 @@ bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lamb
   TpetraVector residual(problem_.map());
   PointField gap;
   problem_.evaluate(x, residual, gap);
-  problem_.subtract_contact_forces(lambda, residual);
-  const double allowed = tolerance * force_scale(problem_, lambda);
-  return residual.normInf() <= allowed && contact_residual(problem_, lambda, gap) <= allowed;
+  const auto [equilibrium, contact] = imbalance(problem_, lambda, gap, residual);
+  return std::max(equilibrium, contact) <= tolerance * force_scale(problem_, lambda);
 }
 
 bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap,

@@ -41,8 +41,6 @@ constexpr double drift = 0.9, far = 100;
 // The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
 constexpr int patience = 15;
 constexpr double balanced = 0.1, gained = 0.9;
-// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
-constexpr double run_away = 0.2;
 
 }  // namespace
 
@@ -57,12 +55,6 @@ double InteriorPath::bound(int point, double normal) const {
   return friction_bound(law, normal);
 }
 
-/// Gap, or slip from its origin, less what mortar gives way [m].
-double InteriorPath::motion(int point, int component, const PointField& gap, const PointField& lambda) const {
-  const int at = 2 * point + component;
-  return gap[at] - slip_origin_of(problem_, at) + compliance_of(problem_, point, component) * lambda[at];
-}
-
 /// Starts the path at a distance [N] from the bounds, around some forces and gaps.
 void InteriorPath::enter(const PointField& lambda, const PointField& gap, double shift) {
   path_.assign(problem_.points(), {});
@@ -73,12 +65,12 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
     p.opens = std::isfinite(law.tension);
     p.slips = std::isfinite(law.cohesion);
     const double distance = shift / problem_.local_stiffness()[k];
-    const double slip = motion(k, 1, gap, lambda);
+    const double slip = motion_of(problem_, k, 1, gap, lambda);
     const double limit = bound(k, lambda[2 * k]), q = std::clamp(lambda[2 * k + 1], -limit, limit);
     const double shifted = p.opens ? bound(k, std::max(lambda[2 * k], -law.tension) + shift) : limit;
     p.w = {std::max(lambda[2 * k] + law.tension, 0.0) + shift, std::max(shifted - q, start * shift),
            std::max(shifted + q, start * shift)};
-    p.y = {std::max(motion(k, 0, gap, lambda), 0.0) + distance, std::max(-slip, 0.0) + distance,
+    p.y = {std::max(motion_of(problem_, k, 0, gap, lambda), 0.0) + distance, std::max(-slip, 0.0) + distance,
            std::max(slip, 0.0) + distance};
   }
 }
@@ -100,7 +92,8 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
     resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
     resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
     if (predicting || !p.slips) continue;
-    p.drag = friction(k, lambda[2 * k]) * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
+    p.friction = friction(k, lambda[2 * k]);
+    p.drag = p.friction * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
     resistance_[k].coupling = -resistance_[k].tangential * p.drag * resistance_[k].normal;
   }
 }
@@ -132,18 +125,16 @@ int InteriorPath::solve(NewtonReport& report) {
   gradient_->scale(-1.0);
   direction_->putScalar(0);
   const int krylov = problem_.solve(resistance_, proximal, gradient_, direction_, solve_accuracy);
-  report.newton_iterations += 1;
-  report.krylov_iterations += krylov;
-  report.largest_krylov = std::max(report.largest_krylov, krylov);
+  report.count(krylov);
   return krylov;
 }
 
-/// Residuals of x with the forces of the path; leaves K x - f in linear_ and the gaps.
-InteriorPath::Size InteriorPath::measure(const TpetraVector& x, const PointField& lambda) {
+/// Residuals of x with the forces of the path, relative to the scale; leaves K x - f in linear_ and the gaps.
+Imbalance InteriorPath::measure(const TpetraVector& x, const PointField& lambda) {
   problem_.evaluate(x, *linear_, gap_);
   Tpetra::deep_copy(*gradient_, *linear_);
-  problem_.subtract_contact_forces(lambda, *gradient_);
-  return {gradient_->normInf() / scale_, contact_residual(problem_, lambda, gap_) / scale_};
+  const auto [equilibrium, contact] = imbalance(problem_, lambda, gap_, *gradient_);
+  return {equilibrium / scale_, contact / scale_};
 }
 
 /// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
@@ -171,8 +162,8 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     const double nu = target / problem_.local_stiffness()[k];
     const double limit = bound(k, lambda[2 * k]), q = lambda[2 * k + 1];
     p.residual = {0, limit - q - p.w[1], limit + q - p.w[2]};
-    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion(k, 0, gap_, lambda);
-    p.gain[1] = -motion(k, 1, gap_, lambda);
+    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion_of(problem_, k, 0, gap_, lambda);
+    p.gain[1] = -motion_of(problem_, k, 1, gap_, lambda);
     if (p.slips)
       p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
     const double more = resistance_[k].normal * p.gain[0];
@@ -184,14 +175,14 @@ void InteriorPath::aim(const PointField& lambda, double target) {
 
 /// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, at most the
 /// furthest.
-double InteriorPath::step_length(const PointField& lambda, double furthest) {
+double InteriorPath::step_length(double furthest) {
   double mine = furthest, all = furthest;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
     const double dp = resistance_[k].normal * (p.gain[0] - gap_direction_[2 * k]);
     const double dq = resistance_[k].tangential * (p.gain[1] - p.drag * dp - gap_direction_[2 * k + 1]);
-    const double more = p.slips ? friction(k, lambda[2 * k]) * dp : 0;
+    const double more = p.friction * dp;
     force_[2 * k] = dp;
     force_[2 * k + 1] = dq;
     p.dw = {dp, p.residual[1] + more - dq, p.residual[2] + more + dq};
@@ -211,7 +202,7 @@ void InteriorPath::leave(PointField& lambda) const {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& law = problem_.law()[k];
-    const double trial = lambda[2 * k] - stiffness_of(problem_, k, 0, 1.0) * motion(k, 0, gap_, lambda);
+    const double trial = lambda[2 * k] - stiffness_of(problem_, k, 0, 1.0) * motion_of(problem_, k, 0, gap_, lambda);
     lambda[2 * k] = trial > -law.tension ? std::max(lambda[2 * k], -law.tension) : -law.tension;
     const double limit = friction_bound(law, lambda[2 * k]);
     lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
@@ -258,16 +249,17 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
       return PathEnd::ran_away;
     }
     const double least = waiting * std::pow(contact * scale_, 2);
-    waits = 2 * least > barrier() ? waits + 1 : 0;
+    double distance = barrier();
+    waits = 2 * least > distance ? waits + 1 : 0;
     const bool creeping = waits >= creeping_steps && size > creeping_gain * sizes[iteration - creeping_steps];
     if (augmentation_ < fastest && (creeping || slow)) {
       augmentation_ *= faster;
       waits = 0;
       raised = iteration;
       set_out(lambda, recentring * contact * scale_);
+      distance = barrier();
       step = 0;
     }
-    const double distance = barrier();
     resistances(lambda, false);
     const double share = step > long_step ? after_long : step > middling_step ? after_middling : after_short;
     aim(lambda, std::max(share * distance, least));
@@ -277,7 +269,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     problem_.evaluate_direction(*direction_, *work_, gap_direction_);
     const bool drifting = step == 1 && waits >= creeping_steps && size > drift * sizes[iteration - 1];
     const double furthest = drifting ? far : 1;
-    step = step_length(lambda, furthest);
+    step = step_length(furthest);
     const double length = step < furthest ? to_boundary * step : full_step * furthest;
     step = std::min(step, 1.0);
     x.update(length, *direction_, 1.0);

@@ -19,6 +19,7 @@
 
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/residuals.hpp"
 
 namespace voussoir {
 
@@ -46,27 +47,24 @@ class InteriorPath {
     std::array<double, 3> w{}, y{};    ///< [N], [m]: opening, slipping against and along the tangent
     std::array<double, 3> dw{}, dy{};
     std::array<double, 3> residual{};  ///< [N] of w
+    double friction = 0;               ///< [-] change of the bound with the pressure
     double drag = 0;                   ///< [m/N] slip wanted per change of the normal force
     double gain[2] = {};               ///< [m] right-hand side of the point's two rows
     bool opens = true, slips = true;   ///< the law bounds the force in this direction
-  };
-  struct Size {
-    double equilibrium, contact;  ///< relative to the scale
   };
 
   void predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport&);
   void enter(const PointField& lambda, const PointField& gap, double shift);
   void set_out(PointField& lambda, double shift);
   void resistances(const PointField& lambda, bool predicting);
-  Size measure(const TpetraVector& x, const PointField& lambda);
+  Imbalance measure(const TpetraVector& x, const PointField& lambda);
   double barrier() const;
   void aim(const PointField& lambda, double target);
   int solve(NewtonReport&);
-  double step_length(const PointField& lambda, double furthest);
+  double step_length(double furthest);
   void leave(PointField& lambda) const;
   void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
-  double motion(int point, int component, const PointField& gap, const PointField& lambda) const;
   double friction(int point, double normal) const;
 
   NonlinearProblem& problem_;

@@ -29,6 +29,12 @@ struct NewtonReport {
   double penetration = 0;      ///< [m]
   std::string reason;          ///< why it stopped, when it did not converge
 
+  /// One more linear solve.
+  void count(int krylov) {
+    ++newton_iterations;
+    krylov_iterations += krylov;
+    largest_krylov = largest_krylov > krylov ? largest_krylov : krylov;
+  }
   void add(const NewtonReport& other) {
     outer_iterations += other.outer_iterations;
     newton_iterations += other.newton_iterations;

@@ -19,10 +19,9 @@ void trial_forces(const NonlinearProblem& problem, const PointField& lambda, con
   trial.resize(lambda.size());
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
-    for (int c = k * n; c < (k + 1) * n; ++c) {
-      const double compliance = compliance_of(problem, k, c - k * n);
-      const double motion = gap[c] - slip_origin_of(problem, c) + compliance * lambda[c];
-      trial[c] = lambda[c] - stiffness_of(problem, k, c - k * n, augmentation) * motion;
+    for (int c = 0; c < n; ++c) {
+      const double motion = motion_of(problem, k, c, gap, lambda);
+      trial[k * n + c] = lambda[k * n + c] - stiffness_of(problem, k, c, augmentation) * motion;
     }
   }
 }

@@ -21,6 +21,13 @@ inline double stiffness_of(const NonlinearProblem& problem, int point, int compo
   return problem.compliance().empty() ? sigma : sigma / (1 + sigma * problem.compliance()[point].along(component));
 }
 
+/// Gap, or slip from its origin, less what mortar gives way [m].
+inline double motion_of(const NonlinearProblem& problem, int point, int component, const PointField& gap,
+                        const PointField& lambda) {
+  const std::size_t at = static_cast<std::size_t>(point) * problem.components() + component;
+  return gap[at] - slip_origin_of(problem, at) + compliance_of(problem, point, component) * lambda[at];
+}
+
 /// lambda - sigma (g - g_0 + c lambda), sigma in series with the mortar's 1/c, the slip measured from its origin.
 void trial_forces(const NonlinearProblem&, const PointField& lambda, const PointField& gap, double augmentation,
                   PointField& trial);

@@ -1,18 +1,16 @@
 #include "nonlinear/residuals.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "linalg/reduce.hpp"
 #include "nonlinear/point_update.hpp"
 
 namespace voussoir {
 
 double largest_over_ranks(const NonlinearProblem& problem, double local) {
-  double global = 0;
-  Teuchos::reduceAll(*problem.map()->getComm(), Teuchos::REDUCE_MAX, local, Teuchos::outArg(global));
-  return global;
+  return largest_over_ranks(*problem.map()->getComm(), local);
 }
 
 double force_scale(const NonlinearProblem& problem, const PointField& lambda) {
@@ -35,6 +33,12 @@ double contact_residual(const NonlinearProblem& problem, const PointField& lambd
     if (problem.selected()[k])
       for (int c = k * n; c < (k + 1) * n; ++c) worst = std::max(worst, std::abs(admissible[c] - lambda[c]));
   return largest_over_ranks(problem, worst);
+}
+
+Imbalance imbalance(NonlinearProblem& problem, const PointField& lambda, const PointField& gap,
+                    TpetraVector& residual) {
+  problem.subtract_contact_forces(lambda, residual);
+  return {residual.normInf(), contact_residual(problem, lambda, gap)};
 }
 
 }  // namespace voussoir

@@ -5,6 +5,14 @@
 
 namespace voussoir {
 
+/// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
+constexpr double run_away = 0.2;
+
+struct Imbalance {
+  double equilibrium;  ///< [N] largest of the residual
+  double contact;      ///< [N] largest change the contact law wants
+};
+
 /// Largest of a number over the ranks. Collective.
 double largest_over_ranks(const NonlinearProblem&, double local);
 
@@ -13,5 +21,9 @@ double force_scale(const NonlinearProblem&, const PointField& lambda);
 
 /// Largest change [N] that the contact law wants in the forces lambda at these gaps, judged with the local stiffness.
 double contact_residual(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
+
+/// How far a state with these gaps is from a solution. Collective.
+/// @param residual  K x - f, from which the contact forces are taken
+Imbalance imbalance(NonlinearProblem&, const PointField& lambda, const PointField& gap, TpetraVector& residual);
 
 }  // namespace voussoir

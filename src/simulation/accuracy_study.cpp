@@ -1,6 +1,5 @@
 #include "simulation/accuracy_study.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,10 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "dynamics/load_steps.hpp"
+#include "linalg/reduce.hpp"
 #include "output/safe_file.hpp"
 #include "simulation/adaptive_step.hpp"
+#include "simulation/release.hpp"
 #include "simulation/simulation.hpp"
 
 namespace voussoir {
@@ -20,25 +21,10 @@ namespace {
 
 constexpr int dim = 2;
 
-double reduced(const Teuchos::Comm<int>& comm, Teuchos::EReductionType how, double mine) {
-  double all = 0;
-  Teuchos::reduceAll(comm, how, mine, Teuchos::outArg(all));
-  return all;
-}
-
-/// u.K u / 2 [J].
-double elastic_energy(const Structure<dim>& structure, const std::vector<double>& u) {
-  std::vector<double> ku;
-  structure.apply_stiffness(u, ku);
-  double energy = 0;
-  for (int i = 0; i < dim * structure.owned_nodes(); ++i) energy += u[i] * ku[i] / 2;
-  return reduced(*structure.comm(), Teuchos::REDUCE_SUM, energy);
-}
-
 double largest_displacement(const Structure<dim>& structure, const std::vector<double>& u) {
   double largest = 0;
   for (int i = 0; i < structure.owned_nodes(); ++i) largest = std::max(largest, std::hypot(u[dim * i], u[dim * i + 1]));
-  return reduced(*structure.comm(), Teuchos::REDUCE_MAX, largest);
+  return largest_over_ranks(*structure.comm(), largest);
 }
 
 /// All load steps of the scene, with halving; the state at the end of the last one that was solved.
@@ -95,15 +81,13 @@ AccuracyRow AccuracyStudy::run(const Scene& scene, Field* keep, const Field* tru
   const auto source = checked_blocks(scene, comm_);
   const Model<dim> model(scene, *source, comm_);
   const auto state = solve(model, row, say_);
-  row.seconds = reduced(*comm_, Teuchos::REDUCE_MAX, clock.totalElapsedTime(true));
+  row.seconds = largest_over_ranks(*comm_, clock.totalElapsedTime(true));
 
   const auto& structure = model.structure();
   row.blocks = source->block_count();
   row.candidate_points = model.points().total();
-  const auto owned_points = state.selected.begin() + model.points().owned();
-  row.selected_points = std::llround(reduced(*comm_, Teuchos::REDUCE_SUM,
-                                             static_cast<double>(std::count(state.selected.begin(), owned_points, 1))));
-  row.energy = elastic_energy(structure, state.displacement);
+  row.selected_points = count_selected(model, state);
+  row.energy = structure.elastic_energy(state.displacement);
   row.largest_displacement = largest_displacement(structure, state.displacement);
   Field field;
   field.node.assign(structure.node_id().begin(), structure.node_id().begin() + structure.owned_nodes());
@@ -121,7 +105,7 @@ AccuracyRow AccuracyStudy::run(const Scene& scene, Field* keep, const Field* tru
       e[i] = field.displacement[i] - u[i];
     }
     const double moved = largest_displacement(structure, u);
-    row.error_energy = std::sqrt(elastic_energy(structure, e) / elastic_energy(structure, u));
+    row.error_energy = std::sqrt(structure.elastic_energy(e) / structure.elastic_energy(u));
     row.error_displacement = std::abs(row.largest_displacement - moved) / moved;
   }
   if (keep) *keep = std::move(field);

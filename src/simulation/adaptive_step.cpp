@@ -1,11 +1,11 @@
 #include "simulation/adaptive_step.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
@@ -22,13 +22,6 @@ constexpr double decreases_in_error = 5, margin = 1.5;
 // An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
 // the shaken wall of tests/analytic/rest_in_time was up to 2.2 % beside the solution with all points.
 constexpr double share_of_a_time_step = 0.5;
-
-template <class T>
-T total(const Teuchos::Comm<int>& comm, T mine) {
-  T all(0);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
 
 template <int dim>
 Vector<dim> force_at(const PointField& lambda, int k) {
@@ -59,10 +52,17 @@ ContactState AdaptiveStep<dim>::initial_state() const {
 }
 
 template <int dim>
-std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const std::vector<double>& load) const {
+std::vector<double> AdaptiveStep<dim>::borne_by_joints(const ContactState& state,
+                                                       const std::vector<double>& load) const {
   std::vector<double> r;
   model_.structure().apply_stiffness(state.displacement, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] -= load[i];
+  return r;
+}
+
+template <int dim>
+std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const std::vector<double>& load) const {
+  auto r = borne_by_joints(state, load);
   add_contact_forces(model_.points(), {}, state.lambda, -1.0, r);
   return r;
 }
@@ -97,9 +97,7 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
   }
   Phase phase("selection");
   cluster = problem.space().cluster();
-  std::vector<double> r;
-  model_.structure().apply_stiffness(state.displacement, r);
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] -= load[i];
+  const auto r = borne_by_joints(state, load);
   if (in_time)
     recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda, force_before,
                         open_points(model_));
@@ -208,7 +206,7 @@ bool AdaptiveStep<dim>::break_points(ContactState& state) const {
     state.broken[k] = 1;
     broken += k < model_.points().owned();
   }
-  return total(*model_.structure().comm(), broken) > 0;
+  return total_over_ranks(*model_.structure().comm(), broken) > 0;
 }
 
 template <int dim>

@@ -47,6 +47,8 @@ class AdaptiveStep {
   PointField stone_gaps(const ContactState& s) const { return model_.gaps(s.displacement, s.lambda); }
 
  private:
+  /// K u - f of each block alone [N]: what joints and supports bear.
+  std::vector<double> borne_by_joints(const ContactState&, const std::vector<double>& load) const;
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
   bool solve_round(const typename ContactProblem<dim>::Parts&, ContactState&, const std::vector<double>& load,
                    const std::vector<double>& prescribed, double tolerance, const PointField* known_gap,

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "blocks/assembly.hpp"
+#include "linalg/reduce.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
 #include "simulation/scene_fit.hpp"
@@ -21,12 +22,6 @@ constexpr double share_of_fastest = 1e-6, share_of_energy = 1e-9;
 constexpr double share_of_tolerance = 0.15;
 // Energy lost in closing below this share of all energy is round-off.
 constexpr double no_loss = 1e-16;
-
-double largest(const Teuchos::Comm<int>& comm, double mine) {
-  double all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
-  return all;
-}
 
 template <int dim>
 Structure<dim> structure_of_mass(const Model<dim>& model) {
@@ -52,9 +47,7 @@ DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest)
 
 template <int dim>
 double DynamicStep<dim>::total(double mine) const {
-  double all = 0;
-  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
+  return total_over_ranks(*mass_.comm(), mine);
 }
 
 template <int dim>
@@ -75,7 +68,7 @@ double DynamicStep<dim>::courant_time() const {
 
 template <int dim>
 double DynamicStep<dim>::begin(ContactState& state) const {
-  if (largest(*mass_.comm(), !state.velocity.empty()) > 0) return 0;  // a rank without blocks never has any
+  if (largest_over_ranks(*mass_.comm(), !state.velocity.empty()) > 0) return 0;  // empty ranks never have any
   const auto& s = at_rest_.structure();
   auto& v = state.velocity;
   v.assign(state.displacement.size(), 0.0);
@@ -131,7 +124,7 @@ void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<doub
       v[i] = rule_.midpoint_velocity(half[i]);
       mine = true;
     }
-  if (largest(*mass_.comm(), mine) == 0) return;
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return;
   report.external_work += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
   state.velocity = v;
 }
@@ -171,7 +164,7 @@ template <int dim>
 double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
   double fastest = 0;
   for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
-  return share_of_fastest * largest(*mass_.comm(), fastest) +
+  return share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
          share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
 }
 
@@ -183,7 +176,7 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
   for (std::size_t i = 0; i < acceleration.size(); ++i)
     acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
   auto change = acceleration;
-  const bool known = largest(*mass_.comm(), !after.acceleration.empty()) > 0;  // a rank without blocks has none
+  const bool known = largest_over_ranks(*mass_.comm(), !after.acceleration.empty()) > 0;  // empty ranks have none
   if (!after.acceleration.empty())
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= after.acceleration[i];
   after.acceleration = std::move(acceleration);
@@ -205,7 +198,7 @@ void DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& ga
   const double negligible = share * share * energy / static_cast<double>(selected);
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), negligible,
                                               selection.rest);
-  if (largest(*mass_.comm(), mine) > 0) state.rest.error_by_decreases = 0;
+  if (largest_over_ranks(*mass_.comm(), mine) > 0) state.rest.error_by_decreases = 0;
 }
 
 template <int dim>

@@ -1,9 +1,10 @@
 #include "simulation/error_estimate.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "linalg/reduce.hpp"
 #include "nonlinear/point_update.hpp"
 
 namespace voussoir {
@@ -18,23 +19,6 @@ constexpr double solve_tolerance = 1e-4;
 // Errors beyond this many times the solution are all the same: no solution at all. Bounds the estimate where nothing
 // would be left under load.
 constexpr double largest_error = 100;
-
-double largest(const Teuchos::Comm<int>& comm, double mine) {
-  double all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
-  return all;
-}
-
-/// u.K u / 2 [J].
-template <int dim>
-double elastic_energy(const Structure<dim>& structure, const std::vector<double>& u) {
-  std::vector<double> ku;
-  structure.apply_stiffness(u, ku);
-  double mine = 0, all = 0;
-  for (int i = 0; i < dim * structure.owned_nodes(); ++i) mine += u[i] * ku[i] / 2;
-  Teuchos::reduceAll(*structure.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
 
 /// Releases every point at the vertex of a violating one: each of them ties its nodes.
 template <int dim>
@@ -66,7 +50,7 @@ TiedViolations tied_violations(const Model<dim>& model, const std::vector<PointL
   v.force.assign(points.owned(), 0.0);
   double force = 0, worst = 0;
   for (int k = 0; k < points.owned(); ++k) force = std::max(force, std::abs(state.lambda[dim * k]));
-  force = largest(comm, force);
+  force = largest_over_ranks(comm, force);
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
@@ -79,7 +63,7 @@ TiedViolations tied_violations(const Model<dim>& model, const std::vector<PointL
     v.force[k] = r;
     worst = std::max(worst, r);
   }
-  worst = largest(comm, worst);
+  worst = largest_over_ranks(comm, worst);
   v.largest = force > 0 ? worst / force : 0.0;
   return v;
 }
@@ -92,9 +76,8 @@ std::vector<double> predicted_decrease(const TiedViolations& violations, const s
 }
 
 double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, const Teuchos::Comm<int>& comm) {
-  double mine = 0, sum = 0;
-  for (const double decrease : predicted_decrease) mine += decrease;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
+  const double sum =
+      total_over_ranks(comm, std::accumulate(predicted_decrease.begin(), predicted_decrease.end(), 0.0));
   return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest_error;
 }
 
@@ -139,8 +122,8 @@ double relative_error(const Structure<dim>& structure, const std::vector<double>
   if (error.change.empty()) return 0.0;
   auto without = displacement;
   for (std::size_t i = 0; i < without.size(); ++i) without[i] += error.change[i];
-  const double changed = elastic_energy(structure, error.change);
-  const double energy = std::max(elastic_energy(structure, without), known_energy);
+  const double changed = structure.elastic_energy(error.change);
+  const double energy = std::max(structure.elastic_energy(without), known_energy);
   return std::sqrt(changed) < largest_error * std::sqrt(energy) ? std::sqrt(changed / energy) : largest_error;
 }
 

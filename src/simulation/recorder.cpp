@@ -5,18 +5,13 @@
 #include <cmath>
 
 #include "blocks/stresses.hpp"
+#include "linalg/reduce.hpp"
 #include "simulation/phase.hpp"
 
 namespace voussoir {
 namespace {
 
 enum Status { open = 0, stick = 1, slip = 2, bonded = 3 };
-
-double total(const Teuchos::Comm<int>& comm, double mine) {
-  double all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
 
 double tangential(const PointField& f, int k, int dim) {
   if (dim == 2) return f[2 * k + 1];  // signed: along the one tangent
@@ -180,7 +175,8 @@ void Recorder<dim>::book(const ContactState& before, const std::vector<double>& 
     }
   }
   const auto& comm = *s.comm();
-  record_.energy.advance({total(comm, elastic), 0, total(comm, work), total(comm, friction), total(comm, fracture), 0});
+  record_.energy.advance({total_over_ranks(comm, elastic), 0, total_over_ranks(comm, work),
+                          total_over_ranks(comm, friction), total_over_ranks(comm, fracture), 0});
 }
 
 template <int dim>

@@ -1,18 +1,12 @@
 #include "simulation/release.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 
+#include "linalg/reduce.hpp"
 #include "selection/marking.hpp"
 
 namespace voussoir {
 namespace {
-
-long long total(const Teuchos::Comm<int>& comm, long long mine) {
-  long long all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
 
 /// Brings the forces of selected points to the nearest admissible ones, normal part first.
 template <int dim>
@@ -62,7 +56,7 @@ bool release(const Model<dim>& model, const std::vector<PointLaw>& law, const st
   points.exchange().update(selected, 1);
   for (int k = 0; k < points.size(); ++k) state.selected[k] = selected[k] != 0;
   admit<dim>(law, state);
-  return total(comm, released) > 0;
+  return total_over_ranks(comm, released) > 0;
 }
 
 template <int dim>
@@ -87,7 +81,7 @@ bool release_mortar(const Model<dim>& model, const std::vector<PointLaw>& law, C
 template <int dim>
 long long count_selected(const Model<dim>& model, const ContactState& state) {
   const auto owned = state.selected.begin() + model.points().owned();
-  return total(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
+  return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
 }
 
 template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,

@@ -7,6 +7,7 @@
 #include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/block_solves.hpp"
 #include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
@@ -31,12 +32,6 @@ PointField relative(const ContactPoints<dim>& points, const std::vector<double>&
         speed[dim * k + a] += (v[dim * p.node_j + c] - v[dim * p.node_i + c]) * p.axis[a][c];
   }
   return speed;
-}
-
-double largest(const Teuchos::Comm<int>& comm, double mine) {
-  double all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
-  return all;
 }
 
 /// Exact solves on every block, bonded or not.
@@ -120,7 +115,7 @@ double VelocityUpdate<dim>::fastest(const PointField& speed, const std::vector<P
     if (held[k].tangential > 0)
       for (int c = 1; c < dim; ++c) mine = std::max(mine, std::abs(speed[dim * k + c]));
   }
-  return largest(*mass_.comm(), mine);
+  return largest_over_ranks(*mass_.comm(), mine);
 }
 
 /// The nearest velocity, in the norm of the kinetic energy, without relative velocities where points are held.
@@ -174,7 +169,7 @@ double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, d
   double force = 0;
   for (int k = 0; k < points.owned(); ++k)
     if (state.selected[k]) force = std::max(force, state.lambda[dim * k]);
-  force = largest(*mass_.comm(), force);
+  force = largest_over_ranks(*mass_.comm(), force);
   // Which points rest on each other, and which of them stick.
   std::vector<PointStiffness> closed(points.size()), sticking;
   for (int k = 0; k < points.size(); ++k) {
@@ -198,7 +193,7 @@ double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, d
   if (!impact && fastest(speed, sliding) <= resting) return 0;
 
   // A selection that changed on one rank changed for all.
-  if (largest(*mass_.comm(), !systems_ || systems_->state.selected != state.selected) > 0)
+  if (largest_over_ranks(*mass_.comm(), !systems_ || systems_->state.selected != state.selected) > 0)
     systems_ = std::make_unique<Systems>(at_rest_, mass_, step, state, solver_);
   for (int k = 0; k < points.size(); ++k) {
     closed[k].normal *= systems_->hold[k];

@@ -207,13 +207,7 @@ TEUCHOS_UNIT_TEST(Mortar, RemembersWhereItsStonesSlipped) {
 TEUCHOS_UNIT_TEST(Mortar, OfAColumnThatIsBuiltBearsWhatIsLaidAfterIt) {
   const double kn = 1e9;
   Scene scene = column(3, kn, kn);
-  scene.stages.clear();
-  for (const char* name : {"first", "second", "third"}) {
-    StageParameters stage;
-    stage.name = name;
-    stage.factors["weight"] = 1;
-    scene.stages.push_back(stage);
-  }
+  scene.stages = three_stages();
   scene.construction = {{"second", {"course 1", "second", ""}}, {"third", {"course 2", "third", ""}}};
   Experiment built(scene);
   TEST_ASSERT(built.run());

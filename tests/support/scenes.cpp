@@ -85,6 +85,16 @@ Scene arch_scene(int voussoirs) {
   return scene;
 }
 
+std::vector<StageParameters> three_stages() {
+  std::vector<StageParameters> stages;
+  for (const char* name : {"first", "second", "third"}) {
+    stages.emplace_back();
+    stages.back().name = name;
+    stages.back().factors["weight"] = 1;
+  }
+  return stages;
+}
+
 Scene gmsh_scene(const std::string& geo, double element_size, CellType cells) {
   Scene scene = stone_scene();
   scene.mesh.type = MeshType::gmsh;

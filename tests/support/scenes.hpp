@@ -18,6 +18,8 @@ namespace voussoir::test {
 Scene wall_scene(int courses);
 /// Semicircular arch A(n): own weight, then the right springing moves outward by 5 mm. All points selected.
 Scene arch_scene(int voussoirs);
+/// Stages "first", "second" and "third" of a scene that is built, under its weight throughout.
+std::vector<StageParameters> three_stages();
 /// A mesh of gmsh under no loads: stone of 10 GPa, nu = 0.2, 2000 kg/m3, friction 0.6. All points selected.
 Scene gmsh_scene(const std::string& geo, double element_size, CellType);
 

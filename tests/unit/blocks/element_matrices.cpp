@@ -54,14 +54,7 @@ Block<2> distorted_block(bool triangles) {
     x[0] += 0.2 * std::sin(2 * at[1] + 1) * at[0] * (3 - at[0]) / 2;
     x[1] += 0.2 * std::cos(3 * at[0]) * at[1] * (3 - at[1]) / 2;
   }
-  if (!triangles) return block;
-  std::vector<Cell> halves;
-  for (const auto& c : block.cells) {
-    halves.push_back({{c.node[0], c.node[1], c.node[2]}, 3});
-    halves.push_back({{c.node[0], c.node[2], c.node[3]}, 3});
-  }
-  block.cells = halves;
-  return block;
+  return triangles ? in_triangles(block) : block;
 }
 
 TEUCHOS_UNIT_TEST(ElementStiffness, IsSymmetricWithThreeRigidMotionsAndNoOtherFreeMotion) {

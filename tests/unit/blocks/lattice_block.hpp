@@ -52,4 +52,15 @@ inline Structure<2> structure_of(const BlockSource<2>& source, const Teuchos::RC
                       [material](const Block<2>&) { return material; }, comm);
 }
 
+/// The same block with each of its quadrilaterals cut into two triangles.
+inline Block<2> in_triangles(Block<2> block) {
+  std::vector<Cell> halves;
+  for (const auto& c : block.cells) {
+    halves.push_back({{c.node[0], c.node[1], c.node[2]}, 3});
+    halves.push_back({{c.node[0], c.node[2], c.node[3]}, 3});
+  }
+  block.cells = halves;
+  return block;
+}
+
 }  // namespace voussoir::test

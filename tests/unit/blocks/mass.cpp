@@ -20,14 +20,7 @@ Block<2> square(bool triangles) {
     x[0] += 0.1 * at[0] * (3 - at[0]) * at[1] * (3 - at[1]) / 4;
     x[1] -= 0.15 * at[0] * (3 - at[0]) * at[1] * (3 - at[1]) / 4;
   }
-  if (!triangles) return block;
-  std::vector<Cell> halves;
-  for (const auto& c : block.cells) {
-    halves.push_back({{c.node[0], c.node[1], c.node[2]}, 3});
-    halves.push_back({{c.node[0], c.node[2], c.node[3]}, 3});
-  }
-  block.cells = halves;
-  return block;
+  return triangles ? in_triangles(block) : block;
 }
 
 /// 1/2 v.M v

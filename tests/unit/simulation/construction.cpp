@@ -23,13 +23,7 @@ Scene column(SelectionMode mode) {
   scene.materials[0].parameters.poisson_ratio = 0;
   scene.selection.mode = mode;
   scene.loads.resize(1);
-  scene.stages.clear();
-  for (const char* name : {"first", "second", "third"}) {
-    StageParameters stage;
-    stage.name = name;
-    stage.factors["weight"] = 1;
-    scene.stages.push_back(stage);
-  }
+  scene.stages = three_stages();
   return scene;
 }
 
