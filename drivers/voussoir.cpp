@@ -119,12 +119,14 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
     return exit_interrupted;
   }
   if (summary.outcome == Outcome::equilibrium)
-    say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.");
+    say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.")
+        << (summary.collapse ? " No collapse: " + summary.message + "." : "");
   if (summary.outcome == Outcome::collapse) say << "Collapse: " << summary.message << ".";
   if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
   say << " Results are in " << a.run.folder << "\n";
   if (summary.outcome == Outcome::equilibrium) return exit_done;
-  return summary.outcome == Outcome::collapse && scene.load_steps.expect_collapse ? exit_done : exit_no_convergence;
+  const bool wanted = scene.load_steps.expect_collapse || summary.collapse;
+  return summary.outcome == Outcome::collapse && wanted ? exit_done : exit_no_convergence;
 }
 
 int run_program(const std::vector<std::string>& words) {

@@ -17,7 +17,7 @@ import draw_time
 import tables
 from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
 from html_page import Page
-from read_results import OPEN, SLIP, find, read_frames, read_results
+from read_results import OPEN, SLIP, find, is_mechanism, read_frames, read_results
 from statics import find_hinges, find_rings, ring_resultants
 
 # A result with holes (a table of the wrong length, say) must not take the rest of the report with it.
@@ -42,7 +42,12 @@ def add_undeformed(page, results, edges, folder):
 
 def add_deformed(page, results, edges, scale, folder):
     step = results.last
-    page.picture(draw_structure.draw_deformed(results.mesh, edges, step, scale, folder),
+    picture = draw_structure.draw_deformed(results.mesh, edges, step, scale, folder)
+    if is_mechanism(step):
+        page.picture(picture, "The mechanism: the motion the collapse begins with, drawn as large as it can be seen. Stones that move as one "
+                     f"stay together, joints that work open or slide. Stage “{step.stage}”, factor {step.load_factor:.4g}.")
+        return
+    page.picture(picture,
                  f"Deformed shape at the end of step {step.number}, stage “{step.stage}”: displacements drawn {factor_text(scale)}, the largest is "
                  f"{length_text(step.largest_displacement)}. Thin grey: the structure as built. Look for where the shape kinks: "
                  "stones turn against each other there. Openings are magnified with the displacements.")
@@ -76,9 +81,9 @@ def add_motion(page, results, pieces, edges, folder):
 
 def add_joints(page, results, pieces, edges, scale, rings, folder):
     mesh, joints, step = results.mesh, results.joints, results.last
-    hinges = [h for ring, resultants in rings for h in find_hinges(ring, joints, step, resultants)]
+    hinges = [h for ring, _ in rings for h in find_hinges(ring, joints, step, ring_resultants(ring, joints, step))]
     page.picture(draw_joints.draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder),
-                 f"Joints at step {step.number}, on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
+                 f"Joints {'of the mechanism, openings relative to its largest motion of 1 m,' if is_mechanism(step) else ''} at step {step.number}, on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
                  f"{(step.status == OPEN).sum()} points; orange: slipping, {(step.status == SLIP).sum()} points; grey: closed. "
                  "Black dots: hinges, at the compressed edge where the force passes; the joint gapes at the other edge.")
     if hinges:
@@ -89,7 +94,7 @@ def add_joints(page, results, pieces, edges, scale, rings, folder):
 
 
 def add_stress(page, results, edges, rings, folder):
-    mesh, joints, step = results.mesh, results.joints, results.last
+    mesh, joints, step = results.mesh, results.joints, results.equilibrium
     path, top, largest = draw_forces.draw_stress(mesh, joints, edges, step, [ring for ring, _ in rings], folder)
     line = "Red line: line of thrust, through the resultants of the joints of each arch; where it touches an edge a hinge can form. " if rings else ""
     page.picture(path, f"Compression in the stones (the most compressive principal stress of each cell) at step {step.number}, in MPa; the scale "
@@ -98,7 +103,7 @@ def add_stress(page, results, edges, rings, folder):
 
 
 def add_selection(page, results, pieces, edges, folder):
-    step, points = results.last, len(results.joints.area)
+    step, points = results.equilibrium, len(results.joints.area)
     share = 100 * step.selected.sum() / max(points, 1)
     page.picture(draw_joints.draw_selection(results.mesh, results.joints, pieces, edges, step, folder),
                  f"Where contact was computed at step {step.number}: {step.selected.sum()} of {points} candidate points ({share:.1f} %) are "
@@ -115,7 +120,7 @@ def add_structure_sections(page, results, folder):
         return []
     scale = deformation_scale(mesh, step)
     pieces = JointPieces(mesh, joints, edges)
-    rings = attempt(page, "The arches", lambda: [(ring, ring_resultants(ring, joints, step)) for ring in find_rings(mesh, joints)]) or []
+    rings = attempt(page, "The arches", lambda: [(ring, ring_resultants(ring, joints, results.equilibrium)) for ring in find_rings(mesh, joints)]) or []
     attempt(page, "The deformed structure", add_deformed, page, results, edges, scale, folder)
     attempt(page, "The stages", add_stages, page, results, edges, folder)
     attempt(page, "The motion", add_motion, page, results, pieces, edges, folder)
@@ -173,7 +178,7 @@ def add_time(page, results, folder):
 def add_tables(page, results, rings):
     page.section("Tables")
     if results.last:
-        attempt(page, "The tables of joints", tables.joint_tables, page, results.mesh, results.joints, results.last)
+        attempt(page, "The tables of joints", tables.joint_tables, page, results.mesh, results.joints, results.equilibrium)
     attempt(page, "The support reactions", tables.reaction_table, page, results)
     if results.last:
         attempt(page, "The thrust", tables.thrust_table, page, [(ring.name, resultants) for ring, resultants in rings])
@@ -189,6 +194,7 @@ def make_report(folder):
     page.figures_asked_first(tables.facts_asked_first(results))
     page.remarks(results.remarks)
     rings = add_structure_sections(page, results, pictures) if results.mesh else []
+    attempt(page, "The load factor", tables.load_factor_section, page, results)
     attempt(page, "The course of the run", add_time, page, results, pictures)
     attempt(page, "Convergence and cost", add_cost, page, results, pictures)
     add_tables(page, results, rings)

@@ -86,6 +86,17 @@ class Results:
     def last(self):
         return self.stage_ends[-1] if self.stage_ends else None
 
+    @property
+    def equilibrium(self):
+        """The last step that is no mechanism, where there is one."""
+        standing = [step for step in self.stage_ends if not is_mechanism(step)]
+        return standing[-1] if standing else self.last
+
+
+def is_mechanism(step):
+    """The motion a collapse begins with: a direction, whose size, stresses and forces mean nothing."""
+    return step.stage.endswith(MECHANISM)
+
 
 def plain(key):
     """A key without units and punctuation: 'largest_displacement_m', 'Largest displacement [m]' -> 'largest displacement'."""

@@ -63,7 +63,11 @@ def facts_asked_first(results):
     seconds, _ = seconds_of(results)
     share = f"{100 * selected / candidates:.1f} %" if selected is not None and candidates else "not given"
     stage = results.history[-1].get("stage", "") if results.history else (step.stage if step else "")
-    return [
+    lower, upper = collapse_bracket(results)
+    asked = [] if lower is None else [
+        ("Collapse load factor", f"above {short(lower, 4)}" if upper is None else f"{short(lower, 4)} to {short(upper, 4)}",
+         "of the pattern: the first stands" + ("" if upper is None else ", the second collapses"))]
+    return asked + [
         ("Largest displacement", "not given" if displacement is None else length_text(displacement), ""),
         ("Load factor reached", short(load) or "not given", f"in stage “{stage}”" if stage else ""),
         ("Open / slipping / sticking points", " / ".join(count_text(p) for p in points), "of the selected contact points"),
@@ -73,6 +77,32 @@ def facts_asked_first(results):
         ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
         ("Unknowns", count_text(find(tree, "unknowns")), ""),
     ]
+
+
+def collapse_bracket(results):
+    """The load factor that stands and the one that collapses, as far as they were found."""
+    found = results.result.get("collapse")
+    return (number(found.get("lower")), number(found.get("upper"))) if isinstance(found, dict) else (None, None)
+
+
+def load_factor_section(page, results):
+    """How far the pattern of loads could be raised, and every attempt."""
+    found = results.result.get("collapse")
+    if not isinstance(found, dict):
+        return
+    lower, upper = collapse_bracket(results)
+    page.section("How far the loads can be raised")
+    pattern = " + ".join(f"{short(share)} x {load}" for load, share in found.get("pattern", {}).items())
+    stands = f"The structure stands with {short(lower, 5)} times the pattern ({pattern}) on top of the loads of the last stage"
+    if upper is None:
+        page.words(f"{stands}; no factor was found at which it collapses.")
+    else:
+        page.words(f"{stands} and collapses with {short(upper, 5)} times it: there the solver found a mechanism, which is the last step drawn here. "
+                   "Every attempt is one load step from the last equilibrium; with friction the way of the loads matters.")
+    if found.get("sharp") is False:
+        page.words("Factors between these two were tried and neither an equilibrium nor a mechanism was found there.")
+    page.table(["load factor", "found", "linear solves"],
+               [[short(a.get("factor"), 5), str(a.get("outcome", "")), count_text(a.get("linear_solves"))] for a in found.get("attempts", [])], words=(1,))
 
 
 def shown_rows(history):

@@ -34,6 +34,14 @@ Json energy_book(const EnergySummary& energy) {
           {"imbalance_J", energy.imbalance}, {"imbalance_in_time_J", energy.imbalance_in_time}};
 }
 
+Json load_factor_search(const CollapseSummary& c) {
+  Json json{{"pattern", c.pattern}, {"lower", c.lower}, {"upper", c.upper}, {"sharp", c.sharp}};
+  json["attempts"] = Json::array();
+  for (const auto& a : c.attempts)
+    json["attempts"].push_back({{"factor", a.factor}, {"outcome", a.outcome}, {"linear_solves", a.linear_solves}});
+  return json;
+}
+
 }  // namespace
 
 std::string result_json(const RunSummary& run) {
@@ -46,6 +54,7 @@ std::string result_json(const RunSummary& run) {
     json["mechanism"] = {{"largest_mover_block", run.mechanism->largest_mover},
                          {"largest_mover_name", run.mechanism->name},
                          {"largest_displacement_m", run.mechanism->largest_displacement}};
+  if (run.collapse) json["collapse"] = load_factor_search(*run.collapse);
   json["ranks"] = run.ranks;
   json["blocks"] = run.blocks;
   json["joints"] = run.joints;

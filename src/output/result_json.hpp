@@ -27,6 +27,20 @@ struct MechanismSummary {
   double largest_displacement = 0;  ///< [m]
 };
 
+/// How far a pattern of loads could be raised.
+struct CollapseSummary {
+  struct Attempt {
+    double factor = 0;
+    std::string outcome;
+    int linear_solves = 0;
+  };
+  std::map<std::string, double> pattern;  ///< share of each load
+  double lower = 0;                       ///< [-] largest load factor that stands
+  double upper = 0;                       ///< [-] smallest that collapses; infinite when none was found
+  bool sharp = true;                      ///< no factor between them was tried without a decision
+  std::vector<Attempt> attempts;
+};
+
 /// An effect the program knows, and what it cost.
 struct EffectSummary {
   bool in_play = false;   ///< the scene names it
@@ -58,6 +72,7 @@ struct RunSummary {
   double load_factor = 0.0;  ///< of the last stage, reached
   std::string message;       ///< why the run ended as it did; not written when empty
   std::optional<MechanismSummary> mechanism;
+  std::optional<CollapseSummary> collapse;  ///< when the scene asks for a load factor
 };
 
 /// Text of the file; a number that is not finite becomes null.

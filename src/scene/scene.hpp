@@ -7,6 +7,7 @@
 #include "blocks/material_parameters.hpp"
 #include "blocks/support_parameters.hpp"
 #include "dynamics/construction_parameters.hpp"
+#include "dynamics/load_factor_parameters.hpp"
 #include "dynamics/load_step_parameters.hpp"
 #include "dynamics/time_parameters.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
@@ -40,6 +41,7 @@ struct Scene {
   std::vector<Named<ConstructionParameters>> construction;
   std::vector<StageParameters> stages;
   LoadStepParameters load_steps;
+  LoadFactorParameters load_factor;
   TimeParameters time;
   std::vector<Named<InitialVelocityParameters>> velocities;
   SelectionParameters selection;

@@ -72,8 +72,35 @@ void check_stages(Scene& scene, InputProblems& problems) {
                        ".\n  Loads: " + list_of(loads) + ".");
     }
   }
+  for (const auto& raised : scene.load_factor.pattern) used.insert(raised.first);
   for (const std::string& load : loads)
     if (!used.count(load)) scene.warnings.push_back("load " + in_quotes(load) + " never acts: no stage names it.");
+}
+
+/// The pattern of a load factor analysis.
+void check_load_factor(Scene& scene, InputProblems& problems) {
+  const auto& pattern = scene.load_factor.pattern;
+  const std::vector<std::string> loads = names_of(scene.loads);
+  const std::string path = "scene > load factor > pattern";
+  for (const auto& [name, share] : pattern) {
+    const auto named = [&name = name](const LoadParameters& l) { return l.name == name; };
+    const auto load = std::find_if(scene.loads.begin(), scene.loads.end(), named);
+    if (load == scene.loads.end() && !loads.empty())
+      problems.add(path + " > " + name, " = " + number_text(share) + " [-]\n  names no load of this scene" +
+                                            did_you_mean(name, loads) + ".\n  Loads: " + list_of(loads) + ".");
+    if (load != scene.loads.end() && load_as<SettlementParameters>(*load))
+      scene.warnings.push_back("load factor: " + in_quotes(name) +
+                               " moves a support. Displacements are small ones, so what is sought is the movement at "
+                               "which the structure as drawn stands no more, not as it leans by then.");
+  }
+  if (pattern.empty()) return;
+  for (const StageParameters& stage : scene.stages)
+    if (stage.dynamic())
+      problems.add(path, " is given\n  but stage " + in_quotes(stage.name) +
+                             " has a duration (a load factor is one of statics).\n  Leave one of the two out.");
+  if (scene.selection.mode == SelectionMode::bonded)
+    problems.add(path, " is given\n  but selection > mode = \"bonded\" (what is bonded does not collapse).\n"
+                       "  Give adaptive or all.");
 }
 
 void check_velocities(Scene& scene) {
@@ -192,6 +219,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_stages(scene, problems);
   check_supports(scene, problems);
   check_loads(scene);
+  check_load_factor(scene, problems);
   check_velocities(scene);
   check_construction(scene, problems);
   check_mortar(scene, problems);

@@ -52,6 +52,14 @@ std::string stage_text(const StageParameters& stage) {
   return text;
 }
 
+std::string load_factor_text(const LoadFactorParameters& p) {
+  std::string text;
+  for (const auto& [load, share] : p.pattern)
+    text += (text.empty() ? "" : " + ") + number_text(share) + " x " + load;
+  return text + " raised from " + number_text(p.first) + " until no equilibrium exists, at most to " +
+         number_text(p.largest) + ", accuracy " + number_text(p.accuracy);
+}
+
 std::string selection_text(const SelectionParameters& s) {
   if (s.mode == SelectionMode::all) return "all contact points";
   if (s.mode == SelectionMode::bonded) return "none: all joints bonded";
@@ -93,6 +101,7 @@ void print_scene(std::ostream& os, const Scene& scene) {
         in_quotes(c.blocks) + (c.appears.empty() ? "" : " appears with " + in_quotes(c.appears)) +
             (c.disappears.empty() ? "" : ", disappears with " + in_quotes(c.disappears)));
   for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
+  if (scene.load_factor.asked()) row("load factor", "", load_factor_text(scene.load_factor));
   row("selection", "", selection_text(scene.selection));
   row("newton", "",
       "tolerance " + number_text(scene.newton.tolerance) + ", at most " +

@@ -61,6 +61,8 @@ void declare(Scene& scene, ParameterSection& section) {
              "falling block", scene.velocities, its_parameters);
   Steps steps{scene.load_steps, scene.time, scene.stages};
   section.add_section("steps", steps, "loading: load steps, and stages that take time");
+  section.add_section("load factor", scene.load_factor,
+                      "how far a pattern of loads can be raised after the last stage before the structure collapses");
   section.add_section("selection", scene.selection, "which contact points are resolved as contact");
   section.add_section("newton", scene.newton, "accuracy of the nonlinear loop");
   section.add_section("preconditioner", scene.preconditioner, "parts of the preconditioner");

@@ -73,9 +73,11 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("rest.steps", points, 1, state.rest.steps);
   checkpoint.rows("rest.needed", points, 1, state.rest.needed);
   checkpoint.rows("rest.bonded", points, 1, state.rest.bonded);
-  if (model.scene().construction.empty()) return;
-  state.initial_gap.resize(model.points().size());
-  checkpoint.rows("initial_gap", points, 1, state.initial_gap);
+  if (!model.scene().construction.empty()) {
+    state.initial_gap.resize(model.points().size());
+    checkpoint.rows("initial_gap", points, 1, state.initial_gap);
+  }
+  if (run.steps.finished() && run.load_factor) run.load_factor->keep(checkpoint, nodes, points, dim);
 }
 
 /// What must be the same before and after: the structure. Throws InputError on all ranks.
@@ -142,7 +144,10 @@ std::vector<std::string> SavedRun::restore(const RunState& run) const {
   keep_state(checkpoint, model_, run);
   std::string stage;
   checkpoint.value("load_steps.stage_name", stage);
-  if (run.steps.finished() || run.steps.stage() != stage)
+  if (run.steps.finished() && stage.empty() && !run.load_factor)
+    throw InputError(path_ + ": stands in a load factor analysis\n  but the scene asks for none.\n"
+                     "  Give the section \"load factor\" again, or another --out=DIR.");
+  if ((run.steps.finished() ? "" : run.steps.stage()) != stage)
     throw InputError(path_ + ": stands in stage '" + stage + "'\n  but the scene has " +
                      (run.steps.finished() ? "fewer stages." : "'" + run.steps.stage() + "' in its place.") +
                      "\n  Leave the stages up to that one as they were.");

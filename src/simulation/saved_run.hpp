@@ -11,6 +11,7 @@
 
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
+#include "simulation/load_factor_analysis.hpp"
 #include "simulation/recorder.hpp"
 
 namespace voussoir {
@@ -23,6 +24,7 @@ struct RunState {
   TimeStepLevel& time_step;
   Record& record;
   std::map<std::string, double>& seconds;  ///< by phase, of all earlier parts of the run
+  LoadFactorAnalysis* load_factor = nullptr;  ///< where the scene asks for one
 };
 
 class SavedRun {

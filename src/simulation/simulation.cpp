@@ -18,6 +18,7 @@
 #include "scene/scene_printer.hpp"
 #include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
+#include "simulation/load_factor_analysis.hpp"
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
@@ -56,6 +57,7 @@ class Run {
         steps_(model.scene().stages, model.scene().load_steps),
         state_(step_.initial_state()),
         construction_(model),
+        load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
         saved_(model, options.folder) {
     for (const char* phase : phases) seconds_[phase] = 0;
@@ -78,26 +80,35 @@ class Run {
   RunSummary all_steps() {
     auto& summary = recorder_->summary();
     summary.outcome = Outcome::equilibrium;
-    while (!steps_.finished()) {
-      construction_.begin(steps_.stage(), model_, state_);
-      if (steps_.dynamic()) begin_time();  // initial velocities belong to the state a failed step goes back to
+    while (!finished()) {
+      const bool in_time = !steps_.finished() && steps_.dynamic();
+      const auto& stage = steps_.finished() ? model_.scene().stages.back().name : steps_.stage();
+      construction_.begin(stage, model_, state_);
+      if (in_time) begin_time();  // initial velocities belong to the state a failed step goes back to
       const auto before = state_;
       try {
-        if (!(steps_.dynamic() ? time_step(before) : load_step(before))) return summary;
+        if (steps_.finished())
+          load_factor_->attempt(attempting());
+        else if (!(in_time ? time_step(before) : load_step(before)))
+          return summary;
       } catch (const StopWithinStep&) {
         state_ = before;
         return interrupted();
       }
-      if (steps_.finished()) break;
+      if (finished()) break;
       if (stop_signal_on_any_rank(*model_.structure().comm())) return interrupted();
       saved_.save_when_due(here());
     }
+    if (load_factor_) load_factor_->conclude(attempting());
+    if (summary.outcome == Outcome::not_converged) saved_.save(here());
     return summary;
   }
 
   /// What can still be gone on with is kept.
   void end() {
-    if (recorder_->summary().outcome == Outcome::equilibrium) saved_.remove();
+    const auto& summary = recorder_->summary();
+    const bool found = summary.collapse && summary.outcome == Outcome::collapse;
+    if (summary.outcome == Outcome::equilibrium || found) saved_.remove();
   }
   /// Seconds by phase, of all parts of the run.
   std::map<std::string, double> seconds() const {
@@ -193,6 +204,15 @@ class Run {
                                              time.largest_courant, time.error_tolerance, time.largest_halvings);
   }
 
+  bool finished() const { return steps_.finished() && (!load_factor_ || load_factor_->finished()); }
+
+  static std::unique_ptr<LoadFactorAnalysis> load_factor_of(const Scene& scene) {
+    return scene.load_factor.asked() ? std::make_unique<LoadFactorAnalysis>(scene.load_factor) : nullptr;
+  }
+  Attempting attempting() {
+    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_};
+  }
+
   bool writes() const {
     return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
   }
@@ -212,7 +232,7 @@ class Run {
 
   RunState here() {
     seconds_so_far_ = seconds();
-    return {steps_, state_, load_, level_, recorder_->so_far(), seconds_so_far_};
+    return {steps_, state_, load_, level_, recorder_->so_far(), seconds_so_far_, load_factor_.get()};
   }
 
   RunSummary interrupted() {
@@ -222,9 +242,12 @@ class Run {
   }
 
   void restore(Record& so_far) {
-    const auto changed = saved_.restore({steps_, state_, load_, level_, so_far, seconds_});
-    say_ << "Going on after step " << so_far.summary.steps << ", stage '" << steps_.stage() << "' at "
-         << steps_.reached() << "\n";
+    const auto changed = saved_.restore({steps_, state_, load_, level_, so_far, seconds_, load_factor_.get()});
+    say_ << "Going on after step " << so_far.summary.steps;
+    if (steps_.finished())
+      say_ << ", load factor " << load_factor_->search().lower() << "\n";
+    else
+      say_ << ", stage '" << steps_.stage() << "' at " << steps_.reached() << "\n";
     for (const auto& section : changed)
       say_ << "  changed since the run was saved: " << section << "\n";
   }
@@ -239,6 +262,7 @@ class Run {
   TimeStepLevel level_;
   ContactState state_;
   Construction<2> construction_;
+  std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
   std::vector<double> load_;
   SavedRun saved_;
   std::map<std::string, double> seconds_;              ///< by phase, of earlier parts of the run

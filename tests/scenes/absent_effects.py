@@ -40,8 +40,10 @@ def parameter(tree, name):
 
 
 def read(path):
-    """A scene whose stages take a few steps, and whose files are found from elsewhere."""
+    """A scene whose stages take a few steps, without a search for a load factor, and whose files are found from elsewhere."""
     tree = ElementTree.parse(path).getroot()
+    if (search := sublist(tree, "load factor")) is not None:
+        tree.remove(search)
     for p in tree.iter("Parameter"):
         if p.get("value").endswith((".geo", ".msh", ".csv")):
             places = [path.parent / p.get("value"), ROOT / p.get("value"), ROOT / "meshes" / p.get("value")]

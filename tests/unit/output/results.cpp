@@ -52,6 +52,7 @@ RunSummary complete_summary() {
   run.outcome = Outcome::collapse;
   run.message = "no equilibrium beyond this load";
   run.mechanism = MechanismSummary{7, "block 7", 0.25};
+  run.collapse = CollapseSummary{{{"push", 1.0}}, 0.36, 0.38, true, {{0.36, "equilibrium", 20}}};
   run.effects = {{"friction", EffectSummary{true, 3, 0.125, 48}}};
   run.seconds = {{"total", 2.5}, {"assembly", 0.5}};
   run.peak_memory = {100.0, 150.0};
@@ -62,7 +63,7 @@ RunSummary complete_summary() {
 /// every effect is "effects.*".
 void collect_keys(const Json& json, const std::string& prefix, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
-    const bool any = prefix == "effects." || (prefix == "seconds." && key != "total");
+    const bool any = prefix == "effects." || prefix == "collapse.pattern." || (prefix == "seconds." && key != "total");
     const std::string name = prefix + (any ? "*" : key);
     keys.insert(name);
     if (value.is_object()) collect_keys(value, name + ".", keys);
@@ -113,12 +114,16 @@ TEUCHOS_UNIT_TEST(ResultJson, KeepsValuesAndWritesNullForWhatIsNotFinite) {
   TEST_EQUALITY(json["effects"]["friction"]["in_play"].get<bool>(), true);
   TEST_EQUALITY(json["peak_memory_MB"].get<double>(), 150.0);
   TEST_EQUALITY(json["mechanism"]["largest_mover_block"].get<int>(), 7);
+  TEST_EQUALITY(json["collapse"]["attempts"][0]["factor"].get<double>(), 0.36);
+  run.collapse->upper = std::numeric_limits<double>::infinity();  // nothing collapsed
+  TEST_ASSERT(Json::parse(result_json(run))["collapse"]["upper"].is_null());
 }
 
 TEUCHOS_UNIT_TEST(ResultJson, WhatWasNotSaidIsNotWritten) {
   const Json json = Json::parse(result_json(RunSummary{}));
   TEST_ASSERT(!json.contains("message"));
   TEST_ASSERT(!json.contains("mechanism"));
+  TEST_ASSERT(!json.contains("collapse"));
   TEST_EQUALITY(json["outcome"].get<std::string>(), "not_converged");
 }
 

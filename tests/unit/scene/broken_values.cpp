@@ -141,6 +141,46 @@ TEUCHOS_UNIT_TEST(BrokenScenes, AMeshThatCannotBeIsRefused) {
       out, success);
 }
 
+TEUCHOS_UNIT_TEST(BrokenScenes, ALoadFactorThatCannotBeSoughtIsRefused) {
+  const std::string end = "<ParameterList name=\"steps\">", start = "<ParameterList name=\"load factor\">";
+  const auto raised = [&](const std::string& load, const std::string& more = "") {
+    return start + more + "<ParameterList name=\"pattern\"><Parameter name=\"" + load +
+           "\" type=\"double\" value=\"1\"/></ParameterList></ParameterList>" + end;
+  };
+  const auto number = [](const std::string& key, const std::string& value) {
+    return "<Parameter name=\"" + key + "\" type=\"double\" value=\"" + value + "\"/>";
+  };
+  refuse_each(
+      {
+          {"oppenheim-arch",
+           "\"sideways\" type=\"double\" value=\"1.0\"",
+           "\"sidewards\" type=\"double\" value=\"1.0\"",
+           {"load factor > pattern > sidewards = 1 [-]", "names no load of this scene (did you mean \"sideways\"?)",
+            "Loads: weight, sideways."}},
+          {"oppenheim-arch",
+           "\"sideways\" type=\"double\" value=\"1.0\"",
+           "\"sideways\" type=\"double\" value=\"0\"",
+           {"load factor > pattern > sideways = 0", "must not be 0", "leave the load out"}},
+          {"oppenheim-arch",
+           "<ParameterList name=\"pattern\">",
+           number("accuracy", "0") + "<ParameterList name=\"pattern\">",
+           {"load factor > accuracy = 0 [-]", "must be >= 1e-5 and <= 0.5"}},
+          {"oppenheim-arch",
+           "<ParameterList name=\"pattern\">",
+           number("first factor", "3") + number("largest factor", "2") + "<ParameterList name=\"pattern\">",
+           {"load factor > largest factor = 2", "must be >= first factor = 3"}},
+          {"wall-shaken",
+           end,
+           raised("weight"),
+           {"load factor > pattern is given", "stage \"shaking\" has a duration", "Leave one of the two out."}},
+          {"oppenheim-arch",
+           "\"mode\" type=\"string\" value=\"all\"",
+           "\"mode\" type=\"string\" value=\"bonded\"",
+           {"load factor > pattern is given", "what is bonded does not collapse", "Give adaptive or all."}},
+      },
+      out, success);
+}
+
 TEUCHOS_UNIT_TEST(BrokenScenes, AnAccuracyThatCannotBeReachedIsRefused) {
   const std::string end = "<ParameterList name=\"steps\">";
   const auto with = [&](const std::string& section, const std::string& key, const std::string& type,

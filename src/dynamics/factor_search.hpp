@@ -1,0 +1,120 @@
+// The search for the load factor at which a structure collapses.
+//
+// The factor is doubled while the structure stands; then the bracket between the largest factor that stands (an
+// equilibrium was found) and the smallest that collapses (a mechanism was found) is halved. A factor at which neither
+// was found proves nothing: nearer ones are tried first, then it is tried again from the equilibrium nearest to it,
+// then larger ones are, in growing steps, until one collapses. What is undecided in the end leaves a wider bracket.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/load_factor_parameters.hpp"
+
+namespace voussoir {
+
+enum class Verdict { equilibrium, collapse, undecided };
+
+/// One load factor that was tried.
+struct FactorAttempt {
+  double factor = 0;  ///< [-]
+  Verdict verdict = Verdict::undecided;
+  int linear_solves = 0;
+};
+
+class FactorSearch {
+ public:
+  explicit FactorSearch(const LoadFactorParameters& parameters) : p_(parameters) {}
+
+  /// The factor to try next; none when the search is over.
+  std::optional<double> next() const {
+    const double edge = std::min(upper_, undecided_);
+    if (edge == none) {
+      if (lower_ == p_.largest) return {};
+      return std::min(lower_ > 0 ? 2 * lower_ : p_.first, p_.largest);
+    }
+    // A structure that bears nothing of the pattern would be asked for ever smaller shares of it.
+    if (edge - lower_ > p_.accuracy * edge && edge > p_.accuracy * p_.first) return (lower_ + edge) / 2;
+    if (edge == upper_ || probes_ == largest_probes) return {};
+    if (tried_from_ < lower_) return undecided_;
+    const double probe = undecided_ + p_.accuracy * undecided_ * static_cast<double>(1 << probes_);
+    if (probe >= std::min(upper_, p_.largest)) return {};
+    return probe;
+  }
+
+  /// What became of the factor that next() gave.
+  void add(Verdict verdict, int linear_solves) {
+    const auto tried = next();
+    if (!tried) return;
+    const double factor = *tried;
+    attempts_.push_back({factor, verdict, linear_solves});
+    if (verdict == Verdict::equilibrium) {
+      lower_ = factor;
+      if (undecided_ <= lower_) forget_undecided();
+    } else if (verdict == Verdict::collapse) {
+      upper_ = factor;
+      if (undecided_ >= upper_) undecided_ = none;
+    } else if (factor > undecided_) {
+      ++probes_;
+    } else {
+      undecided_ = factor;
+      tried_from_ = lower_;
+      probes_ = 0;
+    }
+  }
+
+  /// What could not be decided may be tried again, as after a change of tolerances.
+  void forget_undecided() {
+    undecided_ = none;
+    probes_ = 0;
+  }
+
+  bool finished() const { return !next(); }
+  /// The largest factor that stands; 0 is the end of the last stage.
+  double lower() const { return lower_; }
+  /// The smallest factor that collapses; infinite as long as none has.
+  double upper() const { return upper_; }
+  bool found() const { return upper_ < none; }
+  /// No factor tried has remained undecided within the bracket.
+  bool sharp() const { return undecided_ >= upper_; }
+  const std::vector<FactorAttempt>& attempts() const { return attempts_; }
+
+  /// Names what a checkpoint keeps (output/checkpoint.hpp).
+  template <class Archive>
+  void keep(Archive& archive) {
+    archive.value("load_factor.lower", lower_);
+    archive.value("load_factor.upper", upper_);
+    archive.value("load_factor.undecided", undecided_);
+    archive.value("load_factor.tried_from", tried_from_);
+    archive.value("load_factor.probes", probes_);
+    auto count = static_cast<int>(attempts_.size());
+    archive.value("load_factor.attempts", count);
+    attempts_.resize(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) {
+      auto& attempt = attempts_[static_cast<std::size_t>(k)];
+      const std::string name = "load_factor.attempt " + std::to_string(k);
+      auto verdict = static_cast<int>(attempt.verdict);
+      archive.value(name + ".factor", attempt.factor);
+      archive.value(name + ".verdict", verdict);
+      archive.value(name + ".linear_solves", attempt.linear_solves);
+      attempt.verdict = static_cast<Verdict>(verdict);
+    }
+  }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  // Growing steps beyond an undecided factor: with 0.5 % the last lies a third above it.
+  static constexpr int largest_probes = 6;
+
+  LoadFactorParameters p_;
+  double lower_ = 0, upper_ = none;
+  double undecided_ = none;  ///< smallest undecided factor above the lower end
+  double tried_from_ = 0;    ///< equilibrium from which that one was tried
+  int probes_ = 0;           ///< undecided factors above that one
+  std::vector<FactorAttempt> attempts_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,74 @@
+#include "simulation/load_factor_analysis.hpp"
+
+#include <Teuchos_Time.hpp>
+#include <sstream>
+#include <utility>
+
+namespace voussoir {
+namespace {
+
+/// A factor with six digits, which is what a bracket can be worth.
+std::string factor_text(double factor) {
+  std::ostringstream text;
+  text << factor;
+  return text.str();
+}
+
+}  // namespace
+
+void LoadFactorAnalysis::attempt(const Attempting& run) {
+  const auto next = search_.next();
+  if (!next) return;
+  const double factor = *next;
+  auto factors = run.steps.last_factors();
+  for (const auto& [load, share] : p_.pattern) factors[load] += factor * share;
+  const double time = run.steps.time();
+  std::vector<double> next_load, prescribed;
+  run.model.loads(factors, time, next_load, prescribed);
+  run.construction.restrict(run.state, next_load, prescribed);
+  const auto& summary = run.recorder.summary();
+  run.narrator.begin(summary.steps + 1, stage, factor, 1.0);
+  Teuchos::Time clock("attempt", true);
+  const ContactState before = run.state;
+  const auto report = run.step.solve(run.state, next_load, prescribed);
+  const double seconds = clock.totalElapsedTime(true);
+  const int solves = report.newton.newton_iterations + report.estimate_solves;
+  if (report.newton.outcome == NewtonOutcome::converged) {
+    search_.add(Verdict::equilibrium, solves);
+    run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
+    run.recorder.record(before, run.load, run.state, next_load, report, stage, factor, true, seconds);
+    run.narrator.end(report, run.recorder.status(), seconds, summary);
+    run.load = next_load;
+    return;
+  }
+  run.narrator.failed(report, stage, factor);
+  const auto failed = std::exchange(run.state, before);
+  const bool collapse = report.newton.outcome == NewtonOutcome::collapse;
+  search_.add(collapse ? Verdict::collapse : Verdict::undecided, solves);
+  if (!collapse) return;
+  mechanism_ = run.step.mechanism();
+  failed_ = failed;
+}
+
+void LoadFactorAnalysis::conclude(const Attempting& run) {
+  auto& summary = run.recorder.summary();
+  summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {}};
+  constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
+  for (const auto& a : search_.attempts())
+    summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
+  const std::string stands = "it stands at " + factor_text(search_.lower());
+  if (!search_.found()) {
+    summary.outcome = search_.lower() == p_.largest ? Outcome::equilibrium : Outcome::not_converged;
+    summary.message = summary.outcome == Outcome::equilibrium
+                          ? stands + ", the largest load factor asked for"
+                          : stands + " times the pattern; beyond that neither an equilibrium nor a mechanism was found";
+    return;
+  }
+  summary.outcome = Outcome::collapse;
+  summary.message = "at " + factor_text(search_.upper()) + " times the pattern no equilibrium exists; " + stands;
+  if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
+  run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
+  summary.mechanism = largest_mover(run.model, mechanism_);
+}
+
+}  // namespace voussoir

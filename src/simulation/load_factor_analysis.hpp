@@ -1,0 +1,62 @@
+// Load factor analysis: after the last stage a pattern of loads is raised until no equilibrium exists.
+//
+// Every attempt is one load step from the last equilibrium; dynamics/factor_search.hpp says which one is next. A
+// load factor stands when an equilibrium was found, and collapses when the solver reports a mechanism. An attempt at
+// which it finds neither is no proof of anything and is told apart.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/factor_search.hpp"
+#include "dynamics/load_steps.hpp"
+#include "simulation/construction.hpp"
+#include "simulation/narrator.hpp"
+#include "simulation/recorder.hpp"
+
+namespace voussoir {
+
+/// The parts of a run that an attempt works with.
+struct Attempting {
+  Model<2>& model;
+  AdaptiveStep<2>& step;
+  const Construction<2>& construction;
+  const LoadSteps& steps;     ///< all stages of which have been passed
+  ContactState& state;        ///< the last equilibrium
+  std::vector<double>& load;  ///< [N] its nodal loads
+  Recorder<2>& recorder;
+  Narrator& narrator;
+};
+
+class LoadFactorAnalysis {
+ public:
+  explicit LoadFactorAnalysis(const LoadFactorParameters& parameters) : p_(parameters), search_(parameters) {}
+
+  bool finished() const { return search_.finished(); }
+  /// One attempt. The state moves on when it stands and is as before when it does not. Collective.
+  void attempt(const Attempting&);
+  /// Outcome, bracket and mechanism of the run, when the search is over. Collective.
+  void conclude(const Attempting&);
+
+  const FactorSearch& search() const { return search_; }
+  /// Names what a checkpoint keeps. Taken up again at its end, the search tries again what was undecided.
+  template <class Archive, class Rows>
+  void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim) {
+    const bool over = finished();
+    search_.keep(archive);
+    archive.rows("load_factor.mechanism", nodes, dim, mechanism_);
+    archive.rows("load_factor.failed.lambda", points, dim, failed_.lambda);
+    archive.rows("load_factor.failed.selected", points, 1, failed_.selected);
+    archive.rows("load_factor.failed.broken", points, 1, failed_.broken);
+    if (!over && finished()) search_.forget_undecided();
+  }
+
+ private:
+  static constexpr auto stage = "load factor";  ///< as history and fields call its steps
+
+  LoadFactorParameters p_;
+  FactorSearch search_;
+  std::vector<double> mechanism_;  ///< of the smallest factor that collapses, on node copies
+  ContactState failed_;            ///< forces and selection there
+};
+
+}  // namespace voussoir
