@@ -233,7 +233,6 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
                                         const PointField* known_gap) {
   NewtonReport report;
   State s{x, lambda};
-  s.augmentation = first_augmentation;
   for (auto* v : {&s.x_old, &s.gradient, &s.direction, &s.stiffness_direction, &s.linear})
     *v = Teuchos::rcp(new TpetraVector(problem_.map()));
   double previous = std::numeric_limits<double>::infinity();

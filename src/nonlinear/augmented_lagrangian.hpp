@@ -22,8 +22,6 @@ class AugmentedLagrangian {
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
-  /// Augmentation to begin with, relative to the local stiffness.
-  double first_augmentation = 1;
 
   /// Solves from x (held unknowns already at their prescribed values) and contact forces lambda [N].
   /// @param tolerance  Karush-Kuhn-Tucker residual relative to the largest force; may be looser than the parameters'

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "nonlinear/active_set.hpp"
 #include "nonlinear/residuals.hpp"
 
 namespace voussoir {
@@ -9,6 +10,10 @@ namespace {
 
 // Solves for which the fast way is left alone after it has failed, doubling up to the second number.
 constexpr int longest_wait = 7;
+// Linear solves after which the augmented Lagrangian gives up as the fast way.
+constexpr int fast_solves = 8;
+// Linear solves for active sets: those that arrive take up to 20.
+constexpr int active_set_solves = 30;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75.
 constexpr int closing_solves = 80;
 // Steps of the path: those that arrive took up to 130.
@@ -43,10 +48,9 @@ bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double toleran
   }
   const TpetraVector x_before(x, Teuchos::Copy);
   const PointField lambda_before = lambda;
-  const int most = std::min(parameters_.fast_solves, parameters_.largest_iterations);
+  const int most = std::min(fast_solves, parameters_.largest_iterations);
   AugmentedLagrangian quick(problem_, {parameters_.tolerance, most});
   quick.narrate = narrate;
-  quick.first_augmentation = parameters_.fast_augmentation;
   report = quick.solve(x, lambda, tolerance, &known_gap);
   if (report.outcome == NewtonOutcome::converged) {
     fast_ = {};
@@ -54,6 +58,19 @@ bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double toleran
   }
   fast_.last_wait = std::min(2 * fast_.last_wait + 1, longest_wait);
   fast_.wait = fast_.last_wait;
+  Tpetra::deep_copy(x, x_before);
+  lambda = lambda_before;
+  return false;
+}
+
+bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                                   NewtonReport& report) {
+  const TpetraVector x_before(x, Teuchos::Copy);
+  const PointField lambda_before = lambda;
+  ActiveSet active(problem_);
+  active.narrate = narrate;
+  const int most = std::min(active_set_solves, parameters_.largest_iterations);
+  if (active.solve(x, lambda, tolerance, most, known_gap, report)) return true;
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
   return false;
@@ -74,7 +91,9 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
   if (in_equilibrium(x, lambda, tolerance)) {
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {
-    if (known_gap && try_fast(x, lambda, tolerance, *known_gap, report)) return report;
+    if (parameters_.has_inertia ? try_active_set(x, lambda, tolerance, known_gap, report)
+                                : known_gap && try_fast(x, lambda, tolerance, *known_gap, report))
+      return report;
     known_gap = along_the_path(x, lambda, tolerance, known_gap, report);
   }
   // Where closing labours, another path from the state it has reached is shorter.

@@ -1,6 +1,7 @@
 // Closing the contact conditions of one load step or time step: the fast way first, the sure way after it.
 //
-//   1  augmented Lagrangian for a few solves: enough where few points change since a known state
+//   1  where few points change since a known state: active sets in time steps, a few solves of the augmented Lagrangian
+//      in load steps
 //   2  interior path, whatever changes
 //   3  augmented Lagrangian from where the path ends, when it ends early; it also tells a collapse from slow progress
 #pragma once
@@ -34,6 +35,8 @@ class ContactSolver {
   const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                                    NewtonReport&);
   bool try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap, NewtonReport&);
+  bool try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                      NewtonReport&);
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;

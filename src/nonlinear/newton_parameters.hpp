@@ -8,9 +8,7 @@ class ParameterSection;
 struct NewtonParameters {
   double tolerance = 1e-8;      ///< [-] Karush-Kuhn-Tucker residual, relative to the largest force
   int largest_iterations = 2000; ///< linear solves of one load step before it counts as not converged
-  // Of the fast way, chosen by who knows the kind of step, not by scenes.
-  int fast_solves = 8;           ///< linear solves after which it gives up
-  double fast_augmentation = 1;  ///< relative to the local stiffness
+  bool has_inertia = false;  ///< nothing moves freely: active sets may be tried; for who knows the step, not for scenes
   void declare(ParameterSection&);
 };
 

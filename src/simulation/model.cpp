@@ -28,12 +28,7 @@ std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>
   return partition(source.graph(), weight, comm);
 }
 
-// Inertia holds blocks where they are, so a time step changes few points: Newton alone nearly always arrives, and
-// forces that are asked for to 1e-11 settle by a factor of 20 per solve where the local stiffness leaves a third
-// (README.md of dynamics, Cost).
-constexpr int fast_solves_in_time = 40;
-constexpr double augmentation_in_time = 100;
-// The fast way, one path and one closing: what has not arrived then goes in circles, and half the step is the way out.
+// Active sets, one path and one closing: what has not arrived then goes in circles, and half the step is the way out.
 constexpr int largest_iterations_in_time = 250;
 // Where points share a vertex, mortar alone decides between their forces, and a solver that sees them as softer creeps:
 // W(8) with mortar of 1e12 Pa/m took 254 linear solves as soft as its stones, 57 as stiff as these multiples allow.
@@ -71,8 +66,7 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
     : own_scene_(std::make_unique<const Scene>([&] {
         Scene scene = at_rest.scene_;
         scene.newton.tolerance = tolerance;
-        scene.newton.fast_solves = fast_solves_in_time;
-        scene.newton.fast_augmentation = augmentation_in_time;
+        scene.newton.has_inertia = true;
         scene.newton.largest_iterations = std::min(scene.newton.largest_iterations, largest_iterations_in_time);
         return scene;
       }())),

@@ -1,0 +1,47 @@
+// The short way where few points change: each linear solve takes the statuses that the last state asks for, friction
+// follows the pressure, forces follow as far as points resist.
+//
+// A point that is closed resists with R, far above the local stiffness, so what is left of its gap falls by that ratio
+// with every solve; one that slips has the force s mu p. Once statuses stay, two or three solves are left. It has no
+// line search and may circle: then it says so, and another way is taken.
+//
+// Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton, 2D);
+//          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
+#pragma once
+
+#include <functional>
+
+#include "nonlinear/newton_report.hpp"
+#include "nonlinear/nonlinear_problem.hpp"
+
+namespace voussoir {
+
+class ActiveSet {
+ public:
+  /// @param problem  with two components and no free motions: the blocks of a time step have mass
+  explicit ActiveSet(NonlinearProblem& problem);
+
+  /// Called after each linear solve; may be empty.
+  std::function<void(const NewtonProgress&)> narrate;
+
+  /// Solves from x and contact forces lambda [N]; false when it circles or takes too long: then they are somewhere.
+  /// @param known_gap  gaps that tell the first statuses, of a state that supports and loads have left; may be null
+  /// @param report     gains what is done
+  bool solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves, const PointField* known_gap,
+             NewtonReport& report);
+
+ private:
+  void choose(const PointField& lambda, const PointField& gap);
+  void aim(const PointField& lambda);
+  double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
+  void tell(const NewtonReport&, int krylov) const;
+
+  NonlinearProblem& problem_;
+  std::vector<PointStiffness> resistance_;
+  std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
+  PointField target_, gap_, gap_direction_, admissible_;
+  double scale_ = 1;  ///< [N]
+  Teuchos::RCP<TpetraVector> linear_, gradient_, direction_;
+};
+
+}  // namespace voussoir
