@@ -179,6 +179,7 @@ def add_tables(page, results, rings):
     page.section("Tables")
     if results.last:
         attempt(page, "The tables of joints", tables.joint_tables, page, results.mesh, results.joints, results.equilibrium)
+    attempt(page, "The margins of joints", tables.margin_tables, page, results)
     attempt(page, "The support reactions", tables.reaction_table, page, results)
     if results.last:
         attempt(page, "The thrust", tables.thrust_table, page, [(ring.name, resultants) for ring, resultants in rings])

@@ -79,6 +79,7 @@ class Results:
     mesh: Mesh = None
     joints: Joints = None
     stage_ends: list = field(default_factory=list)  # last step of every stage, in the order of loading
+    margins: list = field(default_factory=list)  # joints.csv: one dict of strings per joint, of a run that ends in statics
     times: list = field(default_factory=list)       # [s] of every recorded step of the motion, NaN for a load step
     remarks: list = field(default_factory=list)
 
@@ -231,6 +232,11 @@ def read_history(path, results):
         results.history = list(csv.DictReader(file))
 
 
+def read_margins(path, results):
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
+        results.margins = list(csv.DictReader(file))
+
+
 def read_results(folder):
     """Everything that can be read in `folder`; the rest is named in `remarks`."""
     results = Results(Path(folder))
@@ -238,9 +244,12 @@ def read_results(folder):
             ("result.json", read_result, "the summary of the run is incomplete"),
             ("history.csv", read_history, "there are no tables per load step"),
             ("fields.h5", read_fields, "no picture of the structure can be drawn"),
+            ("joints.csv", read_margins, "there are no margins of joints"),
             ("scene.xml", read_title, "the title is taken from the name of the folder or of the scene")):
         path = results.folder / name
         if not path.exists():
+            if name == "joints.csv" and "statics" not in results.result:
+                continue  # a run that ends in time, or whose first step failed
             results.remarks.append(f"{name} is missing: {loss}.")
             continue
         try:

@@ -159,6 +159,12 @@ def horizontal_thrust(resultants):
     return abs(float(crown.force[0]))
 
 
+def geometrical_factor(resultants):
+    """[-] half the length of a joint over the eccentricity of its resultant, the least of all; at least 1."""
+    farthest = max((abs(r.eccentricity) for r in resultants if r.normal > 0 and np.isfinite(r.eccentricity)), default=0.0)
+    return max(0.5 / farthest, 1.0) if farthest > 0 else np.inf
+
+
 @dataclass
 class Hinge:
     ring: str

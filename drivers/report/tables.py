@@ -4,7 +4,7 @@ import numpy as np
 from draw_cost import column
 from geometry import force_text, length_text
 from read_results import OPEN, SLIP, STICK, find, number
-from statics import horizontal_thrust
+from statics import geometrical_factor, horizontal_thrust
 
 LONG = 60  # steps: longer histories are shown with every so many steps, and always the last
 
@@ -45,6 +45,11 @@ def seconds_of(results):
     return total or sum(v for v in map(number, phases.values()) if v is not None), phases
 
 
+def margin_text(value):
+    value = number(value)
+    return "not given" if value is None else f"{0 if abs(value) < 1e-9 else 100 * value:.3g} %"
+
+
 def facts_asked_first(results):
     step, tree = results.last, results.result
     displacement = either(results, "largest_displacement_m", "largest displacement")
@@ -67,6 +72,11 @@ def facts_asked_first(results):
     asked = [] if lower is None else [
         ("Collapse load factor", f"above {short(lower, 4)}" if upper is None else f"{short(lower, 4)} to {short(upper, 4)}",
          "of the pattern: the first stands" + ("" if upper is None else ", the second collapses"))]
+    statics = results.result.get("statics")
+    if isinstance(statics, dict):
+        asked += [("Hinges / sliding joints", f"{count_text(statics.get('hinges'))} / {count_text(statics.get('sliding_joints'))}", "in the last equilibrium"),
+                  ("Least margins", f"{margin_text(statics.get('least_edge_margin'))} / {margin_text(statics.get('least_friction_margin'))}",
+                   "of a resultant from its edge, of the joint's length; of friction")]
     return asked + [
         ("Largest displacement", "not given" if displacement is None else length_text(displacement), ""),
         ("Load factor reached", short(load) or "not given", f"in stage “{stage}”" if stage else ""),
@@ -172,23 +182,37 @@ def thrust_table(page, thrusts):
     if not thrusts:
         page.words("No arch was found: neither a set of blocks whose name begins with “ring”, nor one row of blocks that rises.")
         return
-    page.table(["arch", "voussoir joints", "thrust at the crown", "largest joint resultant"],
-               [[name, len(resultants), force_text(horizontal_thrust(resultants)), force_text(max(r.normal for r in resultants))]
-                for name, resultants in thrusts], words=(0,))
+    page.table(["arch", "voussoir joints", "thrust at the crown", "largest joint resultant", "geometrical factor of safety"],
+               [[name, len(resultants), force_text(horizontal_thrust(resultants)), force_text(max(r.normal for r in resultants)),
+                 short(geometrical_factor(resultants))] for name, resultants in thrusts], words=(0,))
+    page.words("Geometrical factor of safety: thickness over the least thickness, about the same middle line, that holds this line of thrust. Another line "
+               "may fit a thinner ring, so it is a lower bound; 1 where the line touches an edge.")
 
 
 def reaction_table(page, results):
-    """Support reactions in whatever grouping result.json has: name -> numbers, or a list of records."""
-    reactions = find(results.result, "support reactions", "reactions")
-    if isinstance(reactions, list):
-        reactions = {str(r.get("support", r.get("name", k))) if isinstance(r, dict) else str(k): r for k, r in enumerate(reactions)}
+    """Force of each support on the structure."""
+    reactions = (results.result.get("statics") or {}).get("reactions")
     if not isinstance(reactions, dict) or not reactions:
         return
     page.part("Support reactions")
-    rows = []
-    for name, value in reactions.items():
-        if isinstance(value, list):
-            value = {f"component {'xyz'[k] if k < 3 else k}": v for k, v in enumerate(value)}
-        parts = value if isinstance(value, dict) else {"": value}
-        rows += [[name, key.replace("_", " "), short(v, 5)] for key, v in parts.items() if number(v) is not None]
-    page.table(["support", "component", "[N]"], rows, words=(0, 1))
+    page.table(["support", "horizontal, its thrust [N]", "vertical [N]", "through x [m]", "y [m]"],
+               [[name] + [short(r.get(key), 5) for key in ("x_N", "y_N", "through_x_m", "through_y_m")] for name, r in reactions.items()], words=(0,))
+
+
+MARGIN_COLUMNS = (("normal force [N]", "normal_force_N"), ("shear [N]", "shear_N"), ("length [m]", "length_m"), ("eccentricity [m]", "eccentricity_m"),
+                  ("edge margin", "edge_margin"), ("friction margin", "friction_margin"), ("x [m]", "x_m"), ("y [m]", "y_m"))
+
+
+def margin_tables(page, results, how_many=10):
+    """The joints nearest to their edges and to sliding, in the last equilibrium."""
+    for title, key in (("Joints nearest to opening at an edge", "edge_margin"), ("Joints nearest to sliding", "friction_margin")):
+        rows = sorted((row for row in results.margins if number(row.get(key)) is not None), key=lambda row: number(row[key]))[:how_many]
+        if rows:
+            page.part(title)
+            page.table(["block", "block"] + [heading for heading, _ in MARGIN_COLUMNS],
+                       [[block_name(results.mesh, int(row["block_i"])), block_name(results.mesh, int(row["block_j"]))]
+                        + [short(0 if abs(number(row.get(column)) or 0) < 1e-9 else row[column]) for _, column in MARGIN_COLUMNS] for row in rows],
+                       words=(0, 1))
+    if results.margins:
+        page.words("Edge margin: distance of the resultant from the nearer edge over the length of the joint, 0.5 in the middle, 0 at the edge, where a "
+                   "hinge forms. Friction margin: share of the strength in shear that is left, 0 when the joint slides. All joints are in joints.csv.")

@@ -67,7 +67,7 @@ int lock(const fs::path& folder) {
 /// @return where the earlier results went
 std::string prepare(const std::string& name, Earlier earlier, int& held) {
   // Everything a run writes but scene.xml, which tells nothing that the user does not have.
-  static const char* const results[] = {result_file,   checkpoint_file, "history.csv",
+  static const char* const results[] = {result_file,   checkpoint_file, joints_file, "history.csv",
                                         "fields.h5",   "fields.xdmf",   "report.html"};
   const fs::path folder = without_slash(name);
   try {

@@ -38,5 +38,6 @@ class OutputFolder {
 /// The files of a run by name.
 inline const char* const result_file = "result.json";
 inline const char* const checkpoint_file = "checkpoint.h5";
+inline const char* const joints_file = "joints.csv";
 
 }  // namespace voussoir

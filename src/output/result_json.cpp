@@ -42,6 +42,26 @@ Json load_factor_search(const CollapseSummary& c) {
   return json;
 }
 
+Json joints_and_supports(const StaticsSummary& s) {
+  Json json{{"hinges", s.hinges},
+            {"sliding_joints", s.sliding_joints},
+            {"least_edge_margin", s.least_edge_margin},
+            {"least_friction_margin", s.least_friction_margin}};
+  const auto places = [](const std::vector<StaticsSummary::Place>& list) {
+    Json all = Json::array();
+    for (const auto& p : list)
+      all.push_back({{"blocks", {p.block_i, p.block_j}}, {"x_m", p.x}, {"y_m", p.y}, {"opening_m", p.opening}});
+    return all;
+  };
+  json["widest_hinges"] = places(s.widest_hinges);
+  json["first_sliding"] = places(s.first_sliding);
+  json["reactions"] = Json::object();
+  for (const auto& [support, r] : s.reactions)
+    json["reactions"][support] = {
+        {"x_N", r.x}, {"y_N", r.y}, {"through_x_m", r.through_x}, {"through_y_m", r.through_y}};
+  return json;
+}
+
 }  // namespace
 
 std::string result_json(const RunSummary& run) {
@@ -54,6 +74,7 @@ std::string result_json(const RunSummary& run) {
     json["mechanism"] = {{"largest_mover_block", run.mechanism->largest_mover},
                          {"largest_mover_name", run.mechanism->name},
                          {"largest_displacement_m", run.mechanism->largest_displacement}};
+  if (run.statics) json["statics"] = joints_and_supports(*run.statics);
   if (run.collapse) json["collapse"] = load_factor_search(*run.collapse);
   json["ranks"] = run.ranks;
   json["blocks"] = run.blocks;

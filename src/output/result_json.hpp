@@ -41,6 +41,25 @@ struct CollapseSummary {
   std::vector<Attempt> attempts;
 };
 
+/// Force of a support on the structure.
+struct ReactionSummary {
+  double x = 0, y = 0;                  ///< [N]
+  double through_x = 0, through_y = 0;  ///< [m] a point on its line of action, the nearest to the support's middle
+};
+
+/// What joints and supports carry at the end of a run in statics; all joints are in joints.csv.
+struct StaticsSummary {
+  struct Place {
+    int block_i = -1, block_j = -1;
+    double x = 0, y = 0;  ///< [m] where the resultant crosses the joint
+    double opening = 0;   ///< [m]
+  };
+  int hinges = 0, sliding_joints = 0;
+  double least_edge_margin = 0, least_friction_margin = 0;  ///< [-]
+  std::vector<Place> widest_hinges, first_sliding;          ///< no more than fifty of each
+  std::map<std::string, ReactionSummary> reactions;         ///< by name of the support
+};
+
 /// An effect the program knows, and what it cost.
 struct EffectSummary {
   bool in_play = false;   ///< the scene names it
@@ -72,6 +91,7 @@ struct RunSummary {
   double load_factor = 0.0;  ///< of the last stage, reached
   std::string message;       ///< why the run ended as it did; not written when empty
   std::optional<MechanismSummary> mechanism;
+  std::optional<StaticsSummary> statics;    ///< of a run that ends in statics
   std::optional<CollapseSummary> collapse;  ///< when the scene asks for a load factor
 };
 

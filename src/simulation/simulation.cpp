@@ -19,6 +19,7 @@
 #include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
 #include "simulation/load_factor_analysis.hpp"
+#include "simulation/masonry_statics.hpp"
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
@@ -77,7 +78,9 @@ class Run {
     };
   }
 
-  RunSummary all_steps() {
+  const RunSummary& summary() const { return recorder_->summary(); }
+
+  const RunSummary& all_steps() {
     auto& summary = recorder_->summary();
     summary.outcome = Outcome::equilibrium;
     while (!finished()) {
@@ -104,6 +107,12 @@ class Run {
     return summary;
   }
 
+  /// What joints and supports carry in the last equilibrium; nothing of a run that ends in time, or found none.
+  void write_joints(const std::string& folder) {
+    auto& summary = recorder_->summary();
+    if (state_.velocity.empty() && summary.steps > 0)
+      summary.statics = write_statics(model_, step_, state_, load_, folder);
+  }
   /// What can still be gone on with is kept.
   void end() {
     const auto& summary = recorder_->summary();
@@ -235,7 +244,7 @@ class Run {
     return {steps_, state_, load_, level_, recorder_->so_far(), seconds_so_far_, load_factor_.get()};
   }
 
-  RunSummary interrupted() {
+  const RunSummary& interrupted() {
     saved_.save(here());
     recorder_->summary().outcome = Outcome::interrupted;
     return recorder_->summary();
@@ -321,8 +330,9 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
     on_first_rank(*comm, [&] { std::filesystem::remove(options.folder + "/" + result_file); });
     write_scene_file(scene, options.folder, *comm);
   }
-  auto summary = run.all_steps();
-  if (summary.outcome == Outcome::interrupted) return summary;
+  if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
+  run.write_joints(options.folder);
+  auto summary = run.summary();
   summary.seconds = run.seconds();
   summary.effects = effect_costs(model);
   summary.peak_memory = peak_memory_per_rank(*comm);

@@ -267,6 +267,49 @@ class InTime(unittest.TestCase):
         self.assertEqual(float(table[1][column]), 78)
 
 
+class Collapse(unittest.TestCase):
+    """How far an arch can be pushed: four hinges in its mechanism, forces of the last equilibrium."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = FOLDER / "collapse"
+        subprocess.run([PROGRAM, f"--xml={ROOT / 'xml/oppenheim-arch.xml'}", f"--out={cls.out}", "--overwrite", "--quiet"],
+                       check=True)
+        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", cls.out], check=True,
+                       stdout=subprocess.DEVNULL)
+        cls.text = (cls.out / "report.html").read_text(encoding="utf-8")
+        cls.page = Page(cls.text)
+        cls.result = json.loads((cls.out / "result.json").read_text())
+
+    def table(self, heading):
+        return next(t for t in self.page.tables if heading in t[0])
+
+    def test_the_bracket_and_every_attempt_are_shown(self):
+        self.assertNotIn("could not be drawn", self.text)
+        found = self.result["collapse"]
+        self.assertEqual(self.page.facts()["Collapse load factor"], f"{found['lower']:.4g} to {found['upper']:.4g}")
+        self.assertIn("How far the loads can be raised", self.page.texts["h2"])
+        rows = self.table("found")[1:]
+        self.assertEqual([row[1] for row in rows], [a["outcome"] for a in found["attempts"]])
+
+    def test_the_mechanism_has_four_hinges_in_turn(self):
+        rows = self.table("hinge at")[1:]
+        self.assertEqual([row[3] for row in rows], ["intrados", "extrados", "intrados", "extrados"])
+
+    def test_margins_and_reactions_are_those_of_the_last_equilibrium(self):
+        statics = self.result["statics"]
+        self.assertEqual(self.page.facts()["Hinges / sliding joints"], f"{statics['hinges']} / {statics['sliding_joints']}")
+        margins = self.table("edge margin")
+        with open(self.out / "joints.csv", newline="", encoding="utf-8") as file:
+            least = min(float(row["edge_margin"]) for row in csv.DictReader(file))
+        self.assertAlmostEqual(float(margins[1][margins[0].index("edge margin")]), least, delta=1e-9)
+        reaction = self.table("vertical [N]")[1]
+        self.assertAlmostEqual(float(reaction[2]) / statics["reactions"]["ground"]["y_N"], 1, delta=1e-4)
+        # A line of thrust that touches an edge leaves nothing of the thickness.
+        arch = self.table("geometrical factor of safety")
+        self.assertEqual(arch[1][-1], "1")
+
+
 class DamagedResults(unittest.TestCase):
     def test_a_report_of_an_empty_folder_names_what_is_missing(self):
         empty = FOLDER / "empty"
