@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/check.hpp"
 #include "nonlinear/point_update.hpp"
@@ -24,15 +25,16 @@ constexpr double gained = 0.5;
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem) : problem_(problem) {
+ActiveSet::ActiveSet(NonlinearProblem& problem) : problem_(problem), sliding_(problem.points(), 0.0) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
-/// Statuses that forces and gaps ask for.
+/// Statuses that forces and gaps ask for. No point turns from one direction of slip to the other: between them it sticks,
+/// and from there goes where it must.
 void ActiveSet::choose(const PointField& lambda, const PointField& gap) {
   resistance_.assign(problem_.points(), {});
-  sliding_.assign(problem_.points(), 0.0);
+  const auto before = std::exchange(sliding_, std::vector<double>(problem_.points(), 0.0));
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& law = problem_.law()[k];
@@ -44,10 +46,11 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap) {
     auto& r = resistance_[k];
     r.normal = stiffness_of(problem_, k, 0, augmentation);
     const double bound = friction_bound(law, p);
-    if (std::abs(q) < bound) {
+    const double direction = q < 0 ? -1 : 1;
+    if (std::abs(q) < bound || (bound > 0 && direction == -before[k])) {
       r.tangential = stiffness_of(problem_, k, 1, augmentation);
     } else {
-      sliding_[k] = q < 0 ? -1 : 1;
+      sliding_[k] = direction;
       if (bound > 0) r.coupling = sliding_[k] * law.friction * r.normal;
     }
   }
