@@ -25,13 +25,13 @@ constexpr double gained = 0.5;
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem) : problem_(problem), sliding_(problem.points(), 0.0) {
+ActiveSet::ActiveSet(NonlinearProblem& problem) : problem_(problem), sliding_(problem.points()) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
-/// Statuses that forces and gaps ask for. No point turns from one direction of slip to the other: between them it sticks,
-/// and from there goes where it must.
+/// Statuses that forces and gaps ask for. No point turns from one direction of slip to the other: between them it
+/// sticks.
 void ActiveSet::choose(const PointField& lambda, const PointField& gap) {
   resistance_.assign(problem_.points(), {});
   const auto before = std::exchange(sliding_, std::vector<double>(problem_.points(), 0.0));

@@ -1,8 +1,8 @@
-// The energy book of an arch whose joints slide and collide, with time steps from a tenth to a hundred times what a wave
-// takes through a cell.
+// The energy book of an arch whose joints slide and collide, with time steps from a tenth to a hundred times the
+// passage of a wave through a cell.
 //
-// Set-up    xml/bouncing-arch.xml with friction, thrown sideways at 0.5 m/s. The smallest cell is pi x 4.5 m / 40 = 0.353 m
-//           long, a wave runs at sqrt(E / (rho (1 - nu^2))) = 2282 m/s: 0.155 ms.
+// Set-up    xml/bouncing-arch.xml with friction, thrown sideways at 0.5 m/s. The smallest cell is pi x 4.5 m / 40 =
+//           0.353 m long, a wave runs at sqrt(E / (rho (1 - nu^2))) = 2282 m/s: 0.155 ms.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
@@ -42,8 +42,8 @@ TEUCHOS_UNIT_TEST(EnergyWithFriction, IsBookedAtEveryStepWhateverItsSize) {
       }
     }));
     out << courant << ": " << done << " steps, " << solves << " solves, " << closings << " closings, friction took "
-        << arch.book().friction() / arch.largest_energy << ", imbalance " << arch.largest_imbalance / arch.largest_energy
-        << "\n";
+        << arch.book().friction() / arch.largest_energy << ", imbalance "
+        << arch.largest_imbalance / arch.largest_energy << "\n";
     TEST_EQUALITY(done, steps);
     TEST_COMPARE(closings, >=, least_closings);
     TEST_COMPARE(arch.book().friction(), >, 0.05 * arch.largest_energy);
