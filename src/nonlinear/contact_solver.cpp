@@ -14,8 +14,10 @@ constexpr int longest_wait = 7;
 constexpr int fast_solves = 8;
 // Linear solves for active sets: those that arrive take up to 20.
 constexpr int active_set_solves = 30;
-// Linear solves after which closing gives way to another path: those that arrive from a path took up to 75.
+// Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
+// many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.
 constexpr int closing_solves = 80;
+constexpr int most_doublings = 10;
 // Steps of the path: those that arrive took up to 130.
 constexpr int largest_path = 200;
 
@@ -32,12 +34,16 @@ bool ContactSolver::anything_selected() const {
   return largest_over_ranks(problem_, std::find(selected.begin(), selected.end(), 1) != selected.end()) > 0;
 }
 
-bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const {
+double ContactSolver::out_of_balance(const TpetraVector& x, const PointField& lambda) const {
   TpetraVector residual(problem_.map());
   PointField gap;
   problem_.evaluate(x, residual, gap);
   const auto [equilibrium, contact] = imbalance(problem_, lambda, gap, residual);
-  return std::max(equilibrium, contact) <= tolerance * force_scale(problem_, lambda);
+  return std::max(equilibrium, contact);
+}
+
+bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const {
+  return out_of_balance(x, lambda) <= tolerance * force_scale(problem_, lambda);
 }
 
 bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap,
@@ -82,7 +88,18 @@ const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lam
   InteriorPath interior(problem_);
   interior.narrate = narrate;
   const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
-  return interior.follow(x, lambda, tolerance, steps, known_gap, report) == PathEnd::ran_away ? known_gap : nullptr;
+  const TpetraVector x_before(x, Teuchos::Copy);
+  const PointField lambda_before = lambda;
+  const double before = out_of_balance(x, lambda);
+  const auto end = interior.follow(x, lambda, tolerance, steps, known_gap, report);
+  if (end == PathEnd::stuck && out_of_balance(x, lambda) > before) {
+    Tpetra::deep_copy(x, x_before);
+    lambda = lambda_before;
+  } else if (end != PathEnd::ran_away) {
+    return nullptr;
+  }
+  ++led_nowhere_;
+  return known_gap;
 }
 
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
@@ -99,8 +116,9 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
   // Where closing labours, another path from the state it has reached is shorter.
   for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, report)) {
     const int left = parameters_.largest_iterations - report.newton_iterations;
-    last = left <= closing_solves;
-    AugmentedLagrangian closing(problem_, {parameters_.tolerance, std::max(1, last ? left : closing_solves)});
+    const int most = closing_solves << std::min(led_nowhere_, most_doublings);
+    last = left <= most;
+    AugmentedLagrangian closing(problem_, {parameters_.tolerance, std::max(1, last ? left : most)});
     const int before = report.newton_iterations;
     closing.narrate = [&](NewtonProgress p) {
       p.iteration += before;

@@ -30,8 +30,9 @@ class ContactSolver {
 
  private:
   bool anything_selected() const;
+  double out_of_balance(const TpetraVector& x, const PointField& lambda) const;  ///< [N] largest
   bool in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const;
-  /// Returns the known gaps when the path ran away and left the state as it was, else null.
+  /// Returns the known gaps when the path led nowhere, which leaves the state as it was, else null.
   const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                                    NewtonReport&);
   bool try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap, NewtonReport&);
@@ -42,6 +43,7 @@ class ContactSolver {
   NewtonParameters parameters_;
   FastWay& fast_;
   bool path_ = false;
+  int led_nowhere_ = 0;  ///< paths that ran away, or stuck farther from equilibrium than they began
   Teuchos::RCP<TpetraVector> mechanism_;
 };
 

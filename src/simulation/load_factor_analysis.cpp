@@ -14,6 +14,9 @@ std::string factor_text(double factor) {
   return text.str();
 }
 
+/// Beyond this share of the structure displacements change what bears what, which small ones leave out.
+constexpr double small_displacements = 0.01;
+
 }  // namespace
 
 void LoadFactorAnalysis::attempt(const Attempting& run) {
@@ -50,7 +53,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   failed_ = failed;
 }
 
-void LoadFactorAnalysis::conclude(const Attempting& run) {
+void LoadFactorAnalysis::judge(const Attempting& run) {
   auto& summary = run.recorder.summary();
   summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {}};
   constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
@@ -69,6 +72,15 @@ void LoadFactorAnalysis::conclude(const Attempting& run) {
   if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
+}
+
+void LoadFactorAnalysis::conclude(const Attempting& run) {
+  judge(run);
+  auto& summary = run.recorder.summary();
+  const double share = summary.largest_displacement / run.model.structure().size();
+  if (share > small_displacements)
+    summary.message += "; by then displacements are " + factor_text(100 * share) +
+                       " % of the structure, more than small displacements, which are all that is computed, can tell";
 }
 
 }  // namespace voussoir

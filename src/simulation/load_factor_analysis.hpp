@@ -51,6 +51,8 @@ class LoadFactorAnalysis {
   }
 
  private:
+  void judge(const Attempting&);
+
   static constexpr auto stage = "load factor";  ///< as history and fields call its steps
 
   LoadFactorParameters p_;
