@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "blocks/assembly.hpp"
 #include "linalg/reduce.hpp"
@@ -73,6 +74,7 @@ double DynamicStep<dim>::begin(ContactState& state) const {
   auto& v = state.velocity;
   v.assign(state.displacement.size(), 0.0);
   state.acceleration.clear();
+  state.acceleration_before.clear();
   for (const auto& [name, given] : at_rest_.scene().velocities)
     for (const auto& b : s.blocks()) {
       if (!in_set(at_rest_.source(), b.mesh, given.blocks)) continue;
@@ -168,18 +170,18 @@ double DynamicStep<dim>::resting_speed(const ContactState& state, double energy)
          share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
 }
 
-/// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy; the acceleration
-/// of the state becomes that of this step.
+/// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy. The change is the
+/// mean of the last two: what turns from step to step is a vibration the steps are too long for, and drops out.
 template <int dim>
 double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& velocity_before, double energy) const {
   auto acceleration = after.velocity;
   for (std::size_t i = 0; i < acceleration.size(); ++i)
     acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
   auto change = acceleration;
-  const bool known = largest_over_ranks(*mass_.comm(), !after.acceleration.empty()) > 0;  // empty ranks have none
-  if (!after.acceleration.empty())
-    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= after.acceleration[i];
-  after.acceleration = std::move(acceleration);
+  const auto& first = after.acceleration_before;
+  const bool known = largest_over_ranks(*mass_.comm(), !first.empty()) > 0;  // empty ranks have none
+  for (std::size_t i = 0; i < first.size(); ++i) change[i] = (change[i] - first[i]) / 2;
+  after.acceleration_before = std::exchange(after.acceleration, std::move(acceleration));
   after.largest_energy = std::max(after.largest_energy, energy);
   if (!known || !(after.largest_energy > 0)) return 0;
   return rule_.time_step / 12 * std::sqrt(velocities_.kinetic_energy(change) / after.largest_energy);

@@ -62,6 +62,7 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("displacement", nodes, dim, state.displacement);
   checkpoint.rows("velocity", nodes, dim, state.velocity);
   checkpoint.rows("acceleration", nodes, dim, state.acceleration);
+  checkpoint.rows("acceleration before", nodes, dim, state.acceleration_before);
   checkpoint.value("largest_energy_J", state.largest_energy);
   checkpoint.rows("load", nodes, dim, run.load);
   checkpoint.rows("lambda", points, dim, state.lambda);
