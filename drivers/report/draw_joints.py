@@ -4,7 +4,7 @@ import numpy as np
 from draw_common import (BLUE, INK, ORANGE, PALE, RED, SKY, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells,
                          legend, limits, line_entry, outline_width, save)
 from geometry import bounds, deformed, factor_text, length_text
-from read_results import OPEN, SLIP
+from read_results import OPEN, SLIP, is_mechanism
 
 WIDEST, THINNEST = 5.0, 0.8  # points: line weight of the widest opening and of the smallest
 
@@ -22,7 +22,8 @@ def draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder):
     widest = gap[is_open].max(initial=0)
     weight = THINNEST + (WIDEST - THINNEST) * gap[is_open] / widest if widest > 0 else THINNEST
     draw_lines(axes, lines[is_open], RED, weight)
-    entries = [line_entry(f"open, widest {length_text(widest)}" if is_open.any() else "open (none)", RED, 3),
+    opening = "open" if is_mechanism(step) else f"open, widest {length_text(widest)}"  # a direction has no size
+    entries = [line_entry(opening if is_open.any() else "open (none)", RED, 3),
                line_entry("slipping" if slips.any() else "slipping (none)", ORANGE, 2), line_entry("closed", "#a8a8a8", 1)]
     if hinges:
         middle = (x[joints.node_i] + x[joints.node_j]) / 2
