@@ -32,6 +32,8 @@ constexpr double collision_step = 0.1;
 constexpr int largest_inner = 60;
 // A motion carried that far that leaves more than this share of the imbalance would have to go on as far again.
 constexpr double unchanged = 0.5;
+// Contact law, of the largest force, at which a motion that has gone far is believed: stones in flight collide.
+constexpr double believable = 0.01;
 // Forces have settled when the contact law asks for less than this share of the imbalance.
 constexpr double settled = 0.1;
 
@@ -260,7 +262,8 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
                    ? drifting + 1
                    : 0;
     last_residual = report.residual;
-    if ((drifting > 1 || moved_far(s)) && runs_away(s)) {
+    const bool far = report.complementarity < believable && moved_far(s);
+    if ((drifting > 1 || far) && runs_away(s)) {
       report.outcome = NewtonOutcome::collapse;
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return report;
