@@ -6,13 +6,6 @@
 #include "simulation/scene_fit.hpp"
 
 namespace voussoir {
-namespace {
-
-// Gaps below this share of the structure's size are those of closed points.
-constexpr double closed_gap = 1e-13;
-
-}  // namespace
-
 template <int dim>
 Construction<dim>::Construction(const Model<dim>& model)
     : scene_(model.scene()), source_(model.source()), structure_(model.structure()) {

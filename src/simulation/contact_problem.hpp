@@ -5,11 +5,15 @@
 
 #include "homogenisation/coarse_operator.hpp"
 #include "linalg/linear_solver.hpp"
+#include "linalg/reduce.hpp"
 #include "nonlinear/fast_way.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "selection/rest.hpp"
 
 namespace voussoir {
+
+/// Gaps below this share of the structure's size are those of closed points: round-off, not a way to fall.
+inline constexpr double closed_gap = 1e-13;
 
 /// The state of a structure between load steps, on this rank's node copies and points (ghosts included).
 struct ContactState {
@@ -26,6 +30,11 @@ struct ContactState {
   FastWay fast_way;                  ///< what the nonlinear solver remembers
   Rest rest;                         ///< of points in time steps
 };
+
+/// Whether the state has velocities on any rank: those without blocks never have. Collective.
+inline bool in_motion(const Teuchos::Comm<int>& comm, const ContactState& state) {
+  return largest_over_ranks(comm, !state.velocity.empty()) > 0;
+}
 
 template <int dim>
 class ContactProblem : public NonlinearProblem {

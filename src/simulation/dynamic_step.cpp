@@ -15,14 +15,10 @@
 namespace voussoir {
 namespace {
 
-// Gaps below this share of the structure's size are those of closed points: round-off, not a way to fall.
-constexpr double closed_gap = 1e-13;
 // Relative velocities below this share of the fastest, or of what the energy of the structure could move it with, rest.
 constexpr double share_of_fastest = 1e-6, share_of_energy = 1e-9;
 // If all selected points moved by what counts as rest, the error would be this share of what the selection may cost.
 constexpr double share_of_tolerance = 0.15;
-// Energy lost in closing below this share of all energy is round-off.
-constexpr double no_loss = 1e-16;
 
 template <int dim>
 Structure<dim> structure_of_mass(const Model<dim>& model) {
@@ -69,7 +65,7 @@ double DynamicStep<dim>::courant_time() const {
 
 template <int dim>
 double DynamicStep<dim>::begin(ContactState& state) const {
-  if (largest_over_ranks(*mass_.comm(), !state.velocity.empty()) > 0) return 0;  // empty ranks never have any
+  if (in_motion(*mass_.comm(), state)) return 0;
   const auto& s = at_rest_.structure();
   auto& v = state.velocity;
   v.assign(state.displacement.size(), 0.0);
@@ -147,9 +143,12 @@ double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& 
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
+  const double none = no_force * largest_force(at_rest_, mid);
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
     if (!mid.selected[k]) continue;
-    lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - model_->initial_gap()[k]);
+    // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
+    if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
+      lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
     double taken = 0;
     for (int c = 1; c < dim; ++c) taken -= 2 * mid.lambda[dim * k + c] * gap[dim * k + c];
     (mid.broken[k] != broken[k] ? fracture : friction) += taken;
@@ -245,7 +244,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
   if (report.step.newton.outcome != NewtonOutcome::converged) return report;
 
-  double closing = book(mid, state.broken, load, effective, report);
+  const double closing = std::max(0.0, book(mid, state.broken, load, effective, report));
   for (std::size_t i = 0; i < load.size(); ++i) {
     state.displacement[i] = rule_.displacement_at_end(state.displacement[i], mid.displacement[i]);
     state.velocity[i] = rule_.velocity_at_end(state.velocity[i], mid.displacement[i]);
@@ -265,7 +264,6 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += state.displacement[i] * mv[i] / 2;
   report.elastic = total(elastic);
   const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
-  if (!(closing > no_loss * energy)) closing = 0;
   report.friction += velocities_.apply(*model_, state, closing, resting_speed(state, energy));
   report.kinetic = velocities_.kinetic_energy(state.velocity);
   bond_what_rests(state, gap, energy);

@@ -110,7 +110,7 @@ class Run {
   /// What joints and supports carry in the last equilibrium; nothing of a run that ends in time, or found none.
   void write_joints(const std::string& folder) {
     auto& summary = recorder_->summary();
-    if (state_.velocity.empty() && summary.steps > 0)
+    if (!in_motion(*model_.structure().comm(), state_) && summary.steps > 0)
       summary.statics = write_statics(model_, step_, state_, load_, folder);
   }
   /// What can still be gone on with is kept.

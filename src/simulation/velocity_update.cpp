@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/block_solves.hpp"
@@ -16,11 +17,9 @@ namespace {
 // the relative velocity, and conjugate gradients on single blocks still take a few iterations.
 constexpr double holding = 100;
 constexpr int largest_repeats = 20;
-// Relative velocities are brought down to this share of what counts as resting.
-constexpr double share_of_rest = 0.1;
-constexpr double solve_tolerance = 1e-8;
-// Forces below this share of the largest are none; a stick force closer to its bound than this slips.
-constexpr double no_force = 1e-8;
+// Relative velocities are brought down to this share of what counts as resting: 1e-11 of the fastest, as forces are.
+constexpr double share_of_rest = 1e-5;
+constexpr double solve_tolerance = 1e-10;
 
 template <int dim>
 PointField relative(const ContactPoints<dim>& points, const std::vector<double>& v) {
@@ -32,6 +31,41 @@ PointField relative(const ContactPoints<dim>& points, const std::vector<double>&
         speed[dim * k + a] += (v[dim * p.node_j + c] - v[dim * p.node_i + c]) * p.axis[a][c];
   }
   return speed;
+}
+
+/// Points that rest on each other, and these with those that stick: 1 for every component that is held. Forces at a vertex
+/// of three blocks are not unique, so a point without one rests there as well when it touches and does not part.
+/// @param speed  relative velocities [m/s]
+template <int dim>
+std::pair<std::vector<PointStiffness>, std::vector<PointStiffness>> contacts(const Model<dim>& model,
+                                                                             const ContactState& state,
+                                                                             const PointField& speed, double resting) {
+  const auto& points = model.points().points();
+  const auto gap = model.gaps(state.displacement);
+  const double none = no_force * largest_force(model, state), round_off = closed_gap * model.structure().size();
+  const auto loaded = [&](std::size_t k) {
+    const bool glued = !state.broken[k] && model.law()[k].tension > 0;
+    return state.selected[k] && (state.lambda[dim * k] > none || glued);
+  };
+  std::vector<char> carries(state.velocity.size() / dim, 0);  // per node
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (loaded(k)) carries[points[k].node_i] = carries[points[k].node_j] = 1;
+  std::vector<PointStiffness> closed(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const bool between = state.selected[k] && carries[points[k].node_i] && carries[points[k].node_j];
+    const bool rests = std::abs(gap[dim * k]) < round_off && std::abs(speed[dim * k]) <= resting;
+    closed[k].normal = loaded(k) || (between && rests);
+  }
+  auto sticking = closed;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!loaded(k)) continue;
+    auto law = model.law()[k];
+    if (state.broken[k]) law.cohesion = law.tension = 0;
+    double q = 0;
+    for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
+    sticking[k].tangential = std::sqrt(q) < (1 - no_force) * friction_bound(law, state.lambda[dim * k]);
+  }
+  return {closed, sticking};
 }
 
 /// Exact solves on every block, bonded or not.
@@ -83,6 +117,14 @@ struct VelocityUpdate<dim>::Systems {
   std::shared_ptr<AllBlocks<dim>> blocks;
   ContactProblem<dim> way;
 };
+
+template <int dim>
+double largest_force(const Model<dim>& model, const ContactState& state) {
+  double mine = 0;
+  for (int k = 0; k < model.points().owned(); ++k)
+    if (state.selected[k]) mine = std::max(mine, state.lambda[dim * k]);
+  return largest_over_ranks(*model.structure().comm(), mine);
+}
 
 template <int dim>
 VelocityUpdate<dim>::VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass)
@@ -166,27 +208,8 @@ std::vector<double> VelocityUpdate<dim>::spread(const PointField& lambda, const 
 template <int dim>
 double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
   const auto& points = at_rest_.points();
-  double force = 0;
-  for (int k = 0; k < points.owned(); ++k)
-    if (state.selected[k]) force = std::max(force, state.lambda[dim * k]);
-  force = largest_over_ranks(*mass_.comm(), force);
-  // Which points rest on each other, and which of them stick.
-  std::vector<PointStiffness> closed(points.size()), sticking;
-  for (int k = 0; k < points.size(); ++k) {
-    const auto& law = at_rest_.law()[k];
-    const bool glued = !state.broken[k] && law.tension > 0;
-    if (state.selected[k] && (state.lambda[dim * k] > no_force * force || glued)) closed[k].normal = 1;
-  }
-  sticking = closed;
-  for (int k = 0; k < points.size(); ++k) {
-    if (closed[k].normal == 0) continue;
-    auto law = at_rest_.law()[k];
-    if (state.broken[k]) law.cohesion = law.tension = 0;
-    double q = 0;
-    for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
-    if (std::sqrt(q) < (1 - no_force) * friction_bound(law, state.lambda[dim * k])) sticking[k].tangential = 1;
-  }
   const auto speed = relative(points, state.velocity);
+  auto [closed, sticking] = contacts(at_rest_, state, speed, resting);
   auto sliding = sticking;  // only what friction holds
   for (auto& held : sliding) held.normal = 0;
   const bool impact = fastest(speed, closed) > resting || lost > 0;
@@ -225,6 +248,7 @@ double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, d
   return before - kinetic_energy(v);
 }
 
+template double largest_force<2>(const Model<2>&, const ContactState&);
 template class VelocityUpdate<2>;
 
 }  // namespace voussoir
