@@ -33,8 +33,8 @@ PointField relative(const ContactPoints<dim>& points, const std::vector<double>&
   return speed;
 }
 
-/// Points that rest on each other, and these with those that stick: 1 for every component that is held. Forces at a vertex
-/// of three blocks are not unique, so a point without one rests there as well when it touches and does not part.
+/// Points that rest on each other, and these with those that stick: 1 for every component that is held. Forces at a
+/// vertex of three blocks are not unique, so a point without one rests there as well when it touches and does not part.
 /// @param speed  relative velocities [m/s]
 template <int dim>
 std::pair<std::vector<PointStiffness>, std::vector<PointStiffness>> contacts(const Model<dim>& model,
