@@ -1,0 +1,192 @@
+// scaling: computes families of scenes, larger and larger, and tells each load step in units of a bonded solve.
+#include <Tpetra_Core.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "output/safe_file.hpp"
+#include "scene/scene_reader.hpp"
+#include "simulation/accuracy_study.hpp"
+#include "simulation/scaling_study.hpp"
+
+namespace {
+
+using namespace voussoir;
+
+const char* const usage =
+    R"(scaling [options], alone or under mpirun
+  --families=LIST     of walls, openings, arches, bridge (default: all)
+  --largest=N         walls of 16, 32, 64, ... up to N courses (default: 64), arches of 15, 31, 61, ... up to 2 N
+                      voussoirs; bridge and openings (wall 3 of Ferris and Tin-Loi) with cells 1, 2, 4,
+                      ... times as fine up to N / 16
+  --smallest=N        leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)
+  --modes=LIST        of bonded, adaptive, all (default: adaptive,all)
+  --set PATH=VALUE    change one parameter of every scene; may be repeated
+  --out=DIR           where results go (default: out/scaling)
+  --draw=SCRIPT       what draws the picture (default: drivers/report/draw_scaling.py of the source), or none
+  --help
+Leaves DIR/scaling.csv, DIR/scaling.json, DIR/scaling.png and DIR/scaling.svg; those of an earlier study are replaced.
+Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing.
+)";
+
+struct Arguments {
+  std::string folder = "out/scaling", draw = VOUSSOIR_SOURCE_DIR "/drivers/report/draw_scaling.py";
+  std::vector<std::string> families{"walls", "openings", "arches", "bridge"}, overrides;
+  std::vector<SelectionMode> modes{SelectionMode::adaptive, SelectionMode::all};
+  int smallest = 1, largest = 64;
+  bool help = false;
+  bool asks_for(const std::string& family) const {
+    return std::find(families.begin(), families.end(), family) != families.end();
+  }
+};
+
+[[noreturn]] void refuse(const std::string& what, const std::string& wanted) {
+  throw InputError("scaling: " + what + "\n  " + wanted + "\n  See scaling --help.");
+}
+
+std::vector<std::string> words_of(const std::string& option, const std::string& text,
+                                  const std::vector<std::string>& known) {
+  std::vector<std::string> words;
+  for (const auto& part : split(text, ",")) {
+    words.push_back(trimmed(part));
+    if (std::find(known.begin(), known.end(), words.back()) == known.end())
+      refuse(option + " = " + text, "must be words between commas, of " + list_of(known) + ".");
+  }
+  return words;
+}
+
+std::vector<SelectionMode> modes_of(const std::string& text) {
+  std::vector<SelectionMode> modes;
+  for (const auto& word : words_of("--modes", text, {"bonded", "adaptive", "all"}))
+    modes.push_back(word == "bonded" ? SelectionMode::bonded
+                    : word == "all"  ? SelectionMode::all
+                                     : SelectionMode::adaptive);
+  return modes;
+}
+
+int count_of(const std::string& option, const std::string& text) {
+  const auto value = whole_number_in(text);
+  if (!value || *value < 1) refuse(option + " = " + text, "must be a whole number above 0.");
+  return *value;
+}
+
+Arguments parse(const std::vector<std::string>& words) {
+  Arguments a;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto equals = words[k].find('=');
+    const std::string option = words[k].substr(0, equals);
+    if (option == "--help") {
+      a.help = true;
+      return a;
+    }
+    static const std::vector<std::string> options{"--families", "--largest", "--smallest", "--modes",
+                                                  "--set",      "--out",     "--draw"};
+    if (std::find(options.begin(), options.end(), option) == options.end())
+      throw InputError("scaling: '" + option + "' is no option.\n  See scaling --help.");
+    if (equals == std::string::npos && k + 1 == words.size())
+      throw InputError("scaling: " + option + " needs a value.\n  See scaling --help.");
+    const std::string value = equals == std::string::npos ? words[++k] : words[k].substr(equals + 1);
+    if (option == "--families") a.families = words_of(option, value, a.families);
+    if (option == "--largest") a.largest = count_of(option, value);
+    if (option == "--smallest") a.smallest = count_of(option, value);
+    if (option == "--modes") a.modes = modes_of(value);
+    if (option == "--set") a.overrides.push_back(value);
+    if (option == "--out") a.folder = value;
+    if (option == "--draw") a.draw = value;
+  }
+  return a;
+}
+
+/// A scene of this repository, with changes of this study and then of the user.
+Scene scene_of(const Arguments& a, const std::string& name, std::vector<std::string> changes = {}) {
+  changes.insert(changes.end(), a.overrides.begin(), a.overrides.end());
+  return read_scene(VOUSSOIR_SOURCE_DIR "/xml/" + name, changes);
+}
+
+/// Own weight, then the western pier down by 0.2 mm in one step: the whole movement takes many.
+const std::vector<std::string> bridge_in_two_steps{
+    "steps/stages/western pier settles and tilts/increments=1", "loads/pier settles/uy=-0.0002",
+    "loads/pier settles/rotation=0.00004", "loads/abutment moves/ux=0", "loads/ground gives way/ux=0"};
+
+void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
+  on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
+  ScalingStudy scaling(a.folder, comm, say);
+  if (a.asks_for("walls")) {
+    const auto scene = scene_of(a, "wall.xml");
+    for (int n = 16; n <= a.largest; n *= 2)
+      if (n >= a.smallest) scaling.add("walls", n, wall_of(scene, n), a.modes);
+  }
+  if (a.asks_for("arches")) {
+    const auto scene = scene_of(a, "arch.xml");
+    for (int n = 15; n <= 2 * a.largest; n = n == 15 ? 31 : 2 * n - 1)
+      if (n >= 2 * a.smallest || a.smallest == 1) scaling.add("arches", n, arch_of(scene, n), a.modes);
+  }
+  const int finest = std::max(1, a.largest / 16);
+  if (a.asks_for("openings"))
+    for (int finer = 1; finer <= finest; finer *= 2) {
+      auto scene = scene_of(a, "ferris-tin-loi-wall.xml",
+                            {"mesh/gmsh/geometry/wall=3", "mesh/gmsh/geometry/cells=" + std::to_string(finer)});
+      StageParameters push;
+      push.name = "push";
+      push.factors["sideways"] = 0.2;  // it bears 0.356
+      scene.stages.push_back(push);
+      scaling.add("openings", finer, scene, a.modes);
+    }
+  if (a.asks_for("bridge")) {
+    const auto scene = scene_of(a, "clare-college-bridge.xml", bridge_in_two_steps);
+    for (int finer = 1; finer <= finest; finer *= 2)
+      scaling.add("bridge", finer, with_element_size(scene, 1.0 / finer), a.modes);
+  }
+  say << "\nResults are in " << a.folder << "/scaling.csv and scaling.json\n";
+}
+
+/// Python draws in a process of its own; a study without a picture is still a study.
+void draw(const Arguments& a) {
+  if (a.draw == "none") return;
+  const std::string command = "/usr/bin/python3 -B '" + a.draw + "' '" + a.folder + "'";
+  std::cout << std::flush;
+  if (std::system(command.c_str()) != 0)
+    std::cerr << "The picture could not be drawn. The results are complete; draw them with\n  " << command << "\n";
+}
+
+int run_program(const std::vector<std::string>& words) {
+  const auto comm = Tpetra::getDefaultComm();
+  std::ofstream nowhere;
+  const bool first = comm->getRank() == 0;
+  int code = exit_resource;
+  std::string problem;
+  try {
+    const auto a = parse(words);
+    if (a.help) {
+      if (first) std::cout << usage;
+      return exit_done;
+    }
+    study(a, comm, first ? std::cout : nowhere);
+    if (first) draw(a);
+    return exit_done;
+  } catch (const InputError& error) {
+    problem = error.what();
+    code = exit_input;
+  } catch (const ConvergenceError& error) {
+    problem = error.what();
+    code = exit_no_convergence;
+  } catch (const ResourceError& error) {
+    problem = error.what();
+  }
+  if (first) std::cerr << problem << "\n";
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int name_alone = 1;  // Kokkos would answer --help before we do
+  Tpetra::ScopeGuard scope(&name_alone, &argv);
+  return run_program({argv + 1, argv + argc});
+}

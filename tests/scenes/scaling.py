@@ -1,0 +1,91 @@
+"""What a structure costs beside a continuum, on small walls and arches: the tables of the study, and its picture.
+
+    scaling.py PROGRAM
+"""
+
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import unittest
+
+FOLDER = pathlib.Path("scaling").resolve()
+PROGRAM = None
+
+
+def study(out, *options):
+    return subprocess.run([PROGRAM, f"--out={out}", *options], capture_output=True, text=True, check=False)
+
+
+class Study(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        done = study(FOLDER, "--families=walls,arches", "--largest=16", "--modes=bonded,adaptive,all")
+        assert done.returncode == 0, done.stderr
+        with open(FOLDER / "scaling.csv", newline="", encoding="utf-8") as file:
+            cls.rows = list(csv.DictReader(file))
+        cls.json = json.loads((FOLDER / "scaling.json").read_text(encoding="utf-8"))
+
+    def runs(self, family, mode):
+        return [row for row in self.rows if row["family"] == family and row["mode"] == mode]
+
+    def test_every_run_is_there_and_solved(self):
+        self.assertEqual([(row["family"], float(row["size"]), row["mode"], int(row["step"])) for row in self.rows],
+                         [(family, size, mode, step) for family, size in (("walls", 16), ("arches", 15), ("arches", 31))
+                          for mode in ("bonded", "adaptive", "all") for step in (1, 2)])
+        self.assertEqual({row["outcome"] for row in self.rows}, {"equilibrium"})
+
+    def test_both_tables_say_the_same(self):
+        self.assertEqual(len(self.json), len(self.rows))
+        for row, entry in zip(self.rows, self.json):
+            self.assertEqual(list(row), list(entry))
+            for name, value in entry.items():
+                if isinstance(value, str):
+                    self.assertEqual(row[name], value)
+                else:
+                    self.assertAlmostEqual(float(row[name]), value, delta=1e-6 * abs(value))
+
+    def test_a_bonded_wall_is_a_continuum(self):
+        for row in self.runs("walls", "bonded"):
+            # The same system; the first step takes one solve, the estimate a second one that is not bonded.
+            self.assertEqual(row["unknowns"], row["continuum_unknowns"])
+            self.assertEqual(row["selected_points"], "0")
+
+    def test_all_selects_all_and_adaptive_what_it_needs(self):
+        for family in ("walls", "arches"):
+            for row in self.runs(family, "all"):
+                self.assertEqual(row["selected_points"], row["candidate_points"])
+        weight = self.runs("walls", "adaptive")[0]
+        self.assertLess(int(weight["selected_points"]), int(weight["candidate_points"]) / 2)
+        self.assertLessEqual(float(weight["estimate"]), 0.01)
+
+    def test_ratios_are_those_of_their_columns(self):
+        for row in self.rows:
+            self.assertGreater(float(row["continuum_s"]), 0)
+            self.assertAlmostEqual(float(row["in_continua"]) * float(row["continuum_s"]) / float(row["seconds"]), 1, places=4)
+            krylov = float(row["krylov_iterations"])
+            self.assertAlmostEqual(float(row["krylov_in_continua"]) * float(row["continuum_krylov"]), krylov, places=4)
+            self.assertAlmostEqual(float(row["mean_krylov"]) * float(row["linear_solves"]), krylov, delta=1e-4 * krylov + 1e-9)
+
+    def test_the_picture_is_drawn(self):
+        content = (FOLDER / "scaling.png").read_bytes()
+        self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(content[-8:-4], b"IEND")
+        self.assertGreater(int.from_bytes(content[16:20], "big"), 500)  # pixels
+        self.assertIn("</svg>", (FOLDER / "scaling.svg").read_text(encoding="utf-8"))
+
+
+class Command(unittest.TestCase):
+    def test_wrong_options_are_refused_with_advice(self):
+        for option, words in (("--families=domes", "must be words between commas"), ("--largest=0", "above 0"),
+                              ("--modes=some", "must be words"), ("--unknown=1", "is no option")):
+            done = study(FOLDER / "refused", option)
+            self.assertEqual(done.returncode, 2, option)
+            self.assertIn(words, done.stderr)
+        self.assertFalse((FOLDER / "refused").exists())
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
