@@ -23,7 +23,11 @@ if(VOUSSOIR_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
   add_link_options(-fsanitize=address,undefined)
   # GCC 12 finds uninitialised memory in its own <regex> under sanitizers: https://gcc.gnu.org/PR105562
-  target_compile_options(voussoir_warnings INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(voussoir_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+endif()
+
+if(VOUSSOIR_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
 # Trilinos names every library it can reach; record only those a program calls, or each start loads them all.

@@ -91,14 +91,14 @@ class FactorSearch {
     archive.value("load_factor.tried_from", tried_from_);
     archive.value("load_factor.probes", probes_);
     auto count = static_cast<int>(attempts_.size());
-    archive.value("load_factor.attempts", count);
+    archive.choice("load_factor.attempts", count, most_attempts);
     attempts_.resize(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
       auto& attempt = attempts_[static_cast<std::size_t>(k)];
       const std::string name = "load_factor.attempt " + std::to_string(k);
       auto verdict = static_cast<int>(attempt.verdict);
       archive.value(name + ".factor", attempt.factor);
-      archive.value(name + ".verdict", verdict);
+      archive.choice(name + ".verdict", verdict, 3);
       archive.value(name + ".linear_solves", attempt.linear_solves);
       attempt.verdict = static_cast<Verdict>(verdict);
     }
@@ -108,6 +108,7 @@ class FactorSearch {
   static constexpr double none = std::numeric_limits<double>::infinity();
   // Growing steps beyond an undecided factor: with 0.5 % the last lies a third above it.
   static constexpr int largest_probes = 6;
+  static constexpr int most_attempts = 10000;  ///< a checkpoint can hold; some twenty are made
 
   LoadFactorParameters p_;
   double lower_ = 0, upper_ = none;

@@ -77,7 +77,7 @@ class LoadSteps {
   template <class Archive>
   void keep(Archive& archive) {
     auto stage = static_cast<int>(stage_);
-    archive.value("load_steps.stage", stage);
+    archive.choice("load_steps.stage", stage, static_cast<int>(stages_.size()) + 1);
     archive.value("load_steps.reached", reached_);
     archive.value("load_steps.halvings", halvings_);
     archive.value("load_steps.successes", successes_);

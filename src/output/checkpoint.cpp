@@ -2,11 +2,13 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <type_traits>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {
@@ -16,14 +18,18 @@ const char* const numbers = "/run";
 
 std::string beside(const std::string& path) { return path + ".part"; }
 
+/// Opens the file; one to be restored is looked at before HDF5, which may crash on a damaged one.
+std::unique_ptr<Hdf5File> opened(const std::string& path, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                                 Checkpoint::Way way) {
+  if (way == Checkpoint::Way::save) return std::make_unique<Hdf5File>(beside(path), comm, Hdf5File::Mode::create);
+  on_first_rank(*comm, [&] { check_seal(path); });
+  return std::make_unique<Hdf5File>(path, comm, Hdf5File::Mode::read);
+}
+
 }  // namespace
 
 Checkpoint::Checkpoint(const std::string& path, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, Way way)
-    : path_(path),
-      comm_(comm),
-      way_(way),
-      file_(std::make_unique<Hdf5File>(way == Way::save ? beside(path) : path, comm,
-                                       way == Way::save ? Hdf5File::Mode::create : Hdf5File::Mode::read)) {}
+    : path_(path), comm_(comm), way_(way), file_(opened(path, comm, way)) {}
 
 Checkpoint::~Checkpoint() {
   if (saving() && file_ && comm_->getRank() == 0) std::remove(beside(path_).c_str());
@@ -40,6 +46,12 @@ void Checkpoint::value(const std::string& name, T& v) {
   } else {
     v = file_->read_attribute<T>(numbers, name);
   }
+}
+
+void Checkpoint::choice(const std::string& name, int& number, int choices) {
+  value(name, number);
+  if (!saving() && (number < 0 || number >= choices))
+    throw ResourceError(cannot_read(path_, name + " = " + std::to_string(number) + " outside its range"));
 }
 
 template <class T>
@@ -59,6 +71,9 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
   }
   values.clear();
   if (!file_->has(path)) return;
+  const Table shape = file_->table(path);
+  if (shape.rows != local.total || shape.columns != columns)
+    throw ResourceError(cannot_read(path_, name + " of another size than the structure's"));
   std::vector<std::size_t> order(local.ids.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return local.ids[a] < local.ids[b]; });
@@ -69,11 +84,19 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
   for (std::size_t k = 0; k < order.size(); ++k)
     std::transform(stored.begin() + static_cast<long>(k) * columns, stored.begin() + static_cast<long>(k + 1) * columns,
                    values.begin() + static_cast<long>(order[k]) * columns, [](Stored v) { return static_cast<T>(v); });
+  const int wrong = !std::all_of(stored.begin(), stored.end(), [](Stored v) { return std::isfinite(double(v)); });
+  int wrong_anywhere = 0;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, wrong, Teuchos::outArg(wrong_anywhere));
+  if (wrong_anywhere)
+    throw ResourceError(cannot_read(path_, name + " with a number that is not finite"));
 }
 
 void Checkpoint::publish() {
   file_->close();
-  on_first_rank(*comm_, [this] { publish_file(beside(path_), path_); });
+  on_first_rank(*comm_, [this] {
+    seal_file(beside(path_));
+    publish_file(beside(path_), path_);
+  });
   file_.reset();
 }
 

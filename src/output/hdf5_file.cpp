@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -75,10 +76,6 @@ std::string last_error() {
   return reason.empty() ? "an unknown error of HDF5" : reason;
 }
 
-std::string cannot_read(const std::string& name, const std::string& reason) {
-  return name + ": cannot be read\n  because of: " + reason + ".\n  Give a file written by Voussoir, unchanged.";
-}
-
 MPI_Comm raw(const Teuchos::Comm<int>& comm) {
   const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
   return mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
@@ -106,8 +103,9 @@ class Hdf5File::Impl {
   }
 
   /// Every rank agrees before anyone throws.
-  void require(bool good) const {
-    std::string reason = good ? "" : last_error();
+  /// @param why  reason, where it is not HDF5 that refused
+  void require(bool good, const char* why = nullptr) const {
+    std::string reason = good ? "" : why ? why : last_error();
     int rank = 0, ranks = 1;
     MPI_Comm_rank(mpi, &rank);
     MPI_Comm_size(mpi, &ranks);
@@ -235,6 +233,7 @@ void Hdf5File::write_rows(const std::string& path, const std::vector<long long>&
 template <class T>
 std::vector<T> Hdf5File::read_rows(const std::string& path, const std::vector<long long>& ids) const {
   const Table shape = table(path);
+  impl_->require(ids.empty() || ids.back() < shape.rows, "fewer rows than are asked for");
   const EvenRows even(ids, shape.rows, impl_->mpi);
   std::vector<T> rows(static_cast<std::size_t>(even.count()) * shape.columns);
   Handle dataset = impl_->open(path);
@@ -254,6 +253,8 @@ Table Hdf5File::table(const std::string& path) const {
   Handle space(H5Dget_space(dataset), H5Sclose);
   hsize_t extent[2] = {0, 1};
   impl_->require(H5Sget_simple_extent_ndims(space) <= 2 && H5Sget_simple_extent_dims(space, extent, nullptr) >= 1);
+  constexpr hsize_t largest = std::numeric_limits<int>::max();
+  impl_->require(extent[1] <= largest && extent[0] <= largest * largest, "a table larger than any");
   Table result{static_cast<long long>(extent[0]), static_cast<int>(extent[1]), ""};
   if (H5Aexists(dataset, "unit") > 0) result.unit = read_attribute<std::string>(path, "unit");
   if (H5Aexists(dataset, "text") > 0) result.text = read_attribute<std::string>(path, "text");
@@ -297,6 +298,7 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& path) const {
   Handle dataset = impl_->open(path);
   Handle type(H5Dget_type(dataset), H5Tclose);
   const std::size_t length = H5Tget_size(type);
+  impl_->require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0, "no texts of one length");
   std::string padded(length * shape.rows, '\0');
   if (shape.rows > 0) impl_->require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, Impl::collective(), padded.data()) >= 0);
   std::vector<std::string> texts;
@@ -317,13 +319,19 @@ T Hdf5File::read_attribute(const std::string& path, const std::string& name) con
   Handle owner = impl_->object(path);
   Handle attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose);
   impl_->require(attribute.good());
+  Handle space(H5Aget_space(attribute), H5Sclose);
+  impl_->require(H5Sget_simple_extent_npoints(space) == 1, "several values where one is meant");
+  Handle type(H5Aget_type(attribute), H5Tclose);
   T value{};
   if constexpr (std::is_same_v<T, std::string>) {
-    Handle type(H5Aget_type(attribute), H5Tclose);
+    constexpr std::size_t longest = 1 << 20;  // bytes
+    const bool text = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+    impl_->require(text && H5Tget_size(type) <= longest, "no text of fixed length");
     value.resize(H5Tget_size(type));
     impl_->require(H5Aread(attribute, type, value.data()) >= 0);
     return trimmed(value);
   } else {
+    impl_->require(H5Tget_class(type) == H5T_INTEGER || H5Tget_class(type) == H5T_FLOAT, "no number");
     impl_->require(H5Aread(attribute, native<T>(), &value) >= 0);
     return value;
   }

@@ -19,7 +19,15 @@ void replace_file(const std::string& path, const std::string& content);
 /// leaves the old file or the new one. Not collective. Throws ResourceError.
 void publish_file(const std::string& beside, const std::string& path);
 
+/// Appends a digest of all bytes of a file, by which check_seal knows it whole. Not collective. Throws ResourceError.
+void seal_file(const std::string& path);
+
+/// Throws ResourceError when the file cannot be read or is not as it was sealed. Not collective.
+void check_seal(const std::string& path);
+
 /// The three lines every message about a file that could not be written has: file, why, what to do.
 std::string cannot_write(const std::string& path, const std::string& reason);
+/// Likewise of a file that could not be read.
+std::string cannot_read(const std::string& path, const std::string& reason);
 
 }  // namespace voussoir

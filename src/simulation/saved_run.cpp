@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/digest.hpp"
 #include "base/error.hpp"
 #include "output/checkpoint.hpp"
 #include "output/output_folder.hpp"
@@ -17,16 +18,7 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 3;  // of the file; raised when a value changes its meaning
-
-// FNV-1a: http://www.isthe.com/chongo/tech/comp/fnv/
-constexpr std::uint64_t fnv_start = 14695981039346656037u, fnv_prime = 1099511628211u;
-
-std::uint64_t digest(const void* bytes, std::size_t count, std::uint64_t start = fnv_start) {
-  for (std::size_t k = 0; k < count; ++k)
-    start = (start ^ static_cast<const unsigned char*>(bytes)[k]) * fnv_prime;
-  return start;
-}
+constexpr int format = 4;  // of the file; raised when a value changes its meaning
 
 /// One number for all nodes of the structure and their places; a sum, so that ranks do not matter.
 long long geometry_digest(const Structure<dim>& s) {

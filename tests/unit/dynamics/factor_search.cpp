@@ -115,6 +115,7 @@ struct Memory {
     else
       values[name] = v;
   }
+  void choice(const std::string& name, int& v, int) { value(name, v); }
 };
 
 TEUCHOS_UNIT_TEST(FactorSearch, GoesOnAfterARestartAsIfItHadNotStopped) {

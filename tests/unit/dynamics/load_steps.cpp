@@ -21,6 +21,7 @@ struct Memory {
     else
       values[name] = v;
   }
+  void choice(const std::string& name, int& v, int) { value(name, v); }
 };
 
 std::vector<StageParameters> stages() {

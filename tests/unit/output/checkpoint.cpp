@@ -135,6 +135,50 @@ TEUCHOS_UNIT_TEST(Checkpoint, AValueThatIsNotThereIsAnErrorOnAllRanks) {
   TEST_THROW(archive.value("unknown", unknown), ResourceError);
 }
 
+TEUCHOS_UNIT_TEST(Checkpoint, DamageAnywhereIsSeenBeforeHdf5ReadsIt) {
+  const std::string path = fresh_folder("checkpoint-damaged") + "/checkpoint.h5";
+  const auto rows = with_halo(5);
+  save(path, example(rows), rows);
+  const auto size = static_cast<long>(fs::file_size(path));
+  for (const long place : {0L, size / 3, size / 2, size - 1}) {
+    const auto turn = [&] {  // one bit, there and back
+      if (world()->getRank() == 0) {
+        std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+        file.seekg(place);
+        const auto byte = static_cast<char>(file.get() ^ 1);
+        file.seekp(place);
+        file.put(byte);
+      }
+      world()->barrier();
+    };
+    turn();
+    TEST_THROW(Checkpoint(path, world(), Way::restore), ResourceError);
+    world()->barrier();
+    turn();
+    TEST_NOTHROW(Checkpoint(path, world(), Way::restore));
+    world()->barrier();
+  }
+}
+
+TEUCHOS_UNIT_TEST(Checkpoint, TablesOfAnotherSizeAndNumbersThatAreNoneAreErrorsOnAllRanks) {
+  const std::string path = fresh_folder("checkpoint-other") + "/checkpoint.h5";
+  const auto rows = with_halo(7);
+  auto saved = example(rows);
+  if (world()->getRank() == 0) saved.field[1] = std::numeric_limits<double>::quiet_NaN();
+  save(path, saved, rows);
+  Checkpoint archive(path, world(), Way::restore);
+  std::vector<double> field;
+  TEST_THROW(archive.rows("field", rows, 3, field), ResourceError);            // it has 2 columns
+  TEST_THROW(archive.rows("field", with_halo(6), 2, field), ResourceError);    // it has 7 rows
+  TEST_THROW(archive.rows("field", rows, 2, field), ResourceError);            // not finite
+  int count = 0;
+  TEST_THROW(archive.choice("count", count, 10), ResourceError);  // -7
+  bool flag = false;
+  TEST_THROW(archive.value("text", flag), ResourceError);
+  std::string text;
+  TEST_THROW(archive.value("number", text), ResourceError);
+}
+
 TEUCHOS_UNIT_TEST(History, IsCutBehindTheRowsThatCount) {
   const std::string path = fresh_folder("history-cut") + "/history.csv";
   const auto append = [&](History& history, int step) {
