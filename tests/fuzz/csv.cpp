@@ -5,8 +5,6 @@
 #include "fuzz.hpp"
 #include "loads/csv_table.hpp"
 
-int LLVMFuzzerInitialize(int* argc, char*** argv) { return MPI_Init(argc, argv); }
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   using namespace voussoir;
   static const std::string file = fuzz::scratch_file(".csv");

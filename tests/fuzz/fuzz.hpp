@@ -1,11 +1,9 @@
 // What the fuzzed readers share.
 //
-// Each file beside this one holds the function libFuzzer calls with bytes it made up, and this one begins MPI. A reader
-// may refuse what it is given with an error of ours; anything else it throws, and every crash, leak or hang, is found.
+// Each file beside this one holds the function libFuzzer calls with bytes it made up. A reader may refuse what it is given
+// with an error of ours; anything else it throws, and every crash, leak or hang, is found.
 #pragma once
 
-#include <fcntl.h>
-#include <mpi.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -15,7 +13,8 @@
 
 #include "base/error.hpp"
 
-extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
+/// Called once before all others, where there is one.
+extern "C" __attribute__((weak)) int LLVMFuzzerInitialize(int* argc, char*** argv);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count);
 
 namespace voussoir::fuzz {

@@ -5,8 +5,6 @@
 #include "mesh/gmsh_reader.hpp"
 #include "mesh/mesh_check.hpp"
 
-int LLVMFuzzerInitialize(int* argc, char*** argv) { return MPI_Init(argc, argv); }
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   using namespace voussoir;
   GmshParameters gmsh;

@@ -15,8 +15,6 @@ std::string written(const voussoir::Scene& scene) {
 
 }  // namespace
 
-int LLVMFuzzerInitialize(int* argc, char*** argv) { return MPI_Init(argc, argv); }
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   using namespace voussoir;
   const std::string text(reinterpret_cast<const char*>(bytes), count);
