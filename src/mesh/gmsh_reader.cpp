@@ -28,6 +28,8 @@ class Gmsh {
   Gmsh() {
     gmsh::initialize(0, nullptr, false);  // no configuration files: the same mesh for every user
     gmsh::option::setNumber("General.Terminal", 0);
+    // By default it throws where it meshes side by side, and what leaves a parallel region ends the program.
+    gmsh::option::setNumber("General.AbortOnError", 1);
     gmsh::logger::start();
   }
   ~Gmsh() {
