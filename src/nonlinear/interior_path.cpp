@@ -41,6 +41,10 @@ constexpr double drift = 0.9, far = 100;
 // The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
 constexpr int patience = 15;
 constexpr double balanced = 0.1, gained = 0.9;
+// So many steps in a row shorter than this lead nowhere: what bounds them shrinks with them, down to numbers that are
+// none.
+constexpr int halting_steps = 5;
+constexpr double halting = 1e-6;
 
 }  // namespace
 
@@ -231,7 +235,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   set_out(lambda, start * std::max(scale_, force_scale(problem_, lambda)));
   std::vector<double> sizes;
   double step = 0;
-  int waits = 0, raised = 0;
+  int waits = 0, raised = 0, halts = 0;
   augmentation_ = usual;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
@@ -240,7 +244,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     arrived = size <= tolerance;
     const bool slow = iteration > raised + patience && equilibrium < balanced * contact &&
                       size > gained * sizes[iteration - patience];
-    if (arrived || (slow && augmentation_ >= fastest) || iteration >= largest_iterations) break;
+    const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;
+    if (arrived || stuck || iteration >= largest_iterations) break;
     sizes.push_back(size);
     work_->update(1.0, x, -1.0, x_before, 0.0);
     if (work_->normInf() > run_away * problem_.length_scale()) {
@@ -272,6 +277,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     step = step_length(furthest);
     const double length = step < furthest ? to_boundary * step : full_step * furthest;
     step = std::min(step, 1.0);
+    halts = step < halting ? halts + 1 : 0;
     x.update(length, *direction_, 1.0);
     for (int k = 0; k < problem_.points(); ++k) {
       if (!problem_.selected()[k]) continue;

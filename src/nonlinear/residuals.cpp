@@ -31,7 +31,10 @@ double contact_residual(const NonlinearProblem& problem, const PointField& lambd
   double worst = 0;
   for (int k = 0; k < problem.owned_points(); ++k)
     if (problem.selected()[k])
-      for (int c = k * n; c < (k + 1) * n; ++c) worst = std::max(worst, std::abs(admissible[c] - lambda[c]));
+      for (int c = k * n; c < (k + 1) * n; ++c) {
+        const double off = std::abs(admissible[c] - lambda[c]);
+        worst = std::isnan(off) ? std::numeric_limits<double>::infinity() : std::max(worst, off);
+      }
   return largest_over_ranks(problem, worst);
 }
 
