@@ -13,6 +13,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "mesh/gmsh_numbers.hpp"
 #include "mesh/lattice.hpp"
@@ -242,9 +243,16 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
 std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, const Teuchos::Comm<int>& comm) {
   BlockList<2> list;
   on_rank_zero(comm, [&] {
-    Gmsh gmsh_itself;
-    open_file(gmsh_itself, parameters);
-    list = blocks_of_surfaces(read_surfaces(parameters));
+    const auto work = [&] {
+      Gmsh gmsh_itself;
+      open_file(gmsh_itself, parameters);
+      return bytes_of(read_surfaces(parameters));
+    };
+    const auto died = [&](const std::string& signal) {
+      refuse_file(parameters.file, "made gmsh crash (" + signal + ").",
+                  "Open the file in gmsh itself; where it is damaged, save it anew in format 4.1.");
+    };
+    list = blocks_of_surfaces(surface_mesh_of(in_child_process(work, died)));
   });
   broadcast_blocks(comm, list);
   return make_source(std::move(list));

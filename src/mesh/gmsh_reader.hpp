@@ -13,7 +13,8 @@ namespace voussoir {
 ///
 /// Blocks are in the order of the tags of surfaces. Physical surfaces become block sets, physical curves facet sets,
 /// in the order of their tags; one without a name is called "group 7".
-/// Throws InputError on every rank when the file cannot be used; what gmsh said is part of the message.
+/// Throws InputError on every rank when the file cannot be used; what gmsh said is part of the message. gmsh works in a
+/// process of its own, since it may crash on a damaged file.
 std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

@@ -25,6 +25,10 @@ struct SurfaceMesh {
   std::vector<std::string> facet_sets;
 };
 
+/// The mesh as bytes, for another process of this program, and back.
+std::string bytes_of(const SurfaceMesh&);
+SurfaceMesh surface_mesh_of(const std::string& bytes);
+
 /// Coincident nodes of different surfaces are the same vertex when they are closer than this part of
 /// the shortest edge at either node: far above the rounding of coordinates in files (1e-16 relative in double,
 /// 1e-9 as text), far below any joint somebody could have drawn open.
