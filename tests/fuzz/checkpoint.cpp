@@ -1,6 +1,6 @@
-// Checkpoints. Bytes that begin with an even one are changes of a good file, three for each: where (two) and what is turned
-// over; such a file must be refused. After an odd one they choose, value by value, what a file holds that was sealed in all
-// order: numbers out of range, other types, tables of other sizes. It is refused or restored.
+// Checkpoints. Bytes that begin with an even one are changes of a good file, three for each: where (two) and what is
+// turned over; such a file must be refused. After an odd one they choose, value by value, what a file holds that was
+// sealed in all order: numbers out of range, other types, tables of other sizes. It is refused or restored.
 //
 // HDF5 1.10 itself does not bear a forged file (a single bit in its tables of names makes it use freed memory): that is
 // what the seal is for.

@@ -1,7 +1,7 @@
 // What the fuzzed readers share.
 //
-// Each file beside this one holds the function libFuzzer calls with bytes it made up. A reader may refuse what it is given
-// with an error of ours; anything else it throws, and every crash, leak or hang, is found.
+// Each file beside this one holds the function libFuzzer calls with bytes it made up. A reader may refuse what it is
+// given with an error of ours; anything else it throws, and every crash, leak or hang, is found.
 #pragma once
 
 #include <unistd.h>
