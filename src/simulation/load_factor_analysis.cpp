@@ -4,6 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "simulation/mechanism_words.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -72,6 +74,7 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
   if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
+  summary.message += "; " + mechanism_in_words(run.model, mechanism_);
 }
 
 void LoadFactorAnalysis::conclude(const Attempting& run) {

@@ -1,6 +1,5 @@
 #include "simulation/narrator.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -67,23 +66,6 @@ void Narrator::failed(const StepReport& report, const std::string& stage, double
   print(say_, "  after %d linear solves, |R| = %.1e and contact law %.1e of the largest force: %s.\n",
         report.newton.newton_iterations, report.newton.residual, report.newton.complementarity,
         report.newton.reason.c_str());
-}
-
-MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>& motion) {
-  const auto& s = model.structure();
-  struct {
-    double size;
-    int block;
-  } mine{-1.0, -1}, all{};
-  for (int i = 0; i < s.owned_nodes(); ++i) {
-    const double size = std::hypot(motion[2 * i], motion[2 * i + 1]);
-    if (size > mine.size) mine = {size, s.blocks()[s.block_of_node()[i]].mesh.id};
-  }
-  double largest = 0;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine.size, Teuchos::outArg(largest));
-  const int candidate = mine.size == largest ? mine.block : -1;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, candidate, Teuchos::outArg(all.block));
-  return {all.block, model.source().block(all.block).name, largest};
 }
 
 }  // namespace voussoir

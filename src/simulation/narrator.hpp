@@ -28,7 +28,4 @@ class Narrator {
   std::string stage_;
 };
 
-/// The block that moves most in a motion. Collective.
-MechanismSummary largest_mover(const Model<2>&, const std::vector<double>& motion);
-
 }  // namespace voussoir

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "simulation/effect_costs.hpp"
 #include "simulation/load_factor_analysis.hpp"
 #include "simulation/masonry_statics.hpp"
+#include "simulation/mechanism_words.hpp"
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
@@ -128,6 +130,14 @@ class Run {
   }
 
  private:
+  struct Failure {
+    ContactState state;
+    StepReport report;
+    std::vector<double> mechanism;
+    double target = 0;
+    bool collapse() const { return report.newton.outcome == NewtonOutcome::collapse; }
+  };
+
   /// False when the run ends here.
   bool load_step(const ContactState& before) {
     const auto& summary = recorder_->summary();
@@ -146,10 +156,13 @@ class Run {
     if (report.newton.outcome != NewtonOutcome::converged) {
       narrator_->failed(report, stage, target);
       const auto failed = std::exchange(state_, before);
+      if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
+        failure_ = Failure{failed, report, step_.mechanism(), target};
       if (steps_.halve()) return true;
-      fail(failed, report, step_.mechanism());
+      fail(*failure_, target);
       return false;
     }
+    failure_.reset();
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
     recorder_->record(before, load_, state_, next_load, report, stage, target, writes(), seconds);
@@ -180,7 +193,7 @@ class Run {
         narrator_->say("  Time step halved to " + number_text(control_->time_step()) + " s.");
         return true;
       }
-      fail(failed, report.step, dynamics_->mechanism());
+      fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
       return false;
     }
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
@@ -226,17 +239,20 @@ class Run {
     return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
   }
 
-  void fail(const ContactState& failed, const StepReport& report, const std::vector<double>& mechanism) {
-    const bool collapse = report.newton.outcome == NewtonOutcome::collapse;
+  /// @param last  the load tried last; where a smaller one is not decided, the collapse under a larger one is told
+  void fail(const Failure& failure, double last) {
     auto& summary = recorder_->summary();
     saved_.save(here());
-    summary.outcome = collapse ? Outcome::collapse : Outcome::not_converged;
+    summary.outcome = failure.collapse() ? Outcome::collapse : Outcome::not_converged;
     summary.load_factor = steps_.reached();
-    summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(steps_.target()) + ": " +
-                      report.newton.reason;
-    if (!collapse) return;
-    recorder_->record_mechanism(mechanism, failed, steps_.stage(), steps_.target());
-    summary.mechanism = largest_mover(model_, mechanism);
+    summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(failure.target) + ": " +
+                      failure.report.newton.reason;
+    if (!failure.collapse()) return;
+    if (last < failure.target)
+      summary.message += "; smaller steps, down to load factor " + std::to_string(last) + ", could not be decided";
+    recorder_->record_mechanism(failure.mechanism, failure.state, steps_.stage(), failure.target);
+    summary.mechanism = largest_mover(model_, failure.mechanism);
+    summary.message += "; " + mechanism_in_words(model_, failure.mechanism);
   }
 
   RunState here() {
@@ -272,6 +288,9 @@ class Run {
   ContactState state_;
   Construction<2> construction_;
   std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
+  /// The load step that failed while smaller ones are tried: a collapse where one was found. Not in checkpoints: a run
+  /// stopped and restarted meanwhile tells what its last attempt came to.
+  std::optional<Failure> failure_;
   std::vector<double> load_;
   SavedRun saved_;
   std::map<std::string, double> seconds_;              ///< by phase, of earlier parts of the run
