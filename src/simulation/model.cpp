@@ -1,11 +1,15 @@
 #include "simulation/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
 #include "dynamics/load_steps.hpp"
+#include "linalg/reduce.hpp"
 #include "mesh/partition.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/scene_fit.hpp"
@@ -28,6 +32,8 @@ std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>
   return partition(source.graph(), weight, comm);
 }
 
+// Forces whose squares, down to the tolerances of solvers, stay within the numbers a computer holds. [N]
+constexpr double smallest_force = 1e-130, largest_force = 1e130;
 // Active sets, one path and one closing: what has not arrived then goes in circles, and half the step is the way out.
 constexpr int largest_iterations_in_time = 250;
 // Where points share a vertex, mortar alone decides between their forces, and a solver that sees them as softer creeps:
@@ -202,6 +208,16 @@ void Model<dim>::loads(const std::map<std::string, double>& factors, double time
   force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
   prescribed.resize(force.size());
   loads_->add(factors, time, force, prescribed);
+  double largest = 0;
+  for (const double f : force) largest = std::isfinite(f) ? std::max(largest, std::abs(f)) : largest_force;
+  largest = largest_over_ranks(*structure_->comm(), largest);
+  if (largest == 0 || (largest > smallest_force && largest < largest_force)) return;
+  throw InputError(scene_.file + ": scene > loads\n  " +
+                   (largest < largest_force ? "press no node with more than " + number_text(largest) + " N"
+                                            : "press a node with " + number_text(largest_force) + " N or more") +
+                   " (squares of such forces are beyond the numbers a computer holds, " + number_text(smallest_force) +
+                   " to " + number_text(largest_force) +
+                   " N can be computed).\n  Check densities, gravity and the factors of the loads.");
 }
 
 template class Model<2>;
