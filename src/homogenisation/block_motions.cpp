@@ -51,12 +51,17 @@ typename BlockMotions<dim>::Row BlockMotions<dim>::row_of(int node, int componen
     const auto& block = structure_.blocks()[structure_.block_of_node()[copy]];
     const int first = first_column_[block.mesh.id];
     if (first < 0) continue;
-    // Affine functions about the first node of the block, lengths relative to its first diagonal.
+    // Motions about the first node of the block, lengths relative to its first diagonal.
     const auto& origin = block.mesh.position.front();
     const double length = norm(block.mesh.position.back() - origin);
     const auto x = (1 / length) * (structure_.position()[copy] - origin);
     row.push_back({first + component, share});
-    for (int d = 0; d < dim; ++d) row.push_back({first + dim * (1 + d) + component, share * x[d]});
+    int rotation = first + dim;
+    for (int a = 0; a < dim; ++a)
+      for (int b = a + 1; b < dim; ++b, ++rotation) {
+        if (component == a) row.push_back({rotation, -share * x[b]});
+        if (component == b) row.push_back({rotation, share * x[a]});
+      }
   }
   return row;
 }

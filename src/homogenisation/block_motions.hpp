@@ -1,7 +1,7 @@
-// The rigid-block operator: what is left of a structure when its stones only move and strain as wholes.
+// The rigid-block operator: what is left of a structure when its stones only move as wholes.
 //
-// Coarse unknowns are, for every block with a selected point, its rigid motions and uniform strains
-// (an affine displacement: 6 in 2D, 12 in 3D). Where nodes are tied the motion is the mean of the blocks'.
+// Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are tied
+// the motion is the mean of the blocks'.
 // Every rank holds and factors the whole coarse matrix.
 #pragma once
 
@@ -26,7 +26,7 @@ class BlockMotions {
   int size() const { return size_; }
 
  private:
-  static constexpr int modes = dim * (dim + 1);
+  static constexpr int modes = dim * (dim + 1) / 2;
   /// One column's value of Z in some combination of unknowns.
   struct Entry {
     int column;

@@ -72,10 +72,19 @@ void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
       Tpetra::deep_copy(z, r);
     return;
   }
+  const auto remaining = [&] {
+    h_->apply(z, residual_);
+    residual_.update(1.0, r, -1.0);
+  };
+  if (symmetry_ == Symmetry::none && (blocks_ || continuum_)) {
+    apply_inner(r, z);
+    remaining();
+    motions_->add(residual_, z);
+    return;
+  }
   z.putScalar(0);
   motions_->add(r, z);
-  h_->apply(z, residual_);
-  residual_.update(1.0, r, -1.0);
+  remaining();
   if (!blocks_ && !continuum_) {
     z.update(1.0, r, 1.0);
     return;

@@ -4,7 +4,8 @@
 //   I - N H = (I - w S H) (I - C H) (I - w S H)                                   (blocks, continuum, blocks)
 //
 // Symmetric, so conjugate gradients stay conjugate gradients. w = 1/2: every contact couples two blocks, so no
-// eigenvalue of S H exceeds 2. Parts that are switched off, or that a selection does not need, are left out.
+// eigenvalue of S H exceeds 2. GMRES needs no symmetry, and M r = N r + Q (r - H N r) does with one solve of block
+// motions and one product with H less. Parts that are switched off, or that a selection does not need, are left out.
 #pragma once
 
 #include <memory>
@@ -13,6 +14,7 @@
 #include "homogenisation/block_solves.hpp"
 #include "homogenisation/continuum.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
+#include "linalg/linear_solver.hpp"
 
 namespace voussoir {
 
@@ -24,6 +26,8 @@ class CoarseOperator : public Preconditioner {
 
   /// Takes over new statuses; H is the system they belong to. Collective.
   void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
+  /// Of the method that will apply it.
+  void set_symmetry(Symmetry symmetry) { symmetry_ = symmetry; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
 
  private:
@@ -33,6 +37,7 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;
   Teuchos::RCP<const TpetraMatrix> h_;
+  Symmetry symmetry_ = Symmetry::symmetric;
   mutable TpetraVector residual_, product_, inner_, inner_residual_;
 };
 

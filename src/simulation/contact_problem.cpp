@@ -134,6 +134,7 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   matrix_->update(stiffness, proximal);
   coarse_->update(*matrix_, stiffness, proximal);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
+  coarse_->set_symmetry(symmetry);
   return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance, symmetry).iterations;
 }
 
