@@ -1,7 +1,7 @@
 // The rigid-block operator: what is left of a structure when its stones only move as wholes.
 //
-// Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are tied
-// the motion is the mean of the blocks'.
+// Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are
+// tied the motion is the mean of the blocks'.
 // Every rank holds and factors the whole coarse matrix.
 #pragma once
 
