@@ -1,4 +1,6 @@
 // voussoir: computes how a masonry structure behaves, from a scene in XML.
+#include <mpi.h>
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
@@ -154,9 +156,10 @@ int run_program(const std::vector<std::string>& words) {
   } catch (const ResourceError& error) {
     if (first) std::cerr << error.what() << "\n";
     return exit_resource;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "voussoir: not enough memory.\n  Use more ranks on more machines, or larger cells.\n";
-    comm->getRank();
+  } catch (const std::exception& error) {
+    if (!is_out_of_memory(error)) throw;
+    std::cerr << out_of_memory_message << "\n" << std::flush;
+    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_resource);  // the others wait for this rank
     return exit_resource;
   }
 }

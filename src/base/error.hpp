@@ -1,6 +1,7 @@
 // What can go wrong, by who has to act; the main program turns it into an exit code.
 #pragma once
 
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,14 @@ class ResourceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Whether memory is short: most libraries throw std::bad_alloc, Kokkos a runtime_error of its own.
+inline bool is_out_of_memory(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) ||
+         std::string(error.what()).find("failed to allocate memory") != std::string::npos;
+}
+inline constexpr auto out_of_memory_message =
+    "voussoir: not enough memory.\n  Use more ranks on more machines, or larger cells.";
 
 /// 5: a signal asked the run to stop; its state is saved.
 enum ExitCode { exit_done = 0, exit_input = 2, exit_no_convergence = 3, exit_resource = 4, exit_interrupted = 5 };

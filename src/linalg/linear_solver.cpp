@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/error.hpp"
 
 namespace voussoir {
 namespace {
@@ -88,7 +89,8 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   try {
     const bool converged = manager->solve() == Belos::Converged;
     return {manager->getNumIters(), converged};
-  } catch (const std::exception&) {  // curvature lost to round-off; x holds what was reached
+  } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) throw;  // anything else is curvature lost to round-off; x holds what was reached
     return {manager->getNumIters(), false};
   }
 }

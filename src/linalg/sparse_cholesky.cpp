@@ -3,6 +3,7 @@
 #include <suitesparse/cholmod.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "base/check.hpp"
@@ -76,6 +77,7 @@ void SparseCholesky::refactor(const LocalCsr& a) {
     cholmod_factorize(lower, d.factor, &d.common);
   }
   cholmod_free_sparse(&lower, &d.common);
+  if (d.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   VOUSSOIR_CHECK(d.common.status == CHOLMOD_OK);
 }
 
@@ -89,9 +91,10 @@ void SparseCholesky::solve(const double* b, double* x) const {
   auto& d = *data_;
   if (d.size == 0) return;
   cholmod_dense* right = cholmod_allocate_dense(d.size, 1, d.size, CHOLMOD_REAL, &d.common);
+  if (!right) throw std::bad_alloc();
   std::copy(b, b + d.size, static_cast<double*>(right->x));
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, d.factor, right, &d.common);
-  VOUSSOIR_CHECK(solution != nullptr);
+  if (!solution) throw std::bad_alloc();
   std::copy(static_cast<double*>(solution->x), static_cast<double*>(solution->x) + d.size, x);
   cholmod_free_dense(&solution, &d.common);
   cholmod_free_dense(&right, &d.common);

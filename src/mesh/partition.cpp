@@ -101,6 +101,7 @@ std::vector<int> metis(const BlockGraph& graph, const std::vector<double>& weigh
   const auto divide = k_way ? METIS_PartGraphKway : METIS_PartGraphRecursive;
   const int outcome = divide(&blocks, &constraints, start.data(), neighbour.data(), vertex_weight.data(), nullptr,
                              edge_weight.data(), &parts, nullptr, nullptr, options, &cut, part.data());
+  if (outcome == METIS_ERROR_MEMORY) throw std::bad_alloc();
   if (outcome != METIS_OK)
     throw std::runtime_error("METIS could not divide " + std::to_string(blocks) + " blocks among " +
                              std::to_string(ranks) + " ranks (its code: " + std::to_string(outcome) + ").");
