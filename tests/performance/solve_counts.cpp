@@ -1,6 +1,6 @@
 // What load steps cost in linear solves and Krylov iterations: a guard against getting slower, in counts that do not
-// depend on the machine. Limits are a fifth above what was counted when they were written. Block motions that are
-// rigid take a third more Krylov iterations on walls than affine ones and an eighth of their factorisation, which counted more.
+// depend on the machine. Limits are a fifth above what was counted when they were written. Block motions that are rigid
+// take a third more Krylov iterations on walls than affine ones and an eighth of their factorisation.
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "support/scenes.hpp"
