@@ -15,8 +15,8 @@ double largest_over_ranks(const NonlinearProblem& problem, double local) {
 
 double force_scale(const NonlinearProblem& problem, const PointField& lambda) {
   double scale = problem.force_scale();
-  for (int k = 0; k < problem.points(); ++k)
-    if (problem.selected()[k]) scale = std::max(scale, std::abs(lambda[k * problem.components()]));
+  // What tied points bore when it was recovered last counts too: equilibrium is no better than round-off of that.
+  for (int k = 0; k < problem.points(); ++k) scale = std::max(scale, std::abs(lambda[k * problem.components()]));
   scale = largest_over_ranks(problem, scale);
   return scale > 0 ? scale : std::numeric_limits<double>::min();
 }
