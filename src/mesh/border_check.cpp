@@ -93,6 +93,8 @@ double facing_distance(const Segment& a, const Segment& b) {
   if (last - first < 0.05 * shorter) return -1;  // neighbours along one line touch in a point, rounded
   const double h_first = cross(along, b.to - a.from), h_last = cross(along, b.from - a.from);
   const auto height = [&](double s) { return h_first + (h_last - h_first) * (s - b_first) / (b_last - b_first); };
+  // Edges have their block on the left: b lies behind a, with a thin block between them. Overlaps are looked for apart.
+  if (std::min(height(first), height(last)) > well_inside * shorter) return -1;
   const double distance = std::max(std::abs(height(first)), std::abs(height(last)));
   const bool meet = common_vertices(*a.edge, *b.edge) > 0;
   return distance <= (meet ? nearly_touching_at_vertex : nearly_touching) * shorter ? distance : -1;

@@ -6,7 +6,7 @@ import numpy as np
 
 from case import COLLAPSE, INPUT_ERROR, Most, Near, case
 from drawing import Drawing, block_on_bed, grid
-from scenes import GRAVITY, STONE, changed, scene
+from scenes import GRAVITY, changed, scene
 
 GROUP = "constraints"
 DENSITY = 2000.0

@@ -1,10 +1,8 @@
 """Long steps, impact, several impacts at once, and rest for ever."""
 
-import numpy as np
-
 from case import Most, Near, case
 from drawing import block_on_bed, grid
-from scenes import GRAVITY, changed, pushed_wall, scene, wall
+from scenes import GRAVITY, changed, scene, wall
 
 GROUP = "dynamics"
 # Waves pass a cell of 0.125 m of stone in 0.125 / 2280 s.

@@ -2,7 +2,7 @@
 
 from case import COLLAPSE, Most, Near, case
 from drawing import block_on_bed, grid
-from scenes import GRAVITY, arch, arch_weight, changed, pushed_wall, scene, wall, wall_weight
+from scenes import GRAVITY, arch, arch_weight, pushed_wall, scene, wall, wall_weight
 
 GROUP = "loads"
 

@@ -1,6 +1,6 @@
 """Units, numbers at the ends of what a computer holds, and structures as small or as tall as can be."""
 
-from case import INPUT_ERROR, Most, Near, case
+from case import INPUT_ERROR, Near, case
 from drawing import Drawing, grid
 from scenes import GRAVITY, changed, pushed, scene
 

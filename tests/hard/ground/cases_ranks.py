@@ -1,8 +1,8 @@
 """More ranks than stones, ranks without stones, one large stone among many small ones."""
 
 from case import Near, case
-from drawing import Drawing, grid
-from scenes import GRAVITY, pushed, pushed_wall, scene, wall_weight
+from drawing import grid
+from scenes import GRAVITY, pushed, pushed_wall, scene
 
 GROUP = "ranks"
 
