@@ -49,7 +49,7 @@ def contrast(low, high):
 
 
 case(GROUP, "contrast 1e8 between courses", lambda: contrast(1e4, 1e12),
-     fails="no way closes the contact conditions within 2000 solves; with a contrast of 1e4 all is well",
+     fails="no way closes the contact conditions within 2000 solves; with a contrast of 1e6 all is well",
      check=lambda run: [Near("weight carried", run.reaction(), wall_weight(4), 1e-8)])
 case(GROUP, "contrast 1e6 between courses", lambda: contrast(1e6, 1e12),
      check=lambda run: [Near("weight carried", run.reaction(), wall_weight(4), 1e-8)])
