@@ -38,6 +38,13 @@ BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim
     for (int a = 0; a < dim; ++a) jump_.push_back(jump_row(p, a));
   }
   set_pattern(jump_);
+  const auto append = [](std::vector<std::size_t>& all, const std::vector<std::size_t>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  for (const auto& row : jump_) append(jump_place_, places(row));
+  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
+    append(z_place_, places(Row(z_.begin() + static_cast<long>(z_start_[i]),
+                                z_.begin() + static_cast<long>(z_start_[i + 1]))));
   add_elastic_energy();
 }
 
@@ -124,15 +131,17 @@ void BlockMotions<dim>::set_pattern(const std::vector<Row>& jumps) {
   matrix_.value.assign(matrix_.column.size(), 0.0);
 }
 
-/// values += factor row^T row, in the pattern of the matrix.
+/// Where row^T row stands in the matrix.
 template <int dim>
-void BlockMotions<dim>::add_product(const Row& row, double factor, std::vector<double>& values) const {
+std::vector<std::size_t> BlockMotions<dim>::places(const Row& row) const {
+  std::vector<std::size_t> place;
   for (const auto& i : row)
     for (const auto& j : row) {
       const auto first = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column]);
       const auto last = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column + 1]);
-      values[std::lower_bound(first, last, j.column) - matrix_.column.begin()] += factor * i.value * j.value;
+      place.push_back(static_cast<std::size_t>(std::lower_bound(first, last, j.column) - matrix_.column.begin()));
     }
+  return place;
 }
 
 template <int dim>
@@ -176,16 +185,24 @@ void BlockMotions<dim>::add_elastic_energy() {
 template <int dim>
 void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
   auto mine = elastic_;
+  // Adds factor row^T row at the next places; returns those after.
+  const auto add_product = [&mine](const Entry* row, std::size_t size, double factor, const std::size_t* place) {
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j) mine[*place++] += factor * row[i].value * row[j].value;
+    return place;
+  };
+  const std::size_t* place = jump_place_.data();
   for (std::size_t k = 0; k < jump_point_.size(); ++k)
     for (int a = 0; a < dim; ++a) {
       const auto& point = stiffness[jump_point_[k]];
       const double sigma = a == 0 ? point.normal : point.tangential;
-      if (sigma > 0) add_product(jump_[k * dim + a], sigma, mine);
+      const auto& row = jump_[k * dim + a];
+      place = add_product(row.data(), row.size(), sigma, place);
     }
+  place = z_place_.data();
   if (!proximal.empty())
     for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
-      add_product(Row(z_.begin() + static_cast<long>(z_start_[i]), z_.begin() + static_cast<long>(z_start_[i + 1])),
-                  proximal[i], mine);
+      place = add_product(z_.data() + z_start_[i], z_start_[i + 1] - z_start_[i], proximal[i], place);
   Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
                      matrix_.value.data());
   if (factor_)
@@ -205,6 +222,15 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
   double* value = local_view_to_write(z);
   for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
     for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) value[i] += z_[k].value * coarse[z_[k].column];
+}
+
+template <int dim>
+long long BlockMotions<dim>::bytes() const {
+  std::size_t entries = z_.size();
+  for (const auto& row : jump_) entries += row.size();
+  return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
+         static_cast<long long>(entries * sizeof(Entry) + elastic_.size() * sizeof(double) +
+                                (jump_place_.size() + z_place_.size()) * sizeof(std::size_t));
 }
 
 template class BlockMotions<2>;

@@ -24,6 +24,7 @@ class BlockMotions {
   /// z += Z (Z^T H Z)^-1 Z^T r. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
   int size() const { return size_; }
+  long long bytes() const;
 
  private:
   static constexpr int modes = dim * (dim + 1) / 2;
@@ -37,7 +38,7 @@ class BlockMotions {
   Row row_of(int node, int component) const;
   Row jump_row(const ContactPoint<dim>&, int axis) const;
   void set_pattern(const std::vector<Row>& couplings);
-  void add_product(const Row&, double factor, std::vector<double>& values) const;
+  std::vector<std::size_t> places(const Row&) const;
   void add_elastic_energy();
 
   const Structure<dim>& structure_;
@@ -49,6 +50,7 @@ class BlockMotions {
   Row z_;                                 ///< Z at owned unknowns, compressed rows
   std::vector<int> jump_point_;           ///< owned selected points that couple clusters
   std::vector<Row> jump_;                 ///< dim rows for each of them
+  std::vector<std::size_t> jump_place_, z_place_;  ///< of their products in the matrix, one row after the other
   LocalCsr matrix_;                       ///< dense blocks of modes x modes, the same pattern on every rank
   std::vector<double> elastic_;           ///< this rank's part of Z^T K Z, in the pattern of the matrix
   int size_ = 0;

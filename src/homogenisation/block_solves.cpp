@@ -63,6 +63,12 @@ void BlockSolves<dim>::add(const TpetraVector& r, TpetraVector& z, double factor
   for (std::size_t k = 0; k < unknown_.size(); ++k) value[unknown_[k]] += factor * weight_[k] * work_[k];
 }
 
+template <int dim>
+long long BlockSolves<dim>::bytes() const {
+  return (factor_ ? factor_->bytes() : 0) +
+         static_cast<long long>(unknown_.size() * (sizeof(int) + sizeof(double)) + work_.size() * sizeof(double));
+}
+
 template class BlockSolves<2>;
 
 }  // namespace voussoir

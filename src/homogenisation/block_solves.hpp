@@ -18,6 +18,7 @@ class BlockSolves {
   void update(const LocalCsr& h);
   /// z += factor * sum over blocks of E_b W (H_bb)^-1 W E_b^T r, the weights W sharing unknowns of several blocks.
   void add(const TpetraVector& r, TpetraVector& z, double factor) const;
+  long long bytes() const;
 
  private:
   std::vector<int> unknown_;        ///< owned unknown of each row of the block-diagonal matrix

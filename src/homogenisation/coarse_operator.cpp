@@ -1,11 +1,19 @@
 #include "homogenisation/coarse_operator.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
 
 constexpr double block_weight = 0.5;  // see the head of the header
+// Factors of resistances off by this share are as good: eigenvalues of S H and Q H move by no more than that.
+constexpr double same = 0.1;
+
+bool differ(double a, double b) { return std::abs(a - b) > same * std::min(a, b); }
 
 /// Blocks with a selected point, over the whole structure.
 template <int dim>
@@ -27,7 +35,11 @@ template <int dim>
 CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints<dim>& points,
                                     const std::vector<char>& selected, const MergedSpace<dim>& space,
                                     const Continuum<dim>& continuum, const PreconditionerParameters& parameters)
-    : residual_(space.map()), product_(space.map()), inner_(space.map()), inner_residual_(space.map()) {
+    : selected_(selected),
+      residual_(space.map()),
+      product_(space.map()),
+      inner_(space.map()),
+      inner_residual_(space.map()) {
   const auto active = active_blocks(s, points, selected);
   const bool any = std::find(active.begin(), active.end(), 1) != active.end();
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
@@ -40,8 +52,38 @@ template <int dim>
 void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>& stiffness,
                                  const std::vector<double>& proximal) {
   h_ = h.matrix();
+  cost_.matrix_bytes = h.bytes();
+  if (!motions_ && !blocks_) return;
+  if (!changed(stiffness, proximal)) {
+    ++cost_.reused;
+    return;
+  }
+  ++cost_.factorised;
+  factored_stiffness_ = stiffness;
+  factored_proximal_ = proximal;
   if (motions_) motions_->update(stiffness, proximal);
   if (blocks_) blocks_->update(h.local());
+}
+
+template <int dim>
+bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
+                                  const std::vector<double>& proximal) const {
+  bool here = cost_.factorised == 0;
+  for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
+    if (!selected_[k]) continue;
+    const auto& before = factored_stiffness_[k];
+    here = differ(stiffness[k].normal, before.normal) || differ(stiffness[k].tangential, before.tangential);
+  }
+  for (std::size_t i = 0; i < proximal.size() && !here; ++i) here = differ(proximal[i], factored_proximal_[i]);
+  return largest_over_ranks(*h_->getComm(), here) > 0;
+}
+
+template <int dim>
+SystemCost CoarseOperator<dim>::cost() const {
+  auto cost = cost_;
+  if (blocks_) cost.block_bytes = blocks_->bytes();
+  if (motions_) cost.motion_bytes = motions_->bytes();
+  return cost;
 }
 
 template <int dim>

@@ -15,6 +15,7 @@
 #include "homogenisation/continuum.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
 #include "linalg/linear_solver.hpp"
+#include "linalg/system_cost.hpp"
 
 namespace voussoir {
 
@@ -24,13 +25,17 @@ class CoarseOperator : public Preconditioner {
   CoarseOperator(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
                  const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&);
 
-  /// Takes over new statuses; H is the system they belong to. Collective.
+  /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
+  /// a tenth. Collective.
   void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
   /// Of the method that will apply it.
   void set_symmetry(Symmetry symmetry) { symmetry_ = symmetry; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
+  /// So far, and bytes of now.
+  SystemCost cost() const;
 
  private:
+  bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
 
   std::unique_ptr<BlockMotions<dim>> motions_;
@@ -38,6 +43,10 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;
+  const std::vector<char>& selected_;
+  std::vector<PointStiffness> factored_stiffness_;  ///< what the factors belong to
+  std::vector<double> factored_proximal_;
+  SystemCost cost_;
   mutable TpetraVector residual_, product_, inner_, inner_residual_;
 };
 

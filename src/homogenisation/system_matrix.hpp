@@ -30,6 +30,11 @@ class SystemMatrix {
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
   /// Rows this rank owns, columns of the column map.
   const LocalCsr& local() const { return local_; }
+  /// Of this rank: the rows twice, here and in Tpetra, and their stiffness.
+  long long bytes() const {
+    return 2 * local_.bytes() +
+           static_cast<long long>(stiffness_values_.size() * sizeof(double) + diagonal_.size() * sizeof(std::size_t));
+  }
 
  private:
   template <class Weight>

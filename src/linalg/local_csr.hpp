@@ -11,6 +11,10 @@ struct LocalCsr {
   std::vector<int> column;            ///< ascending in each row
   std::vector<double> value;
 
+  long long bytes() const {
+    return static_cast<long long>(start.size() * sizeof(std::size_t) + column.size() * sizeof(int) +
+                                  value.size() * sizeof(double));
+  }
   int rows() const { return static_cast<int>(start.size()) - 1; }
 
   /// y = A x

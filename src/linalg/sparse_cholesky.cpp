@@ -87,6 +87,8 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 int SparseCholesky::size() const { return data_->size; }
 
+long long SparseCholesky::bytes() const { return static_cast<long long>(data_->common.memory_inuse); }
+
 void SparseCholesky::solve(const double* b, double* x) const {
   auto& d = *data_;
   if (d.size == 0) return;

@@ -22,6 +22,8 @@ class SparseCholesky {
   void refactor(const LocalCsr& a);
 
   int size() const;
+  /// Held by CHOLMOD.
+  long long bytes() const;
   /// x = A^-1 b, both [size]; x may be b.
   void solve(const double* b, double* x) const;
 

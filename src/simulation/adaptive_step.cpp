@@ -89,6 +89,7 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
     Phase phase("contact");
     report.newton.add(newton.solve(*x, state.lambda, tolerance, known_gap));
   }
+  report.cost.add(problem.cost());
   problem.space().scatter(*x, state.displacement);
   report.largest_clusters = problem.map()->getGlobalNumElements() / dim;
   if (report.newton.outcome != NewtonOutcome::converged) {
@@ -155,6 +156,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
       report.estimate_solves += error.linear_solves;
       report.newton.krylov_iterations += error.krylov_iterations;
+      report.cost.add(error.cost);
       report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
       known = root > 0 ? report.error_estimate / root : 0.0;
     }
@@ -218,6 +220,7 @@ StepReport AdaptiveStep<dim>::solve(ContactState& state, const std::vector<doubl
     report.newton.add(again.newton);
     report.selection_rounds += again.selection_rounds;
     report.estimate_solves += again.estimate_solves;
+    report.cost.add(again.cost);
     report.error_estimate = again.error_estimate;
   }
   if (report.newton.outcome != NewtonOutcome::converged) return report;

@@ -16,6 +16,7 @@ struct StepReport {
   int estimate_solves = 0;  ///< linear solves for error estimates, besides those of newton
   double error_estimate = 0;  ///< [-] relative, energy norm
   long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
+  SystemCost cost;
 };
 
 template <int dim>

@@ -112,6 +112,7 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const std::
   TieError error;
   error.krylov_iterations = problem.solve(resistance, 1.0, b, e, solve_tolerance);
   error.linear_solves = 1;
+  error.cost = problem.cost();
   problem.space().scatter(*e, error.change);
   return error;
 }

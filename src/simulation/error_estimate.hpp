@@ -40,6 +40,7 @@ std::vector<char> open_points(const Model<dim>&);
 struct TieError {
   std::vector<double> change;  ///< [m] e on local node copies; empty when nothing is violated
   int linear_solves = 0, krylov_iterations = 0;
+  SystemCost cost;
 };
 
 /// @param state  in equilibrium with its ties; ghosts of its forces up to date

@@ -46,6 +46,12 @@ void assemble_blocks(const Structure<2>& structure) {
   }
 }
 
+long long bytes_of_blocks(const Structure<2>& structure) {
+  long long bytes = 0;
+  for (const auto& block : structure.blocks()) bytes += block.stiffness.bytes();
+  return bytes;
+}
+
 const char* name_of(SelectionMode mode) {
   return mode == SelectionMode::bonded ? "bonded" : mode == SelectionMode::all ? "all" : "adaptive";
 }
@@ -87,6 +93,12 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"mean_krylov", r.mean_krylov()},
           {"largest_krylov", r.largest_krylov},
           {"selection_rounds", r.selection_rounds},
+          {"factorised", r.cost.factorised},
+          {"reused", r.cost.reused},
+          {"stiffness_bytes_per_unknown", r.stiffness_bytes},
+          {"matrix_bytes_per_unknown", r.matrix_bytes},
+          {"block_bytes_per_unknown", r.block_bytes},
+          {"motion_bytes_per_unknown", r.motion_bytes},
           {"estimate", r.estimate},
           {"peak_memory_MB", r.peak_memory_MB},
           {"outcome", r.outcome}};
@@ -172,6 +184,14 @@ void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
     row.largest_krylov = report.newton.largest_krylov;
     row.selection_rounds = report.selection_rounds;
     row.unknowns = 2 * report.largest_clusters;
+    row.cost = report.cost;
+    const auto per_unknown = [&](long long bytes) {
+      return static_cast<double>(total_over_ranks(*comm_, bytes)) / static_cast<double>(row.unknowns);
+    };
+    row.matrix_bytes = per_unknown(row.cost.matrix_bytes);
+    row.block_bytes = per_unknown(row.cost.block_bytes);
+    row.motion_bytes = per_unknown(row.cost.motion_bytes);
+    row.stiffness_bytes = per_unknown(bytes_of_blocks(model.structure()));
     row.estimate = report.error_estimate;
     row.outcome = name_of(report.newton.outcome);
     row.selected_points = count_selected(model, state);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "linalg/system_cost.hpp"
 #include "scene/scene.hpp"
 #include "simulation/model.hpp"
 
@@ -40,6 +41,8 @@ struct ScalingRow {
   double seconds = 0;  ///< of the processor, this load step
   long long linear_solves = 0, krylov_iterations = 0;
   int largest_krylov = 0, selection_rounds = 0;
+  SystemCost cost;
+  double stiffness_bytes = 0, matrix_bytes = 0, block_bytes = 0, motion_bytes = 0;  ///< per unknown, all ranks
   double estimate = 0;        ///< [-]
   double peak_memory_MB = 0;  ///< of the process so far, largest rank
   std::string outcome;        ///< "equilibrium", "collapse" or "not converged"

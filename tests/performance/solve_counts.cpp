@@ -15,6 +15,9 @@ struct Limit {
   long long krylov;
 };
 
+// Bytes per unknown of H, of the factors of blocks and of their motions: 483 + 166 + 506 on W(16), less on arches.
+constexpr double most_bytes = 1400;
+
 void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream& out, bool& success) {
   Experiment experiment(scene);
   const auto& first = scene.loads[0].name;
@@ -24,6 +27,16 @@ void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream
     out << report.newton_iterations << " solves, " << report.krylov_iterations << " Krylov iterations\n";
     TEST_COMPARE(report.newton_iterations, <=, both ? second.solves : weight.solves);
     TEST_COMPARE(report.krylov_iterations, <=, both ? second.krylov : weight.krylov);
+    const auto& cost = experiment.solution().last.cost;
+    const double unknowns = 2.0 * static_cast<double>(experiment.solution().last.largest_clusters);
+    const auto per_unknown = [&](long long bytes) { return static_cast<double>(bytes) / unknowns; };
+    const double matrix = per_unknown(cost.matrix_bytes), blocks = per_unknown(cost.block_bytes),
+                 motions = per_unknown(cost.motion_bytes);
+    out << cost.factorised << " factorised, " << cost.reused << " reused, " << matrix << " + " << blocks << " + "
+        << motions << " bytes per unknown\n";
+    // One for each solve of a selection, the estimate's among them.
+    TEST_COMPARE(cost.factorised + cost.reused, <=, report.newton_iterations + 1);
+    TEST_COMPARE(matrix + blocks + motions, <=, most_bytes);
   }
 }
 

@@ -14,12 +14,16 @@ TEUCHOS_UNIT_TEST(SolvesInTime, OfAShakenWall) {
   Motion wall("wall-shaken", {"selection/mode=all", "loads/earthquake/scale=40", "steps/stages/shaking/duration=0.4",
                               "steps/stages/shaking/time step=4e-3"});
   int solves = 0, most = 0;
+  SystemCost cost;
   TEST_ASSERT(wall.run([&] {
     solves += wall.report.step.newton.newton_iterations;
     most = std::max(most, wall.report.step.newton.newton_iterations);
+    cost.add(wall.report.step.cost);
   }));
-  out << solves << " solves, at most " << most << " in a step\n";
+  out << solves << " solves, at most " << most << " in a step; "
+      << cost.factorised << " factorised, " << cost.reused << " reused\n";
   TEST_COMPARE(solves, <=, 560);
+  TEST_COMPARE(cost.factorised, <=, 315);  // 261 were; all of them before factors stayed where resistances do
 }
 
 }  // namespace

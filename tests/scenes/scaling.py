@@ -68,6 +68,14 @@ class Study(unittest.TestCase):
             self.assertAlmostEqual(float(row["krylov_in_continua"]) * float(row["continuum_krylov"]), krylov, places=4)
             self.assertAlmostEqual(float(row["mean_krylov"]) * float(row["linear_solves"]), krylov, delta=1e-4 * krylov + 1e-9)
 
+    def test_memory_and_factorisations_are_counted(self):
+        for row in self.runs("walls", "all"):
+            # No more than one a solve; both numbers are those of solves with contact.
+            self.assertLessEqual(int(row["factorised"]) + int(row["reused"]), int(row["linear_solves"]))
+            self.assertGreater(int(row["factorised"]), 0)
+            for part in ("stiffness", "matrix", "block", "motion"):
+                self.assertGreater(float(row[f"{part}_bytes_per_unknown"]), 8)  # at least a number each
+
     def test_the_picture_is_drawn(self):
         content = (FOLDER / "scaling.png").read_bytes()
         self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")

@@ -1,0 +1,23 @@
+// What the systems of a load step took besides their solution: factorisations and memory, in counts.
+#pragma once
+
+#include <algorithm>
+
+namespace voussoir {
+
+struct SystemCost {
+  int factorised = 0;  ///< linear solves whose preconditioner was factored for them
+  int reused = 0;      ///< those that took the factors of the solve before
+  /// Largest of all selections, this rank [byte].
+  long long matrix_bytes = 0, block_bytes = 0, motion_bytes = 0;
+
+  void add(const SystemCost& other) {
+    factorised += other.factorised;
+    reused += other.reused;
+    matrix_bytes = std::max(matrix_bytes, other.matrix_bytes);
+    block_bytes = std::max(block_bytes, other.block_bytes);
+    motion_bytes = std::max(motion_bytes, other.motion_bytes);
+  }
+};
+
+}  // namespace voussoir
