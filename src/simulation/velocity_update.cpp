@@ -17,8 +17,8 @@ namespace {
 // the relative velocity, and conjugate gradients on single blocks still take a few iterations.
 constexpr double holding = 100;
 constexpr int largest_repeats = 20;
-// Relative velocities are brought down to this share of what counts as resting: 1e-11 of the fastest, as forces are.
-constexpr double share_of_rest = 1e-5;
+// Relative velocities are brought down to this share of what counts as resting.
+constexpr double share_of_rest = 0.1;
 constexpr double solve_tolerance = 1e-10;
 
 template <int dim>
