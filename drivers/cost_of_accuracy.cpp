@@ -1,16 +1,14 @@
 // cost_of_accuracy: computes one scene with more and more accuracy, and shows what each digit costs.
-#include <Tpetra_Core.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <ostream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drivers/study.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/accuracy_study.hpp"
@@ -59,19 +57,9 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const auto equals = words[k].find('=');
-    const std::string option = words[k].substr(0, equals);
-    if (option == "--help") {
-      a.help = true;
-      return a;
-    }
-    static const std::vector<std::string> options{"--xml", "--out", "--set", "--thresholds", "--sizes", "--draw"};
-    if (std::find(options.begin(), options.end(), option) == options.end())
-      throw InputError("cost_of_accuracy: '" + option + "' is no option.\n  See cost_of_accuracy --help.");
-    if (equals == std::string::npos && k + 1 == words.size())
-      throw InputError("cost_of_accuracy: " + option + " needs a value.\n  See cost_of_accuracy --help.");
-    const std::string value = equals == std::string::npos ? words[++k] : words[k].substr(equals + 1);
+  const std::vector<std::string> known{"--xml", "--out", "--set", "--thresholds", "--sizes", "--draw"};
+  for (const auto& [option, value] : options_of("cost_of_accuracy", words, known)) {
+    if (option == "--help") a.help = true;
     if (option == "--xml") a.xml = value;
     if (option == "--out") a.folder = value;
     if (option == "--set") a.overrides.push_back(value);
@@ -81,24 +69,10 @@ Arguments parse(const std::vector<std::string>& words) {
     a.sizes = numbers(option, value, 1e3);  // no block is a thousand cells long
     a.affordable = std::numeric_limits<double>::infinity();
   }
+  if (a.help) return a;
   if (a.xml.empty()) throw InputError("cost_of_accuracy: no scene given.\n  Give one with --xml=FILE.");
   if (a.folder.empty()) a.folder = "out/cost-of-accuracy-" + std::filesystem::path(a.xml).stem().string();
   return a;
-}
-
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-/// Python draws in a process of its own; a study without a picture is still a study.
-void draw(const Arguments& a) {
-  if (a.draw == "none") return;
-  const std::string command = "/usr/bin/python3 -B " + quoted(a.draw) + " " + quoted(a.folder);
-  std::cout << std::flush;
-  if (std::system(command.c_str()) != 0)
-    std::cerr << "The picture could not be drawn. The results are complete; draw them with\n  " << command << "\n";
 }
 
 void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
@@ -112,38 +86,17 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
   say << "\nResults are in " << a.folder << "/accuracy.csv\n";
 }
 
-int run_program(const std::vector<std::string>& words) {
-  const auto comm = Tpetra::getDefaultComm();
-  std::ofstream nowhere;
-  const bool first = comm->getRank() == 0;
-  int code = exit_resource;
-  std::string problem;
-  try {
-    const auto a = parse(words);
-    if (a.help) {
-      if (first) std::cout << usage;
-      return exit_done;
-    }
-    study(a, comm, first ? std::cout : nowhere);
-    if (first) draw(a);
-    return exit_done;
-  } catch (const InputError& error) {
-    problem = error.what();
-    code = exit_input;
-  } catch (const ConvergenceError& error) {
-    problem = error.what();
-    code = exit_no_convergence;
-  } catch (const ResourceError& error) {
-    problem = error.what();
+void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                 std::ostream& say) {
+  const auto a = parse(words);
+  if (a.help) {
+    say << usage;
+    return;
   }
-  if (first) std::cerr << problem << "\n";
-  return code;
+  study(a, comm, say);
+  if (comm->getRank() == 0) draw_picture(a.draw, a.folder);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  int name_alone = 1;  // Kokkos would answer --help before we do
-  Tpetra::ScopeGuard scope(&name_alone, &argv);
-  return run_program({argv + 1, argv + argc});
-}
+int main(int argc, char** argv) { return run_study(argc, argv, run_program); }

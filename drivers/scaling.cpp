@@ -1,15 +1,13 @@
 // scaling: computes families of scenes, larger and larger, and tells each load step in units of a bonded solve.
-#include <Tpetra_Core.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "drivers/study.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/accuracy_study.hpp"
@@ -78,20 +76,9 @@ int count_of(const std::string& option, const std::string& text) {
 
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const auto equals = words[k].find('=');
-    const std::string option = words[k].substr(0, equals);
-    if (option == "--help") {
-      a.help = true;
-      return a;
-    }
-    static const std::vector<std::string> options{"--families", "--largest", "--smallest", "--modes",
-                                                  "--set",      "--out",     "--draw"};
-    if (std::find(options.begin(), options.end(), option) == options.end())
-      throw InputError("scaling: '" + option + "' is no option.\n  See scaling --help.");
-    if (equals == std::string::npos && k + 1 == words.size())
-      throw InputError("scaling: " + option + " needs a value.\n  See scaling --help.");
-    const std::string value = equals == std::string::npos ? words[++k] : words[k].substr(equals + 1);
+  const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes", "--set", "--out", "--draw"};
+  for (const auto& [option, value] : options_of("scaling", words, known)) {
+    if (option == "--help") a.help = true;
     if (option == "--families") a.families = words_of(option, value, a.families);
     if (option == "--largest") a.largest = count_of(option, value);
     if (option == "--smallest") a.smallest = count_of(option, value);
@@ -146,47 +133,17 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
   say << "\nResults are in " << a.folder << "/scaling.csv and scaling.json\n";
 }
 
-/// Python draws in a process of its own; a study without a picture is still a study.
-void draw(const Arguments& a) {
-  if (a.draw == "none") return;
-  const std::string command = "/usr/bin/python3 -B '" + a.draw + "' '" + a.folder + "'";
-  std::cout << std::flush;
-  if (std::system(command.c_str()) != 0)
-    std::cerr << "The picture could not be drawn. The results are complete; draw them with\n  " << command << "\n";
-}
-
-int run_program(const std::vector<std::string>& words) {
-  const auto comm = Tpetra::getDefaultComm();
-  std::ofstream nowhere;
-  const bool first = comm->getRank() == 0;
-  int code = exit_resource;
-  std::string problem;
-  try {
-    const auto a = parse(words);
-    if (a.help) {
-      if (first) std::cout << usage;
-      return exit_done;
-    }
-    study(a, comm, first ? std::cout : nowhere);
-    if (first) draw(a);
-    return exit_done;
-  } catch (const InputError& error) {
-    problem = error.what();
-    code = exit_input;
-  } catch (const ConvergenceError& error) {
-    problem = error.what();
-    code = exit_no_convergence;
-  } catch (const ResourceError& error) {
-    problem = error.what();
+void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                 std::ostream& say) {
+  const auto a = parse(words);
+  if (a.help) {
+    say << usage;
+    return;
   }
-  if (first) std::cerr << problem << "\n";
-  return code;
+  study(a, comm, say);
+  if (comm->getRank() == 0) draw_picture(a.draw, a.folder);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  int name_alone = 1;  // Kokkos would answer --help before we do
-  Tpetra::ScopeGuard scope(&name_alone, &argv);
-  return run_program({argv + 1, argv + argc});
-}
+int main(int argc, char** argv) { return run_study(argc, argv, run_program); }

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from draw_common import BLUE, DPI, GREEN, GREY, INK, ORANGE, PALE, RED, WIDTH
+from draw_common import BLUE, GREEN, GREY, INK, ORANGE, PALE, RED, WIDTH, save_study
 from read_results import number
 
 SOLVED = "equilibrium"
@@ -166,9 +166,7 @@ def main(folder):
         panel.grid(True, which="major", color=PALE, lw=0.5, alpha=0.7)
         draw(panel, sizes if draw is draw_sizes else selection)
     figure.tight_layout(w_pad=2)
-    figure.savefig(folder / "accuracy.png", dpi=DPI, facecolor="white")
-    figure.savefig(folder / "accuracy.svg", facecolor="white")
-    print(f"Picture: {folder}/accuracy.png")
+    save_study(figure, folder, "accuracy")
 
 
 if __name__ == "__main__":

@@ -108,6 +108,13 @@ def outline_width(blocks):
     return float(np.clip(8.0 / np.sqrt(max(blocks, 1)), 0.35, 0.9))
 
 
+def save_study(figure, folder, name):
+    """Writes NAME.png and NAME.svg beside the table of a study."""
+    figure.savefig(folder / f"{name}.png", dpi=DPI, facecolor="white")
+    figure.savefig(folder / f"{name}.svg", facecolor="white")
+    print(f"Picture: {folder}/{name}.png")
+
+
 def save(figure, folder, name):
     """Writes pictures/NAME.png and closes the figure; returns its path."""
     path = folder / f"{name}.png"

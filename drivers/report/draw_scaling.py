@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from draw_common import BLUE, DPI, GREEN, GREY, ORANGE, PALE, PURPLE, RED, WIDTH
+from draw_common import BLUE, GREEN, GREY, ORANGE, PALE, PURPLE, RED, WIDTH, save_study
 from read_results import number
 
 COLOURS = {"walls": BLUE, "openings": PURPLE, "arches": ORANGE, "bridge": GREEN}
@@ -85,9 +85,7 @@ def main(folder):
     handles, labels = axes[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=4, frameon=False, fontsize=9)
     figure.tight_layout(rect=(0, 0.03 + 0.025 * (len(labels) // 4), 1, 1), w_pad=2)
-    figure.savefig(folder / "scaling.png", dpi=DPI, facecolor="white")
-    figure.savefig(folder / "scaling.svg", facecolor="white")
-    print(f"Picture: {folder}/scaling.png")
+    save_study(figure, folder, "scaling")
 
 
 if __name__ == "__main__":

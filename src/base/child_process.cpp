@@ -40,7 +40,7 @@ std::string outcome_of(const std::function<std::string()>& work) {
   } catch (const InputError& error) {
     return char(input) + std::string(error.what());
   } catch (const std::exception& error) {
-    return char(resource) + std::string(error.what());
+    return char(resource) + message_of(error);
   }
 }
 

@@ -33,6 +33,11 @@ inline bool is_out_of_memory(const std::exception& error) {
 inline constexpr auto out_of_memory_message =
     "voussoir: not enough memory.\n  Use more ranks on more machines, or larger cells.";
 
+/// What to tell a user of an exception of any kind.
+inline std::string message_of(const std::exception& error) {
+  return is_out_of_memory(error) ? out_of_memory_message : error.what();
+}
+
 /// 5: a signal asked the run to stop; its state is saved.
 enum ExitCode { exit_done = 0, exit_input = 2, exit_no_convergence = 3, exit_resource = 4, exit_interrupted = 5 };
 

@@ -98,7 +98,7 @@ class FactorSearch {
       const std::string name = "load_factor.attempt " + std::to_string(k);
       auto verdict = static_cast<int>(attempt.verdict);
       archive.value(name + ".factor", attempt.factor);
-      archive.choice(name + ".verdict", verdict, 3);
+      archive.choice(name + ".verdict", verdict, static_cast<int>(Verdict::undecided) + 1);
       archive.value(name + ".linear_solves", attempt.linear_solves);
       attempt.verdict = static_cast<Verdict>(verdict);
     }

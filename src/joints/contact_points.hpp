@@ -22,6 +22,16 @@ struct ContactPoint {
   std::array<Vector<dim>, dim> axis{};  ///< [0] normal, then tangents; orthonormal, right-handed
 };
 
+/// How much further block j moves than block i at a point, along its axes.
+/// @param u  on node copies, dim numbers each
+template <int dim>
+Vector<dim> relative_motion(const ContactPoint<dim>& p, const std::vector<double>& u) {
+  Vector<dim> motion{};
+  for (int a = 0; a < dim; ++a)
+    for (int c = 0; c < dim; ++c) motion[a] += (u[dim * p.node_j + c] - u[dim * p.node_i + c]) * p.axis[a][c];
+  return motion;
+}
+
 /// A joint: all points between two blocks.
 struct Joint {
   BlockId block_i = 0, block_j = 0;

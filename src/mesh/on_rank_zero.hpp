@@ -54,7 +54,7 @@ void on_rank_zero(const Teuchos::Comm<int>& comm, Work work) {
       message = {error.what()};
     } catch (const std::exception& error) {
       outcome = {resource};
-      message = {is_out_of_memory(error) ? out_of_memory_message : error.what()};
+      message = {message_of(error)};
     }
   }
   broadcast_values(comm, outcome);

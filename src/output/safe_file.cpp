@@ -66,7 +66,7 @@ void on_first_rank(const Teuchos::Comm<int>& comm, const std::function<void()>& 
     try {
       action();
     } catch (const std::exception& error) {
-      message = is_out_of_memory(error) ? out_of_memory_message : error.what();
+      message = message_of(error);
       length = static_cast<int>(message.size());
     }
   }

@@ -47,12 +47,7 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
     const auto& p = points[k];
     const bool missing = absent_[structure_.block_of_node()[p.node_i]] || absent_[structure_.block_of_node()[p.node_j]];
     const bool was_missing = state.initial_gap[k] == apart;
-    const auto between = [&](int a) {
-      double moved = 0;
-      for (int c = 0; c < dim; ++c)
-        moved += (state.displacement[dim * p.node_j + c] - state.displacement[dim * p.node_i + c]) * p.axis[a][c];
-      return moved;
-    };
+    const auto between = relative_motion(p, state.displacement);
     if (missing) {
       state.initial_gap[k] = apart;
       state.selected[k] = 1;
@@ -60,11 +55,11 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
     } else if (was_missing) {
       bool moved = false;
       for (int a = 0; a < dim; ++a) {
-        moved |= between(a) != 0;
+        moved |= between[a] != 0;
         if (a == 0)
-          state.initial_gap[k] = drawn(k) - between(a);
+          state.initial_gap[k] = drawn(k) - between[a];
         else if (!state.slip_origin.empty())
-          state.slip_origin[dim * k + a] = between(a);
+          state.slip_origin[dim * k + a] = between[a];
       }
       // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
       state.selected[k] = moved || all || drawn(k) > 0;
@@ -72,7 +67,7 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
     } else {
       // The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would
       // be a force of some percent of the largest, which creeps in or out.
-      const double gap = state.initial_gap[k] + between(0);
+      const double gap = state.initial_gap[k] + between[0];
       if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
       if (all) state.selected[k] = 1;
     }

@@ -83,13 +83,8 @@ void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
   const auto& points = parts_.points.points();
   gap.resize(points.size() * dim);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto& p = points[k];
-    for (int a = 0; a < dim; ++a) {
-      double value = 0;
-      for (int c = 0; c < dim; ++c)
-        value += (copies_[dim * p.node_j + c] - copies_[dim * p.node_i + c]) * p.axis[a][c];
-      gap[k * dim + a] = value;
-    }
+    const auto motion = relative_motion(points[k], copies_);
+    std::copy(motion.begin(), motion.end(), gap.begin() + static_cast<long>(k * dim));
     if (initial && !parts_.initial_gap.empty()) gap[k * dim] += parts_.initial_gap[k];
   }
 }

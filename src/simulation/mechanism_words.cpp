@@ -2,7 +2,6 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -41,13 +40,11 @@ std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<
   std::vector<Extremes> of_joint(points.joints().size());
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
-    std::array<double, 2> gap{};
-    for (int a = 0; a < 2; ++a)
-      for (int c = 0; c < 2; ++c) gap[a] += (motion[2 * p.node_j + c] - motion[2 * p.node_i + c]) * p.axis[a][c];
+    const auto [opening, slip] = relative_motion(p, motion);
     auto& e = of_joint[p.joint];
-    e.narrowest = std::min(e.narrowest, gap[0]);
-    e.widest = std::max(e.widest, gap[0]);
-    e.slip = std::max(e.slip, std::abs(gap[1]));
+    e.narrowest = std::min(e.narrowest, opening);
+    e.widest = std::max(e.widest, opening);
+    e.slip = std::max(e.slip, std::abs(slip));
   }
   std::vector<MovingJoint> moving;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {

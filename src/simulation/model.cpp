@@ -162,10 +162,8 @@ template <int dim>
 std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
   std::vector<double> gap(static_cast<std::size_t>(dim) * points_->size());
   for (int k = 0; k < points_->size(); ++k) {
-    const auto& p = points_->points()[k];
-    for (int a = 0; a < dim; ++a)
-      for (int c = 0; c < dim; ++c)
-        gap[dim * k + a] += (u[dim * p.node_j + c] - u[dim * p.node_i + c]) * p.axis[a][c];
+    const auto motion = relative_motion(points_->points()[k], u);
+    std::copy(motion.begin(), motion.end(), gap.begin() + static_cast<long>(dim) * k);
     if (!initial_gap_.empty()) gap[dim * k] += initial_gap_[k];
   }
   return gap;

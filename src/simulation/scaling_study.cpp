@@ -76,7 +76,7 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"step", r.step},
           {"stage", r.stage},
           {"blocks", r.blocks},
-          {"continuum_unknowns", r.continuum_unknowns},
+          {"continuum_unknowns", r.price.unknowns},
           {"unknowns", r.unknowns},
           {"candidate_points", r.candidate_points},
           {"selected_points", r.selected_points},
@@ -159,7 +159,6 @@ void ScalingStudy::add(const std::string& family, double size, Scene scene, cons
   row.blocks = source->block_count();
   row.candidate_points = model.points().total();
   row.price = continuum_price(model, load, prescribed);
-  row.continuum_unknowns = row.price.unknowns;
   for (const auto mode : modes) {
     scene.selection.mode = mode;
     row.mode = name_of(mode);

@@ -36,7 +36,7 @@ struct ScalingRow {
   std::string family, mode, stage;
   double size = 0;  ///< courses, voussoirs, or how many times finer the mesh is
   int ranks = 1, step = 0;
-  long long blocks = 0, continuum_unknowns = 0, unknowns = 0, candidate_points = 0, selected_points = 0;
+  long long blocks = 0, unknowns = 0, candidate_points = 0, selected_points = 0;
   ContinuumPrice price;
   double seconds = 0;  ///< of the processor, this load step
   long long linear_solves = 0, krylov_iterations = 0;

@@ -25,10 +25,8 @@ template <int dim>
 PointField relative(const ContactPoints<dim>& points, const std::vector<double>& v) {
   PointField speed(static_cast<std::size_t>(dim) * points.size());
   for (int k = 0; k < points.size(); ++k) {
-    const auto& p = points.points()[k];
-    for (int a = 0; a < dim; ++a)
-      for (int c = 0; c < dim; ++c)
-        speed[dim * k + a] += (v[dim * p.node_j + c] - v[dim * p.node_i + c]) * p.axis[a][c];
+    const auto motion = relative_motion(points.points()[k], v);
+    std::copy(motion.begin(), motion.end(), speed.begin() + static_cast<long>(dim) * k);
   }
   return speed;
 }

@@ -40,6 +40,19 @@ struct System {
   }
 };
 
+/// A system with its preconditioner, nothing switched off.
+struct WholeOperator {
+  System system;
+  Continuum<2> continuum;
+  CoarseOperator<2> preconditioner;
+  explicit WholeOperator(const SelectedWall& w)
+      : system(w),
+        continuum(w.structure, w.points, w.held, {}),
+        preconditioner(w.structure, w.points, w.selected, w.space, continuum, {}) {
+    preconditioner.update(system.h, w.statuses(), w.proximal());
+  }
+};
+
 TEUCHOS_UNIT_TEST(BlockMotions, AreThreePerBlockWithASelectedPoint) {
   for (const auto selected : {Selected::some, Selected::all}) {
     const SelectedWall w(selected);
@@ -116,10 +129,9 @@ TEUCHOS_UNIT_TEST(CoarseOperator, IsSymmetricAndPositiveWhateverIsSelectedAndSwi
 TEUCHOS_UNIT_TEST(CoarseOperator, InheritsTheExactnessOfBlockMotions) {
   for (const auto selected : {Selected::some, Selected::all}) {
     const SelectedWall w(selected);
-    const Continuum<2> continuum(w.structure, w.points, w.held, {});
-    const System system(w);
-    CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
-    m.update(system.h, w.statuses(), w.proximal());
+    WholeOperator whole(w);
+    const auto& system = whole.system;
+    auto& m = whole.preconditioner;
     const auto x = block_motion(w, 0);
     TpetraVector r(w.space.map()), z(w.space.map());
     system.h.matrix()->apply(*x, r);
@@ -132,10 +144,9 @@ TEUCHOS_UNIT_TEST(CoarseOperator, InheritsTheExactnessOfBlockMotions) {
 TEUCHOS_UNIT_TEST(CoarseOperator, WithoutSymmetryLeavesNothingToBlockMotionsEither) {
   for (const auto selected : {Selected::some, Selected::all}) {
     const SelectedWall w(selected);
-    const Continuum<2> continuum(w.structure, w.points, w.held, {});
-    const System system(w);
-    CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
-    m.update(system.h, w.statuses(), w.proximal());
+    WholeOperator whole(w);
+    const auto& system = whole.system;
+    auto& m = whole.preconditioner;
     m.set_symmetry(Symmetry::none);
     BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
     motions.update(w.statuses(), w.proximal());

@@ -1,0 +1,81 @@
+// What the studies share: their command line, their picture, their exit codes.
+#pragma once
+
+#include <Tpetra_Core.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace voussoir {
+
+/// Options in the order they were given, as "--name=value" or "--name value"; with --help that one alone.
+/// Throws InputError for one that is not among `known`, or lacks its value.
+inline std::vector<std::pair<std::string, std::string>> options_of(const std::string& program,
+                                                                   const std::vector<std::string>& words,
+                                                                   const std::vector<std::string>& known) {
+  const std::string advice = ".\n  See " + program + " --help.";
+  std::vector<std::pair<std::string, std::string>> options;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto equals = words[k].find('=');
+    const std::string option = words[k].substr(0, equals);
+    if (option == "--help") return {{option, ""}};
+    if (std::find(known.begin(), known.end(), option) == known.end())
+      throw InputError(program + ": '" + option + "' is no option" + advice);
+    if (equals == std::string::npos && k + 1 == words.size())
+      throw InputError(program + ": " + option + " needs a value" + advice);
+    options.emplace_back(option, equals == std::string::npos ? words[++k] : words[k].substr(equals + 1));
+  }
+  return options;
+}
+
+/// A word as the shell takes it for one.
+inline std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// Python draws in a process of its own; a study without a picture is still a study.
+/// @param script  "none" for no picture
+inline void draw_picture(const std::string& script, const std::string& folder) {
+  if (script == "none") return;
+  const std::string command = "/usr/bin/python3 -B " + quoted(script) + " " + quoted(folder);
+  std::cout << std::flush;
+  if (std::system(command.c_str()) != 0)
+    std::cerr << "The picture could not be drawn. The results are complete; draw them with\n  " << command << "\n";
+}
+
+/// The main program around a study; returns its exit code.
+/// @param study  is given the words of the command line, the ranks, and where rank 0 narrates
+inline int run_study(int argc, char** argv,
+                     const std::function<void(const std::vector<std::string>&,
+                                              const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&)>& study) {
+  int name_alone = 1;  // Kokkos would answer --help before we do
+  Tpetra::ScopeGuard scope(&name_alone, &argv);
+  const auto comm = Tpetra::getDefaultComm();
+  std::ofstream nowhere;
+  const bool first = comm->getRank() == 0;
+  const auto failed = [first](const std::exception& error, int code) {
+    if (first) std::cerr << error.what() << "\n";
+    return code;
+  };
+  try {
+    study({argv + 1, argv + argc}, comm, first ? std::cout : nowhere);
+    return exit_done;
+  } catch (const InputError& error) {
+    return failed(error, exit_input);
+  } catch (const ConvergenceError& error) {
+    return failed(error, exit_no_convergence);
+  } catch (const ResourceError& error) {
+    return failed(error, exit_resource);
+  }
+}
+
+}  // namespace voussoir
