@@ -13,7 +13,8 @@ constexpr double trusted_after = 8;
 }  // namespace
 
 bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<double>& gap,
-                     const std::vector<double>& stiffness, double energy, int patience) {
+                     const std::vector<double>& stiffness, const std::vector<char>& calm, double energy,
+                     int patience) {
   const std::size_t points = selected.size();
   if (points == 0) return false;
   const std::size_t components = gap.size() / points;
@@ -38,7 +39,7 @@ bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<
     double moved = 0;
     for (std::size_t i = k * components; i < (k + 1) * components; ++i)
       moved += stiffness[k] / 2 * (gap[i] - rest.place[i]) * (gap[i] - rest.place[i]);
-    if (moved > energy) {
+    if (moved > energy || !calm[k]) {
       std::copy_n(gap.begin() + static_cast<std::ptrdiff_t>(k * components), components,
                   rest.place.begin() + static_cast<std::ptrdiff_t>(k * components));
       steps = 0;

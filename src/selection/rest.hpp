@@ -1,7 +1,7 @@
 // Which contact points have rested and may be bonded again, with hysteresis.
 //
-// A point rests while it stays near one place: k |g - g_0|^2 / 2 below an energy, g its gap and slip [m], k the
-// stiffness it sees [N/m]. After so many steps of rest it is bonded: its two nodes move alike from there on, so its gap
+// A point rests while it is calm and stays near one place: k |g - g_0|^2 / 2 below an energy, g its gap and slip [m], k
+// the stiffness it sees [N/m]. After so many steps of rest it is bonded: its two nodes move alike from there on, so its gap
 // and slip stay what they are. A point that is released again soon must rest twice as long the next time.
 #pragma once
 
@@ -22,10 +22,11 @@ struct Rest {
 /// Counts a step; deselects the points that have rested long enough. Ghosts do what their owners do.
 /// @param gap        gap and slip after the step [m, points x components]
 /// @param stiffness  per point [N/m]
+/// @param calm       per point: 1 where its two sides hardly move against each other, so that a tie stops nothing
 /// @param energy     motion of a point that counts as none [J]
 /// @param patience   steps of rest before a point is bonded for the first time, > 0
 /// @return whether a point of this rank was deselected
 bool bond_what_rests(Rest&, std::vector<char>& selected, const std::vector<double>& gap,
-                     const std::vector<double>& stiffness, double energy, int patience);
+                     const std::vector<double>& stiffness, const std::vector<char>& calm, double energy, int patience);
 
 }  // namespace voussoir

@@ -187,19 +187,22 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
 }
 
 /// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
+/// Returns what friction took of their last motion [J].
 template <int dim>
-void DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy) const {
+double DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy, double resting) {
   const auto& selection = at_rest_.scene().selection;
-  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return;
+  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return 0;
   const auto& joints = at_rest_.scene().joints;
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
-  if (std::any_of(joints.begin(), joints.end(), mortar)) return;
+  if (std::any_of(joints.begin(), joints.end(), mortar)) return 0;
   const double share = share_of_tolerance * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
-  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), negligible,
-                                              selection.rest);
-  if (largest_over_ranks(*mass_.comm(), mine) > 0) state.rest.error_by_decreases = 0;
+  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
+                                              velocities_.calm(state, negligible, resting), negligible, selection.rest);
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return 0;
+  state.rest.error_by_decreases = 0;
+  return velocities_.settle(state, resting);
 }
 
 template <int dim>
@@ -264,9 +267,10 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += state.displacement[i] * mv[i] / 2;
   report.elastic = total(elastic);
   const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
-  report.friction += velocities_.apply(*model_, state, closing, resting_speed(state, energy));
+  const double resting = resting_speed(state, energy);
+  report.friction += velocities_.apply(*model_, state, closing, resting);
+  report.friction += bond_what_rests(state, gap, energy, resting);
   report.kinetic = velocities_.kinetic_energy(state.velocity);
-  bond_what_rests(state, gap, energy);
   report.error = error(state, velocity_before, energy);
   if (!std::isfinite(report.elastic + report.kinetic)) {
     report.step.newton.outcome = NewtonOutcome::not_converged;

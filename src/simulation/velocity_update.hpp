@@ -12,6 +12,7 @@
 
 #include "simulation/contact_problem.hpp"
 #include "simulation/model.hpp"
+#include "simulation/velocity_projection.hpp"
 
 namespace voussoir {
 
@@ -36,23 +37,32 @@ class VelocityUpdate {
   /// @param resting  relative velocity below which a point counts as resting [m/s]
   double apply(const Model<dim>& step, ContactState& state, double lost, double resting);
 
+  /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
+  /// may take.
+  /// @param energy  of the relative motion of a point [J]
+  std::vector<char> calm(const ContactState&, double energy, double resting) const;
+  /// Ends the relative velocities of tied points: the two nodes of a point that was tied in motion would swing against
+  /// each other from step to step. Collective; returns what friction took [J].
+  double settle(ContactState&, double resting);
+
   /// Forgets what depends on the model of a time step; to be called before that model goes.
   void forget();
 
   double kinetic_energy(const std::vector<double>& velocity) const { return product(velocity, velocity) / 2; }
 
  private:
-  struct Systems;
+  struct Spread;
   double product(const std::vector<double>& v, const std::vector<double>& w) const;
-  void project(std::vector<double>& velocity, const std::vector<PointStiffness>& held, double resting);
-  double fastest(const PointField& speed, const std::vector<PointStiffness>& held) const;
-  std::vector<double> spread(const PointField& lambda, const PointField& speed,
-                             const std::vector<PointStiffness>& closed, double resting);
+  void project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& selected);
+  double fastest(const PointField& speed, const std::vector<char>& held) const;
+  std::vector<double> spread(const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
+                             double resting);
 
   const Model<dim>& at_rest_;
   const Structure<dim>& mass_;
+  VelocityProjection<dim> projection_;
   LinearSolver solver_;
-  std::unique_ptr<Systems> systems_;  ///< of the last selection and time step
+  std::unique_ptr<Spread> spread_;  ///< of the last selection and time step
 };
 
 extern template class VelocityUpdate<2>;

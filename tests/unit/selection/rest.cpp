@@ -10,8 +10,8 @@ using namespace voussoir;
 // One point of stiffness 2 N/m, so that a motion of 1 m is worth 1 J; rests below 1/4 J, which is half a metre.
 struct Point {
   Rest rest;
-  std::vector<char> selected = {1};
-  bool step(double gap, double slip) { return bond_what_rests(rest, selected, {gap, slip}, {2.0}, 0.25, 3); }
+  std::vector<char> selected = {1}, calm = {1};
+  bool step(double gap, double slip) { return bond_what_rests(rest, selected, {gap, slip}, {2.0}, calm, 0.25, 3); }
 };
 
 TEUCHOS_UNIT_TEST(Rest, APointIsBondedAfterThreeStepsOfRest) {
@@ -33,6 +33,14 @@ TEUCHOS_UNIT_TEST(Rest, VibrationAboutAPlaceIsRest) {
   p.step(0, 0);
   p.step(0.3, 0.3);
   TEST_ASSERT(p.step(-0.3, 0.3));
+}
+
+TEUCHOS_UNIT_TEST(Rest, APointThatATieWouldStopIsNotBonded) {
+  Point p;
+  p.calm = {0};
+  for (int k = 0; k < 20; ++k) TEST_ASSERT(!p.step(0, 0));
+  p.calm = {1};
+  TEST_ASSERT(!p.step(0, 0) && !p.step(0, 0) && p.step(0, 0));
 }
 
 TEUCHOS_UNIT_TEST(Rest, APointReleasedSoonMustRestTwiceAsLongUntilItIsTrustedAgain) {
