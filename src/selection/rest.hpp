@@ -1,8 +1,8 @@
 // Which contact points have rested and may be bonded again, with hysteresis.
 //
-// A point rests while it is calm and stays near one place: k |g - g_0|^2 / 2 below an energy, g its gap and slip [m], k
-// the stiffness it sees [N/m]. After so many steps of rest it is bonded: its two nodes move alike from there on, so its gap
-// and slip stay what they are. A point that is released again soon must rest twice as long the next time.
+// A point rests while it is calm and stays near one place: k |g - g_0|^2 / 2 below an energy, g its gap and slip [m],
+// k the stiffness it sees [N/m]. After so many steps of rest it is bonded: its two nodes move alike from there on, so
+// its gap and slip stay what they are. A point that is released again soon must rest twice as long the next time.
 #pragma once
 
 #include <vector>

@@ -106,10 +106,11 @@ class VelocityProjection<dim>::ByMass : public Preconditioner {
     const auto& points = model.points().points();
     for (std::size_t k = 0; k < points.size(); ++k)
       for (int a = 0; a < dim; ++a) {
+        const auto& axis = points[k].axis[a];
         double inverse = 0;
         for (const int node : {points[k].node_i, points[k].node_j})
           for (int c = 0; c < dim; ++c)
-            if (!model.held()[dim * node + c]) inverse += points[k].axis[a][c] * points[k].axis[a][c] / weight[dim * node];
+            if (!model.held()[dim * node + c]) inverse += axis[c] * axis[c] / weight[dim * node];
         if (inverse > 0) resisting_[dim * k + a] = 1 / inverse;
       }
   }

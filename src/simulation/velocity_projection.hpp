@@ -1,8 +1,8 @@
 // The velocity nearest to a given one, in the norm of the kinetic energy, without relative velocities at some points.
 //
-// Impulses lambda act at points that are held: v' = v - M^-1 B^T lambda with (B M^-1 B^T) lambda = B v. Mass couples the
-// nodes of a block only, so M^-1 is one small solve for each block, factored once, and as an impulse hardly moves what
-// is not next to it, conjugate gradients take as many iterations for a bridge as for an arch.
+// Impulses lambda act at points that are held: v' = v - M^-1 B^T lambda with (B M^-1 B^T) lambda = B v. Mass couples
+// the nodes of a block only, so M^-1 is one small solve for each block, factored once, and as an impulse hardly moves
+// what is not next to it, conjugate gradients take as many iterations for a bridge as for an arch.
 #pragma once
 
 #include <memory>
