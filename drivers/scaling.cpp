@@ -12,6 +12,7 @@
 #include "scene/scene_reader.hpp"
 #include "simulation/accuracy_study.hpp"
 #include "simulation/scaling_study.hpp"
+#include "simulation/system_study.hpp"
 
 namespace {
 
@@ -24,6 +25,9 @@ const char* const usage =
                       voussoirs; bridge and openings (wall 3 of Ferris and Tin-Loi) with cells 1, 2, 4,
                       ... times as fine up to N / 16
   --smallest=N        leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)
+  --systems=LIST      instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,
+                      messages and bytes, on walls with more blocks, finer cells, larger contrast of stones (contrast),
+                      more open joints (open), resistances further apart (spread)
   --modes=LIST        of bonded, adaptive, all (default: adaptive,all)
   --set PATH=VALUE    change one parameter of every scene; may be repeated
   --out=DIR           where results go (default: out/scaling)
@@ -35,7 +39,7 @@ Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is miss
 
 struct Arguments {
   std::string folder = "out/scaling", draw = VOUSSOIR_SOURCE_DIR "/drivers/report/draw_scaling.py";
-  std::vector<std::string> families{"walls", "openings", "arches", "bridge"}, overrides;
+  std::vector<std::string> families{"walls", "openings", "arches", "bridge"}, systems, overrides;
   std::vector<SelectionMode> modes{SelectionMode::adaptive, SelectionMode::all};
   int smallest = 1, largest = 64;
   bool help = false;
@@ -76,13 +80,16 @@ int count_of(const std::string& option, const std::string& text) {
 
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes", "--set", "--out", "--draw"};
+  const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes",
+                                       "--systems",  "--set",     "--out",      "--draw"};
   for (const auto& [option, value] : options_of("scaling", words, known)) {
     if (option == "--help") a.help = true;
     if (option == "--families") a.families = words_of(option, value, a.families);
     if (option == "--largest") a.largest = count_of(option, value);
     if (option == "--smallest") a.smallest = count_of(option, value);
     if (option == "--modes") a.modes = modes_of(value);
+    if (option == "--systems")
+      a.systems = words_of(option, value, {"blocks", "cells", "contrast", "open", "spread"});
     if (option == "--set") a.overrides.push_back(value);
     if (option == "--out") a.folder = value;
     if (option == "--draw") a.draw = value;
@@ -133,11 +140,37 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
   say << "\nResults are in " << a.folder << "/scaling.csv and scaling.json\n";
 }
 
+/// One property of a wall of N courses at a time.
+void study_systems(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
+  on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
+  SystemStudy systems(a.folder, comm, say);
+  const auto scene = scene_of(a, "wall.xml");
+  const auto wall = wall_of(scene, a.largest);
+  const double size = a.largest;
+  for (const auto& family : a.systems) {
+    if (family == "blocks")
+      for (int n = std::max(8, a.smallest); n <= a.largest; n *= 2) systems.add({family, double(n)}, wall_of(scene, n));
+    if (family == "cells")
+      for (const int finer : {1, 2, 4, 8}) systems.add({family, double(finer)}, with_element_size(wall, 1.0 / finer));
+    if (family == "contrast")
+      for (const double contrast : {1.0, 1e2, 1e4, 1e6}) systems.add({family, size, contrast}, wall);
+    if (family == "open")
+      for (const double open : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) systems.add({family, size, 1, open}, wall);
+    if (family == "spread")
+      for (const double spread : {1.0, 10.0, 100.0, 1000.0}) systems.add({family, size, 1, 0, spread}, wall);
+  }
+  say << "\nResults are in " << a.folder << "/systems.csv and systems.json\n";
+}
+
 void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                  std::ostream& say) {
   const auto a = parse(words);
   if (a.help) {
     say << usage;
+    return;
+  }
+  if (!a.systems.empty()) {
+    study_systems(a, comm, say);
     return;
   }
   study(a, comm, say);

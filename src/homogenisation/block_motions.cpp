@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/traffic.hpp"
 
 namespace voussoir {
 
@@ -217,7 +218,10 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
   const double* fine = local_view(r);
   for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
     for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) mine[z_[k].column] += z_[k].value * fine[i];
-  Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, size_, mine.data(), coarse.data());
+  {
+    const TrafficScope sent_for(TrafficOf::block_motions);
+    Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, size_, mine.data(), coarse.data());
+  }
   factor_->solve(coarse.data(), coarse.data());
   double* value = local_view_to_write(z);
   for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)

@@ -31,6 +31,8 @@ class CoarseOperator : public Preconditioner {
   /// Of the method that will apply it.
   void set_symmetry(Symmetry symmetry) { symmetry_ = symmetry; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
+  /// Unknowns of the block motions.
+  int motions() const { return motions_ ? motions_->size() : 0; }
   /// So far, and bytes of now.
   SystemCost cost() const;
 

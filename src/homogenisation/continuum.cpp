@@ -1,9 +1,9 @@
 #include "homogenisation/continuum.hpp"
 
 #include "homogenisation/system_matrix.hpp"
-#include "linalg/amg_preconditioner.hpp"
 #include "linalg/direct_preconditioner.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
@@ -52,6 +52,12 @@ Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& poi
 }
 
 template <int dim>
+std::vector<MultigridLevel> Continuum<dim>::levels() const {
+  const auto multigrid = std::dynamic_pointer_cast<const AmgPreconditioner>(preconditioner_);
+  return multigrid ? multigrid->levels() : std::vector<MultigridLevel>{};
+}
+
+template <int dim>
 ContinuumCorrection<dim>::ContinuumCorrection(const Continuum<dim>& continuum, const MergedSpace<dim>& selection)
     : continuum_(continuum),
       ghosted_(Teuchos::rcp(new TpetraVector(continuum.space().column_map()))),
@@ -68,6 +74,7 @@ ContinuumCorrection<dim>::ContinuumCorrection(const Continuum<dim>& continuum, c
 
 template <int dim>
 void ContinuumCorrection<dim>::add(const TpetraVector& r, TpetraVector& z) const {
+  const TrafficScope sent_for(TrafficOf::transfer);
   ghosted_->putScalar(0);
   {
     const double* fine = local_view(r);

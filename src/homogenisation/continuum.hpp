@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "homogenisation/merged_space.hpp"
-#include "linalg/preconditioner.hpp"
+#include "linalg/amg_preconditioner.hpp"
 
 namespace voussoir {
 
@@ -21,6 +21,8 @@ class Continuum {
   const MergedSpace<dim>& space() const { return *space_; }
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
   const std::shared_ptr<const Preconditioner>& preconditioner() const { return preconditioner_; }
+  /// Of its multigrid, from the finest to the coarsest; none where it is factored. Collective.
+  std::vector<MultigridLevel> levels() const;
 
  private:
   std::unique_ptr<MergedSpace<dim>> space_;

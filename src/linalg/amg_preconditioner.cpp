@@ -2,10 +2,25 @@
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 
+#include "linalg/reduce.hpp"
+#include "linalg/traffic.hpp"
+
 namespace voussoir {
 namespace {
 
 using Coordinates = Tpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>;
+
+using LevelMatrix = Teuchos::RCP<Xpetra::Matrix<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>>;
+
+/// Null on ranks without a row of it: there MueLu keeps nothing, or an operator that is no matrix.
+LevelMatrix matrix_of(MueLu::Level& level) {
+  if (!level.IsAvailable("A")) return {};
+  try {
+    return level.Get<LevelMatrix>("A");
+  } catch (const Teuchos::bad_any_cast&) {
+    return {};
+  }
+}
 
 Teuchos::ParameterList parameters_for(int dim, int ranks) {
   Teuchos::ParameterList list("MueLu");
@@ -48,6 +63,24 @@ AmgPreconditioner::AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a,
 
 AmgPreconditioner::~AmgPreconditioner() = default;
 
-void AmgPreconditioner::apply(const TpetraVector& r, TpetraVector& z) const { data_->hierarchy->apply(r, z); }
+void AmgPreconditioner::apply(const TpetraVector& r, TpetraVector& z) const {
+  const TrafficScope sent_for(TrafficOf::continuum);
+  data_->hierarchy->apply(r, z);
+}
+
+std::vector<MultigridLevel> AmgPreconditioner::levels() const {
+  auto& hierarchy = *data_->hierarchy->GetHierarchy();
+  const auto& comm = *data_->hierarchy->getDomainMap()->getComm();
+  std::vector<MultigridLevel> levels(static_cast<std::size_t>(hierarchy.GetGlobalNumLevels()));
+  for (int l = 0; l < static_cast<int>(levels.size()); ++l) {
+    const auto a = l < hierarchy.GetNumLevels() ? matrix_of(*hierarchy.GetLevel(l)) : LevelMatrix();
+    const long long rows = a.is_null() ? 0 : static_cast<long long>(a->getNodeNumRows());
+    const long long entries = a.is_null() ? 0 : static_cast<long long>(a->getNodeNumEntries());
+    levels[l].rows = total_over_ranks(comm, rows);
+    levels[l].entries = total_over_ranks(comm, entries);
+    levels[l].ranks = total_over_ranks(comm, rows > 0 ? 1 : 0);
+  }
+  return levels;
+}
 
 }  // namespace voussoir

@@ -3,10 +3,16 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <memory>
+#include <vector>
 
 #include "linalg/preconditioner.hpp"
 
 namespace voussoir {
+
+struct MultigridLevel {
+  long long rows = 0, entries = 0;
+  int ranks = 0;  ///< that hold rows of it
+};
 
 /// One V-cycle of smoothed aggregation.
 class AmgPreconditioner : public Preconditioner {
@@ -19,6 +25,8 @@ class AmgPreconditioner : public Preconditioner {
                     const Teuchos::RCP<TpetraMultiVector>& near_null, int dim, const Teuchos::ParameterList& overrides);
   ~AmgPreconditioner() override;
   void apply(const TpetraVector& r, TpetraVector& z) const override;
+  /// From the finest to the coarsest. Collective.
+  std::vector<MultigridLevel> levels() const;
 
  private:
   struct Data;

@@ -5,6 +5,7 @@
 
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
@@ -39,6 +40,7 @@ DirectPreconditioner::DirectPreconditioner(const TpetraMatrix& a) : map_(a.getRo
 }
 
 void DirectPreconditioner::apply(const TpetraVector& r, TpetraVector& z) const {
+  const TrafficScope sent_for(TrafficOf::continuum);
   const int owned = static_cast<int>(map_->getNodeNumElements());
   const double* value = local_view(r);
   auto whole = all_gather(std::vector<double>(value, value + owned), *map_->getComm());

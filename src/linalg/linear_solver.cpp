@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
@@ -50,20 +51,15 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
                                       const std::shared_ptr<const Preconditioner>& m,
                                       const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
                                       double relative_tolerance, Symmetry symmetry) {
+  const TrafficScope sent_for(TrafficOf::krylov);
   auto problem = Teuchos::rcp(new Data::Problem(a, x, b));
   const auto& given = data_->parameters;
   const bool symmetric = symmetry == Symmetry::symmetric;
   const auto& method = symmetric ? given.method : given.unsymmetric_method;
   auto& manager = data_->manager[symmetric ? 0 : 1];
-  if (m) {
-    const auto preconditioner = Teuchos::rcp(new PreconditionerOperator(m, b->getMap()));
-    // On the right GMRES sees the residual itself; its flexible variant knows no other side.
-    if (method != "CG" && method != "PSEUDOBLOCK CG") {
-      problem->setRightPrec(preconditioner);
-    } else {
-      problem->setLeftPrec(preconditioner);
-    }
-  }
+  // On the right GMRES sees the residual itself; its flexible variant knows no other side. To conjugate gradients sides
+  // are the same, but on the left Belos applies M once more, to a first residual that nobody reads.
+  if (m) problem->setRightPrec(Teuchos::rcp(new PreconditionerOperator(m, b->getMap())));
   if (symmetric) problem->setHermitian();
   problem->setProblem();
 

@@ -100,6 +100,11 @@ std::string result_json(const RunSummary& run) {
   json["effects"] = Json::object();
   for (const auto& [name, e] : run.effects)
     json["effects"][name] = {{"in_play", e.in_play}, {"calls", e.calls}, {"seconds", e.seconds}, {"bytes", e.bytes}};
+  const auto& p = run.partition;
+  json["partition"] = {{"edge_cut", p.edge_cut},
+                       {"neighbours", p.neighbours},
+                       {"unknowns_imbalance", p.unknowns_imbalance},
+                       {"selected_imbalance", p.selected_imbalance}};
   json["seconds"] = run.seconds;
   const auto& memory = run.peak_memory;
   json["peak_memory_MB"] = memory.empty() ? 0.0 : *std::max_element(memory.begin(), memory.end());

@@ -60,6 +60,14 @@ struct StaticsSummary {
   std::map<std::string, ReactionSummary> reactions;         ///< by name of the support
 };
 
+/// How evenly ranks share the work; 0 and 1 on one rank.
+struct PartitionSummary {
+  double edge_cut = 0;            ///< [-] share of vertices common to two blocks that lie between ranks
+  int neighbours = 0;             ///< of a rank, the most
+  double unknowns_imbalance = 1;  ///< [-] of the busiest rank over the mean
+  double selected_imbalance = 1;  ///< [-] likewise, points treated as contact at the end
+};
+
 /// An effect the program knows, and what it cost.
 struct EffectSummary {
   bool in_play = false;   ///< the scene names it
@@ -85,6 +93,7 @@ struct RunSummary {
   double largest_displacement = 0.0;      ///< [m] at the end
   EnergySummary energy;
   std::map<std::string, EffectSummary> effects;  ///< every effect the program knows
+  PartitionSummary partition;
   std::map<std::string, double> seconds;  ///< per phase; the key "total" is the whole run
   std::vector<double> peak_memory;        ///< [MB] per rank
   Outcome outcome = Outcome::not_converged;

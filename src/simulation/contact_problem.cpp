@@ -7,6 +7,7 @@
 #include "blocks/assembly.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
@@ -126,6 +127,7 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
                                double relative_tolerance) {
   std::vector<double> proximal(proximal_weight_.size());
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
+  const TrafficScope sent_for(TrafficOf::set_up);
   matrix_->update(stiffness, proximal);
   coarse_->update(*matrix_, stiffness, proximal);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;

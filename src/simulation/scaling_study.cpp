@@ -8,15 +8,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/text.hpp"
 #include "blocks/assembly.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/linear_solver.hpp"
 #include "linalg/reduce.hpp"
 #include "output/result_json.hpp"
-#include "output/safe_file.hpp"
+#include "output/study_table.hpp"
 #include "simulation/adaptive_step.hpp"
 #include "simulation/release.hpp"
+#include "simulation/shares_of_ranks.hpp"
 #include "simulation/simulation.hpp"
 
 namespace voussoir {
@@ -99,6 +99,18 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"matrix_bytes_per_unknown", r.matrix_bytes},
           {"block_bytes_per_unknown", r.block_bytes},
           {"motion_bytes_per_unknown", r.motion_bytes},
+          {"edge_cut", r.partition.cut},
+          {"neighbours", r.partition.neighbours},
+          {"unknowns_imbalance", r.partition.imbalance},
+          {"points_imbalance", r.points_imbalance},
+          {"messages_per_solve", r.per_solve.messages},
+          {"bytes_per_solve", r.per_solve.bytes},
+          {"collectives_per_solve", r.per_solve.collectives},
+          {"collective_bytes_per_solve", r.per_solve.collective_bytes},
+          {"messages_per_krylov", r.per_krylov.messages},
+          {"bytes_per_krylov", r.per_krylov.bytes},
+          {"collectives_per_krylov", r.per_krylov.collectives},
+          {"collective_bytes_per_krylov", r.per_krylov.collective_bytes},
           {"estimate", r.estimate},
           {"peak_memory_MB", r.peak_memory_MB},
           {"outcome", r.outcome}};
@@ -158,6 +170,7 @@ void ScalingStudy::add(const std::string& family, double size, Scene scene, cons
   row.ranks = comm_->getSize();
   row.blocks = source->block_count();
   row.candidate_points = model.points().total();
+  row.partition = partition_quality(model);
   row.price = continuum_price(model, load, prescribed);
   for (const auto mode : modes) {
     scene.selection.mode = mode;
@@ -176,7 +189,9 @@ void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
     model.loads(steps.factors(), 0.0, load, prescribed);
     row.stage = steps.stage();
     const ProcessorClock clock(*comm_);
+    const auto traffic_before = traffic_so_far();
     const auto report = step.solve(state, load, prescribed);
+    const auto traffic = traffic_since(traffic_before);
     row.seconds = clock.seconds();
     row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
     row.krylov_iterations = report.newton.krylov_iterations;
@@ -194,6 +209,9 @@ void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
     row.estimate = report.error_estimate;
     row.outcome = name_of(report.newton.outcome);
     row.selected_points = count_selected(model, state);
+    row.points_imbalance = imbalance_of_selected(model, state);
+    row.per_krylov = traffic_of_krylov(traffic, *comm_) / row.krylov_iterations;
+    row.per_solve = traffic_of_solves(traffic, *comm_) / row.linear_solves;
     const auto memory = peak_memory_per_rank(*comm_);
     row.peak_memory_MB = *std::max_element(memory.begin(), memory.end());
     rows_.push_back(row);
@@ -215,31 +233,15 @@ void ScalingStudy::say(const ScalingRow& r) const {
 }
 
 void ScalingStudy::write() const {
-  std::ostringstream csv;
-  auto json = nlohmann::ordered_json::array();
-  for (const auto& column : columns({})) csv << (column.name == std::string("family") ? "" : ",") << column.name;
-  csv << '\n';
+  std::vector<std::string> names;
+  for (const auto& column : columns({})) names.emplace_back(column.name);
+  auto table = nlohmann::ordered_json::array();
   for (const auto& row : rows_) {
     nlohmann::ordered_json entry;
-    bool first = true;
-    for (const auto& [name, value] : columns(row)) {
-      csv << (first ? "" : ",");
-      if (value.is_string())
-        csv << '"' << value.get<std::string>() << '"';
-      else if (value.is_number_float())
-        csv << number_text(value.get<double>());
-      else
-        csv << value.dump();
-      entry[name] = value;
-      first = false;
-    }
-    csv << '\n';
-    json.push_back(entry);
+    for (const auto& [name, value] : columns(row)) entry[name] = value;
+    table.push_back(entry);
   }
-  on_first_rank(*comm_, [&] {
-    replace_file(folder_ + "/scaling.csv", csv.str());
-    replace_file(folder_ + "/scaling.json", json.dump(1) + "\n");
-  });
+  write_study_table(folder_, "scaling", names, table, *comm_);
 }
 
 Scene wall_of(Scene scene, int courses) {

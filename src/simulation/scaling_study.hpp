@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "linalg/system_cost.hpp"
+#include "linalg/traffic.hpp"
+#include "mesh/partition_quality.hpp"
 #include "scene/scene.hpp"
 #include "simulation/model.hpp"
 
@@ -45,6 +47,9 @@ struct ScalingRow {
   double stiffness_bytes = 0, matrix_bytes = 0, block_bytes = 0, motion_bytes = 0;  ///< per unknown, all ranks
   double estimate = 0;        ///< [-]
   double peak_memory_MB = 0;  ///< of the process so far, largest rank
+  PartitionQuality partition;
+  double points_imbalance = 1;    ///< [-] selected points of a rank, largest over mean
+  Traffic per_solve, per_krylov;  ///< busiest rank: linear solves with their set-up; Krylov iterations alone
   std::string outcome;        ///< "equilibrium", "collapse" or "not converged"
 
   double in_continua() const { return seconds / price.seconds(); }

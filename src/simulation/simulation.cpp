@@ -28,6 +28,7 @@
 #include "simulation/recorder.hpp"
 #include "simulation/saved_run.hpp"
 #include "simulation/scene_fit.hpp"
+#include "simulation/shares_of_ranks.hpp"
 #include "simulation/stop_signals.hpp"
 
 namespace voussoir {
@@ -120,6 +121,11 @@ class Run {
     const auto& summary = recorder_->summary();
     const bool found = summary.collapse && summary.outcome == Outcome::collapse;
     if (summary.outcome == Outcome::equilibrium || found) saved_.remove();
+  }
+  /// How evenly ranks share what is there now.
+  PartitionSummary partition() const {
+    const auto quality = partition_quality(model_);
+    return {quality.cut, quality.neighbours, quality.imbalance, imbalance_of_selected(model_, state_)};
   }
   /// Seconds by phase, of all parts of the run.
   std::map<std::string, double> seconds() const {
@@ -354,6 +360,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   auto summary = run.summary();
   summary.seconds = run.seconds();
   summary.effects = effect_costs(model);
+  summary.partition = run.partition();
   summary.peak_memory = peak_memory_per_rank(*comm);
   write_result_json(options.folder + "/" + result_file, summary, *comm);
   run.end();

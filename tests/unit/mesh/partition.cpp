@@ -9,6 +9,7 @@
 #include <set>
 
 #include "mesh/generators.hpp"
+#include "mesh/partition_quality.hpp"
 
 namespace {
 
@@ -80,6 +81,26 @@ TEUCHOS_UNIT_TEST(Partition, FewRanksGetConnectedPartsOfEqualWork) {
     TEST_COMPARE(imbalance(rank_of_block, work.weights, ranks), <=, 1.05);
     TEST_ASSERT(rank_of_block == partition(work.source->graph(), work.weights, ranks));
   }
+}
+
+TEUCHOS_UNIT_TEST(Partition, ItsQualityIsCutImbalanceAndNeighbours) {
+  const Work work = wall(16, 16);
+  const auto& graph = work.source->graph();
+  const int all = std::accumulate(graph.shared_vertices.begin(), graph.shared_vertices.end(), 0) / 2;
+  for (const int ranks : {1, 2, 4}) {
+    const std::vector<int> rank_of_block = partition(graph, work.weights, ranks);
+    const auto quality = partition_quality(graph, rank_of_block, work.weights, ranks);
+    TEST_FLOATING_EQUALITY(quality.cut + 1, 1 + shared_vertices_cut(graph, rank_of_block) / double(all), 1e-12);
+    TEST_FLOATING_EQUALITY(quality.imbalance, imbalance(rank_of_block, work.weights, ranks), 1e-12);
+    if (ranks < 4) TEST_EQUALITY(quality.neighbours, ranks - 1);
+  }
+  // Courses dealt out by hand: the middle ranks have two neighbours, and the last has twice the blocks.
+  std::vector<int> by_course(264);
+  for (int b = 0; b < 264; ++b) by_course[b] = std::min(b / 33, 6);
+  const auto quality = partition_quality(graph, by_course, std::vector<double>(264, 1.0), 7);
+  TEST_EQUALITY(quality.neighbours, 2);
+  TEST_FLOATING_EQUALITY(quality.mean_neighbours, 12.0 / 7, 1e-12);
+  TEST_FLOATING_EQUALITY(quality.imbalance, 66 * 7 / 264.0, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(Partition, CutsAcrossTheShortSideOfALongWall) {

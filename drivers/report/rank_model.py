@@ -1,0 +1,266 @@
+#!/usr/bin/python3
+"""How the program will do on many ranks: a model made of counts, checked against counts, carried on to 10 000 ranks.
+
+    rank_model.py DIR ... [--latency=2e-6] [--bandwidth=2e9] [--blocks-per-rank=1000] [--blocks=100000] [--memory=4]
+
+Each DIR holds the systems.json of  scaling --systems=blocks  on another number of ranks (1, 2, 4, 8). The formulas stand
+in drivers/ranks.md. Latency [s] and bandwidth [bytes/s of a rank] are those of the network to be predicted, memory is
+that of a rank [GB]; times of the processor are those measured in DIR on one rank. Writes DIR[0]/rank_model.csv.
+"""
+import csv
+import json
+import math
+import sys
+from pathlib import Path
+
+PARTS = ("krylov", "block_motions", "transfer", "continuum")
+RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096, 10000)
+# Of one iteration of conjugate gradients with the symmetric preconditioner: products with H, solves with block
+# motions (each a sum over ranks of one number per coarse unknown), passages to the continuum and back, scalar products.
+PRODUCTS, MOTIONS, TRANSFERS, SCALARS = 5, 2, 2, 3
+V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, prolongation
+LEAST_ROWS = 2000    # MueLu moves a level to fewer ranks below so many rows per rank
+COARSEST_ROWS = 1000
+NUMBER = 8           # bytes
+
+
+def border(ranks):
+    """Length of all borders between square parts of a square of side 1."""
+    return 2 * (math.sqrt(ranks) - 1)
+
+
+def pairs(ranks):
+    """Pairs of neighbours: a triangulation of the plane with the parts at the edge of the wall on its rim."""
+    if ranks == 1:
+        return 0
+    return 3 * ranks - 3 - max(2, min(ranks, 4 * math.sqrt(ranks) - 4))
+
+
+def levels(rows, ranks):
+    """Rows and ranks of each level, from the finest: aggregates of 9 nodes, 2 unknowns before and 3 after."""
+    result = [(rows, ranks)]
+    while result[-1][0] > COARSEST_ROWS:
+        rows = rows / 6 if len(result) == 1 else rows / 9.5
+        ranks = max(1, min(ranks, int(rows / LEAST_ROWS)))
+        if rows <= COARSEST_ROWS:
+            ranks = 1
+        result.append((rows, ranks))
+    return result
+
+
+class Widths:
+    """Unknowns exchanged along a border as long as the wall, per root of all unknowns: fitted on two ranks."""
+
+    def __init__(self, rows):
+        self.motions_entries = median(r["set_up_largest_collective_bytes"] / NUMBER / r["blocks"] for r in rows)
+        self.product = median(self.width(r, "krylov", PRODUCTS, r["unknowns"]) for r in rows)
+        self.transfer = median(self.width(r, "transfer", TRANSFERS, r["unknowns"]) for r in rows)
+        self.level = 1.0
+        self.level = median(per_iteration(r, "continuum", "total", "bytes") / v_cycle(r["unknowns"], r, self)[1]
+                            for r in rows if r["level_rows"])
+
+    @staticmethod
+    def width(r, part, times, unknowns):
+        return per_iteration(r, part, "total", "bytes") / times / NUMBER / border(2) / math.sqrt(unknowns)
+
+
+def median(values):
+    values = sorted(values)
+    return values[len(values) // 2]
+
+
+def per_iteration(r, part, which, what):
+    """What goes before the first iteration counts as another."""
+    return r[f"{part}_{which}_{what}"] / (r["iterations"] + 1)
+
+
+def continuum_rows(r):
+    return float(r["level_rows"].split()[0]) if r["level_rows"] else 0.55 * r["unknowns"]
+
+
+def v_cycle(unknowns, r, widths):
+    """Messages and bytes of all ranks in one V-cycle."""
+    share = continuum_rows(r) / r["unknowns"]
+    found = levels(unknowns * share, r["ranks"])
+    messages = bytes_sent = 0
+    for k, (rows, ranks) in enumerate(found):
+        messages += V_CYCLE * 2 * pairs(ranks)
+        bytes_sent += V_CYCLE * NUMBER * widths.level * border(ranks) * math.sqrt(rows)
+        if k + 1 < len(found) and found[k + 1][1] < ranks:
+            messages += 2 * (ranks + found[k + 1][1] - 2)
+            bytes_sent += 2 * NUMBER * found[k + 1][0] * (1 - found[k + 1][1] / ranks)
+    return messages, bytes_sent
+
+
+def predicted(r, widths):
+    """Counts of one iteration, all ranks: the same names as measured ones."""
+    n, ranks = r["unknowns"], r["ranks"]
+    messages, bytes_sent = v_cycle(n, r, widths)
+    return {
+        "krylov messages": PRODUCTS * 2 * pairs(ranks),
+        "krylov bytes": PRODUCTS * NUMBER * widths.product * border(ranks) * math.sqrt(n),
+        "transfer messages": TRANSFERS * 2 * pairs(ranks),
+        "transfer bytes": TRANSFERS * NUMBER * widths.transfer * border(ranks) * math.sqrt(n),
+        "continuum messages": messages,
+        "continuum bytes": bytes_sent,
+        "block_motions collective_bytes": MOTIONS * NUMBER * r["coarse_unknowns"] * ranks,
+        "collectives": (SCALARS + MOTIONS) * ranks,
+    }
+
+
+def measured(r):
+    found = {f"{part} {what}": per_iteration(r, part, "total", what)
+             for part in ("krylov", "transfer", "continuum") for what in ("messages", "bytes")}
+    found["block_motions collective_bytes"] = per_iteration(r, "block_motions", "total", "collective_bytes")
+    found["collectives"] = sum(per_iteration(r, part, "total", "collectives") for part in PARTS)
+    return found
+
+
+def check(rows, widths):
+    print("Counts of one iteration, all ranks: measured, predicted. Widths of borders are fitted on 2 ranks.\n")
+    print("| courses | ranks | iterations | " + " | ".join(measured(rows[0])) + " |")
+    print("|---" * (3 + len(measured(rows[0]))) + "|")
+    for r in rows:
+        if r["ranks"] == 1 or not r["level_rows"]:
+            continue
+        ours, model = measured(r), predicted(r, widths)
+        cells = [f"{ours[name]:.4g}, {model[name]:.4g}" for name in ours]
+        print(f"| {r['size']:g} | {r['ranks']} | {r['iterations']} | " + " | ".join(cells) + " |")
+    print()
+
+
+class Machine:
+    """Seconds, of what was measured on one rank and of the network given."""
+
+    def __init__(self, rows, options):
+        self.latency, self.bandwidth = options["latency"], options["bandwidth"]
+        alone = max((r for r in rows if r["ranks"] == 1), key=lambda r: r["unknowns"])
+        self.alone = alone
+        coarse = alone["motions_solve_s"] * MOTIONS
+        self.iteration = alone["solve_s"] - alone["motions_factor_s"] - coarse * (alone["iterations"] + 1)
+        self.iteration /= (alone["iterations"] + 1) * alone["unknowns"]
+        # Of a plane graph in nested dissection: factors grow as n log n, their making as n^1.5.
+        n = alone["coarse_unknowns"]
+        self.factor = alone["motions_factor_s"] / n ** 1.5
+        self.coarse_solve = alone["motions_solve_s"] / (n * math.log2(n))
+
+    def exchange(self, neighbours, bytes_sent):
+        return neighbours * self.latency + bytes_sent / self.bandwidth
+
+    def sum(self, ranks, bytes_each):
+        """A tree for short sums, a ring for long ones: nobody sends more than twice its bytes."""
+        steps = math.ceil(math.log2(ranks)) if ranks > 1 else 0
+        return 2 * steps * self.latency + (2 * bytes_each / self.bandwidth if ranks > 1 else 0)
+
+
+def seconds(blocks, ranks, machine, widths, iterations):
+    """One linear solve with new resistances: parts of it."""
+    alone = machine.alone
+    unknowns = blocks * alone["unknowns"] / alone["blocks"]
+    coarse = blocks * alone["coarse_unknowns"] / alone["blocks"]
+    k = 2 * pairs(ranks) / ranks
+    inner = border(ranks) / ranks  # of one rank, mean; those inside have up to twice as much at few ranks
+
+    def exchanges(times, width):
+        return times * machine.exchange(k, NUMBER * width * inner * math.sqrt(unknowns))
+
+    halo = exchanges(PRODUCTS, widths.product) + exchanges(TRANSFERS, widths.transfer)
+    share = continuum_rows(alone) / alone["unknowns"]
+    multigrid, found = 0.0, levels(unknowns * share, ranks)
+    for j, (rows, on) in enumerate(found):
+        if on > 1:
+            multigrid += V_CYCLE * machine.exchange(2 * pairs(on) / on,
+                                                    NUMBER * widths.level * border(on) / on * math.sqrt(rows))
+        if j > 0:  # coarse levels are not divided as far; a row costs an eighth of one of H with its blocks
+            multigrid += machine.iteration / 8 * max(0.0, rows / on - rows / ranks)
+        if j + 1 < len(found) and found[j + 1][1] < on:
+            from_each = on / found[j + 1][1]
+            multigrid += 2 * machine.exchange(from_each, NUMBER * found[j + 1][0] / found[j + 1][1])
+    sums = SCALARS * machine.sum(ranks, NUMBER) + MOTIONS * machine.sum(ranks, NUMBER * coarse)
+    applied = iterations + 1
+    return {
+        "blocks and products": applied * machine.iteration * unknowns / ranks * 1.03,  # METIS: 3 % off balance
+        "halo": applied * halo,
+        "multigrid": applied * multigrid,
+        "sums": applied * sums + machine.sum(ranks, NUMBER * widths.motions_entries * blocks),
+        "block motions, on every rank": applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse)
+                                        + machine.factor * coarse ** 1.5,
+    }
+
+
+def memory(blocks, ranks, alone):
+    """GB of a rank: its share of everything, and block motions whole."""
+    replicated = alone["motions_bytes"] / alone["blocks"]
+    own = alone["peak_memory_MB"] * 1e6 / alone["blocks"] - replicated
+    return (own * blocks / ranks + replicated * blocks) / 1e9
+
+
+def tables(rows, widths, options):
+    machine = Machine(rows, options)
+    iterations = machine.alone["iterations"]
+    print(f"On one rank here: {machine.iteration * 1e9:.0f} ns an unknown and iteration, W({machine.alone['size']:g}) "
+          f"factors its block motions in {machine.alone['motions_factor_s']:.2g} s; {iterations} iterations.\n"
+          f"Network: {machine.latency:g} s, {machine.bandwidth:g} bytes/s of a rank. "
+          f"Memory of a rank: {options['memory']:g} GB.\n")
+    table = []
+    for kind in ("strong", "weak"):
+        print(f"{kind} scaling: " + (f"{options['blocks']:g} blocks" if kind == "strong" else
+                                     f"{options['blocks-per-rank']:g} blocks a rank"))
+        print("| ranks | blocks | solve [s] | efficiency | without block motions | GB of a rank | largest part |\n"
+              + "|---" * 7 + "|")
+        first = None
+        for ranks in RANKS:
+            blocks = options["blocks"] if kind == "strong" else options["blocks-per-rank"] * ranks
+            if blocks < ranks:
+                continue
+            parts = seconds(blocks, ranks, machine, widths, iterations)
+            all_parts = sum(parts.values())
+            others = all_parts - parts["block motions, on every rank"]
+            others -= 0 if ranks == 1 else (
+                (iterations + 1) * MOTIONS * 2 * NUMBER * 3 * blocks + 2 * NUMBER * widths.motions_entries * blocks
+            ) / machine.bandwidth
+            first = first or (all_parts, others)
+            ideal = ranks if kind == "strong" else 1
+            limit = max(parts, key=parts.get)
+            gigabytes = memory(blocks, ranks, machine.alone)
+            row = {"kind": kind, "ranks": ranks, "blocks": blocks, "seconds": all_parts,
+                   "efficiency": first[0] / all_parts / ideal, "efficiency_without": first[1] / others / ideal,
+                   "gigabytes": gigabytes, "fits": gigabytes <= options["memory"], **parts}
+            table.append(row)
+            print(f"| {ranks} | {blocks:g} | {all_parts:.3g} | {100 * row['efficiency']:.3g} % | "
+                  f"{100 * row['efficiency_without']:.3g} % | {gigabytes:.3g}{'' if row['fits'] else ' (too much)'} | "
+                  f"{limit}, {100 * parts[limit] / all_parts:.0f} % |")
+        print()
+    return table
+
+
+def main(words):
+    options = {"latency": 2e-6, "bandwidth": 2e9, "blocks-per-rank": 1000.0, "blocks": 1e5, "memory": 4.0}
+    folders = []
+    for word in words:
+        name, _, value = word.removeprefix("--").partition("=")
+        if word.startswith("--") and name in options:
+            options[name] = float(value)
+        elif word.startswith("--"):
+            sys.exit(f"rank_model.py: '{word}' is no option.\n{__doc__}")
+        else:
+            folders.append(Path(word))
+    if not folders:
+        sys.exit(__doc__)
+    rows = [r for folder in folders for r in json.loads((folder / "systems.json").read_text(encoding="utf-8"))
+            if r["family"] == "blocks"]
+    two = [r for r in rows if r["ranks"] == 2 and r["level_rows"]]
+    if not two or not any(r["ranks"] == 1 for r in rows):
+        sys.exit("rank_model.py: the folders must hold runs on 1 and on 2 ranks, of walls of at least 16 courses.\n"
+                 "  mpirun -n 2 scaling --systems=blocks --largest=64 --out=DIR")
+    widths = Widths(two)
+    check(sorted(rows, key=lambda r: (r["ranks"], r["size"])), widths)
+    table = tables(rows, widths, options)
+    with open(folders[0] / "rank_model.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, fieldnames=list(table[0]))
+        writer.writeheader()
+        writer.writerows(table)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

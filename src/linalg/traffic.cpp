@@ -1,0 +1,79 @@
+#include "linalg/traffic.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+namespace voussoir {
+namespace {
+
+// MPI is called from one thread.
+TrafficByKind counts;
+TrafficOf now = TrafficOf::else_where;
+bool counted = false;
+
+Traffic over_ranks(const Traffic& mine, const Teuchos::Comm<int>& comm, Teuchos::EReductionType how) {
+  const long long here[] = {mine.messages, mine.bytes, mine.collectives, mine.collective_bytes};
+  long long all[4];
+  Teuchos::reduceAll(comm, how, 4, here, all);
+  return {all[0], all[1], all[2], all[3]};
+}
+
+}  // namespace
+
+Traffic operator-(Traffic a, const Traffic& b) {
+  return {a.messages - b.messages, a.bytes - b.bytes, a.collectives - b.collectives,
+          a.collective_bytes - b.collective_bytes};
+}
+
+Traffic operator+(Traffic a, const Traffic& b) { return a - (Traffic() - b); }
+
+Traffic operator/(const Traffic& a, long long n) {
+  if (n == 0) return {};
+  const auto mean = [n](long long count) { return (count + n / 2) / n; };
+  return {mean(a.messages), mean(a.bytes), mean(a.collectives), mean(a.collective_bytes)};
+}
+
+const TrafficByKind& traffic_so_far() { return counts; }
+
+TrafficByKind traffic_since(const TrafficByKind& before) {
+  auto since = counts;
+  for (int k = 0; k < traffic_kinds; ++k) since[k] = since[k] - before[k];
+  return since;
+}
+
+bool traffic_is_counted() { return counted; }
+
+Traffic total_traffic(const Traffic& mine, const Teuchos::Comm<int>& comm) {
+  return over_ranks(mine, comm, Teuchos::REDUCE_SUM);
+}
+
+Traffic largest_traffic(const Traffic& mine, const Teuchos::Comm<int>& comm) {
+  return over_ranks(mine, comm, Teuchos::REDUCE_MAX);
+}
+
+namespace {
+
+Traffic largest_sum(const TrafficByKind& mine, TrafficOf first, const Teuchos::Comm<int>& comm) {
+  Traffic sum;
+  for (int k = static_cast<int>(first); k < traffic_kinds; ++k) sum = sum + mine[k];
+  return largest_traffic(sum, comm);
+}
+
+}  // namespace
+
+Traffic traffic_of_krylov(const TrafficByKind& mine, const Teuchos::Comm<int>& comm) {
+  return largest_sum(mine, TrafficOf::krylov, comm);
+}
+
+Traffic traffic_of_solves(const TrafficByKind& mine, const Teuchos::Comm<int>& comm) {
+  return largest_sum(mine, TrafficOf::set_up, comm);
+}
+
+TrafficScope::TrafficScope(TrafficOf what) : before_(now) { now = what; }
+
+TrafficScope::~TrafficScope() { now = before_; }
+
+Traffic& traffic_of_now() { return counts[static_cast<int>(now)]; }
+
+void count_traffic() { counted = true; }
+
+}  // namespace voussoir

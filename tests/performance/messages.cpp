@@ -1,0 +1,90 @@
+// What ranks send each other for a linear solve, in counts: bounds that hold on any number of ranks, so that neither
+// iterations nor messages of an iteration grow with them.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_Core.hpp>
+#include <filesystem>
+#include <sstream>
+
+#include "simulation/system_study.hpp"
+#include "support/scenes.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+Teuchos::RCP<const Teuchos::Comm<int>> world() { return Tpetra::getDefaultComm(); }
+
+TEUCHOS_UNIT_TEST(Messages, WhatIsSentIsCountedUnderWhatItIsSentFor) {
+  TEST_ASSERT(traffic_is_counted());
+  const int ranks = world()->getSize(), rank = world()->getRank();
+  // Every rank has an item and a ghost of the next rank's.
+  std::vector<long long> items{rank};
+  if (ranks > 1) items.push_back((rank + 1) % ranks);
+  const Exchange exchange(items, 1, world());
+  std::vector<double> values(3 * items.size(), rank);
+  const auto before = traffic_so_far();
+  {
+    const TrafficScope scope(TrafficOf::transfer);
+    exchange.update(values, 3);
+    const TrafficScope inner(TrafficOf::krylov);
+    double sum = 0;
+    Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1.0, Teuchos::outArg(sum));
+  }
+  const auto sent = traffic_since(before);
+  const auto& transfer = sent[static_cast<int>(TrafficOf::transfer)];
+  const auto& krylov = sent[static_cast<int>(TrafficOf::krylov)];
+  TEST_EQUALITY(transfer.messages, ranks > 1 ? 1 : 0);
+  TEST_EQUALITY(transfer.bytes, ranks > 1 ? 24 : 0);
+  TEST_EQUALITY(krylov.messages, 0);
+  TEST_EQUALITY(krylov.collectives, ranks > 1 ? 1 : 0);
+  TEST_EQUALITY(krylov.collective_bytes, ranks > 1 ? 8 : 0);
+}
+
+SystemRow system_of(int courses, double open) {
+  std::ostringstream nowhere;
+  auto scene = wall_scene(courses);
+  const std::string folder = "messages-np" + std::to_string(world()->getSize());
+  if (world()->getRank() == 0) std::filesystem::create_directories(folder);
+  SystemStudy study(folder, world(), nowhere);
+  study.add({"test", static_cast<double>(courses), 1, open}, scene);
+  return study.rows().back();
+}
+
+void check(const SystemRow& row, int iterations_on_one_rank, Teuchos::FancyOStream& out, bool& success) {
+  out << row.ranks << " ranks, " << row.iterations << " iterations\n";
+  // Smoothers do not see across ranks, and aggregates end at them: one or two iterations more, whatever their number.
+  TEST_COMPARE(row.iterations, <=, iterations_on_one_rank + 2);
+  TEST_COMPARE(row.residual, <=, 2e-8);
+  if (row.ranks == 1) return;
+  const auto of = [&](TrafficOf what) { return row.largest[static_cast<int>(what)]; };
+  const int n = row.partition.neighbours;
+  // An iteration takes five products with H, each a message to every neighbour; what goes before the first one counts
+  // as another.
+  TEST_COMPARE(of(TrafficOf::krylov).messages, <=, 5LL * n * (row.iterations + 1));
+  TEST_COMPARE(of(TrafficOf::transfer).messages, <=, 2LL * n * (row.iterations + 1));
+  // Of a V-cycle: per level four sweeps of its smoother, a residual, down and up, and as many again where a level moves
+  // to other ranks. Coarse levels may touch more ranks than the finest, but never all but one.
+  const long long levels = static_cast<long long>(row.levels.size());
+  TEST_COMPARE(of(TrafficOf::continuum).messages, <=, 8 * levels * (row.ranks - 1) * (row.iterations + 1));
+  // Scalar products, and twice the sum of the right-hand side of block motions.
+  TEST_COMPARE(of(TrafficOf::krylov).collectives + of(TrafficOf::block_motions).collectives, <=,
+               6LL * (row.iterations + 1));
+  TEST_COMPARE(of(TrafficOf::block_motions).collective_bytes, <=, 2 * 8 * row.coarse_unknowns * (row.iterations + 1));
+  TEST_COMPARE(of(TrafficOf::transfer).collectives + of(TrafficOf::continuum).collectives, ==, 0);
+}
+
+TEUCHOS_UNIT_TEST(Messages, OfAWallOf16CoursesDoNotGrowWithRanks) { check(system_of(16, 0), 9, out, success); }
+TEUCHOS_UNIT_TEST(Messages, NorWithAThirdOfItsJointsOpen) { check(system_of(16, 0.3), 26, out, success); }
+
+TEUCHOS_UNIT_TEST(Messages, RanksShareTheWorkEvenly) {
+  const auto row = system_of(16, 0);
+  const int ranks = row.ranks;
+  // 264 blocks among 8 ranks: METIS keeps to 3 % where blocks are small enough.
+  TEST_COMPARE(row.partition.imbalance, <=, 1.06);
+  TEST_COMPARE(row.points_imbalance, <=, 1.15);
+  // A border of ranks cuts a course of the wall in one place, or runs along it: 16 of 264 blocks.
+  TEST_COMPARE(row.partition.cut, <=, 0.06 * (ranks - 1));
+}
+
+}  // namespace
