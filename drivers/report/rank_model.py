@@ -55,9 +55,8 @@ class Widths:
         self.motions_entries = median(r["set_up_largest_collective_bytes"] / NUMBER / r["blocks"] for r in rows)
         self.product = median(self.width(r, "krylov", PRODUCTS, r["unknowns"]) for r in rows)
         self.transfer = median(self.width(r, "transfer", TRANSFERS, r["unknowns"]) for r in rows)
-        self.level = 1.0
-        self.level = median(per_iteration(r, "continuum", "total", "bytes") / v_cycle(r["unknowns"], r, self)[1]
-                            for r in rows if r["level_rows"])
+        self.level = median((per_iteration(r, "continuum", "total", "bytes") - v_cycle(r, 0)[1])
+                            / (v_cycle(r, 1)[1] - v_cycle(r, 0)[1]) for r in rows)
 
     @staticmethod
     def width(r, part, times, unknowns):
@@ -78,14 +77,13 @@ def continuum_rows(r):
     return float(r["level_rows"].split()[0]) if r["level_rows"] else 0.55 * r["unknowns"]
 
 
-def v_cycle(unknowns, r, widths):
-    """Messages and bytes of all ranks in one V-cycle."""
-    share = continuum_rows(r) / r["unknowns"]
-    found = levels(unknowns * share, r["ranks"])
+def v_cycle(r, width):
+    """Messages and bytes of all ranks in one V-cycle, with so many unknowns exchanged along the root of a level's rows."""
+    found = levels(continuum_rows(r), r["ranks"])
     messages = bytes_sent = 0
     for k, (rows, ranks) in enumerate(found):
         messages += V_CYCLE * 2 * pairs(ranks)
-        bytes_sent += V_CYCLE * NUMBER * widths.level * border(ranks) * math.sqrt(rows)
+        bytes_sent += V_CYCLE * NUMBER * width * border(ranks) * math.sqrt(rows)
         if k + 1 < len(found) and found[k + 1][1] < ranks:
             messages += 2 * (ranks + found[k + 1][1] - 2)
             bytes_sent += 2 * NUMBER * found[k + 1][0] * (1 - found[k + 1][1] / ranks)
@@ -95,7 +93,7 @@ def v_cycle(unknowns, r, widths):
 def predicted(r, widths):
     """Counts of one iteration, all ranks: the same names as measured ones."""
     n, ranks = r["unknowns"], r["ranks"]
-    messages, bytes_sent = v_cycle(n, r, widths)
+    messages, bytes_sent = v_cycle(r, widths.level)
     return {
         "krylov messages": PRODUCTS * 2 * pairs(ranks),
         "krylov bytes": PRODUCTS * NUMBER * widths.product * border(ranks) * math.sqrt(n),
