@@ -148,7 +148,7 @@ Groups read_groups(const std::string& file, int dimension) {
 /// Nodes in the order of their tags.
 class NodeNumbers {
  public:
-  NodeNumbers(const std::string& file, SurfaceMesh& mesh) {
+  NodeNumbers(std::string file, SurfaceMesh& mesh) : file_(std::move(file)) {
     std::vector<double> coordinates, parametric;
     std::vector<std::size_t> tags;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
@@ -164,14 +164,18 @@ class NodeNumbers {
       off_plane = std::max(off_plane, std::abs(x[2]));
     }
     if (off_plane > coincidence * extent)
-      refuse_file(file, "has nodes at z = " + in_words(off_plane) + " m; a plane scene lies in z = 0.",
+      refuse_file(file_, "has nodes at z = " + in_words(off_plane) + " m; a plane scene lies in z = 0.",
                   "Draw the structure in the x-y plane, y upward.");
   }
   int operator()(std::size_t tag) const {
-    return static_cast<int>(std::lower_bound(tags_.begin(), tags_.end(), tag) - tags_.begin());
+    const auto found = std::lower_bound(tags_.begin(), tags_.end(), tag);
+    if (found == tags_.end() || *found != tag)
+      refuse_file(file_, "has a cell at node " + std::to_string(tag) + ", which is not there.", "Mesh it again.");
+    return static_cast<int>(found - tags_.begin());
   }
 
  private:
+  std::string file_;
   std::vector<std::size_t> tags_;
 };
 

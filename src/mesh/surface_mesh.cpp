@@ -6,7 +6,6 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
-#include <type_traits>
 
 #include "base/error.hpp"
 #include "mesh/border.hpp"
@@ -134,73 +133,7 @@ void tag_facets(const SurfaceMesh& mesh, const std::vector<VertexId>& vertex, st
   }
 }
 
-/// Values one after the other; the same functions write and read, so that the two cannot drift apart.
-struct ByteWriter {
-  std::string bytes;
-  template <class T>
-  void plain(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  template <class T>
-  std::size_t size(const T& list) {
-    plain(list.size());
-    return list.size();
-  }
-};
-struct ByteReader {
-  const char* at;
-  template <class T>
-  void plain(T& value) {
-    std::copy(at, at + sizeof value, reinterpret_cast<char*>(&value));
-    at += sizeof value;
-  }
-  template <class T>
-  std::size_t size(T& list) {
-    std::size_t count = 0;
-    plain(count);
-    list.resize(count);
-    return count;
-  }
-};
-
-template <class Bytes, class List>
-void plain_list(Bytes& bytes, List& list) {
-  const std::size_t count = bytes.size(list);
-  for (std::size_t k = 0; k < count; ++k) bytes.plain(list[k]);
-}
-
-/// @param mesh  const when it is written
-template <class Bytes, class Mesh>
-void exchange(Bytes& bytes, Mesh& mesh) {
-  plain_list(bytes, mesh.position);
-  plain_list(bytes, mesh.lines);
-  for (auto* names : {&mesh.block_sets, &mesh.facet_sets}) {
-    const std::size_t count = bytes.size(*names);
-    for (std::size_t k = 0; k < count; ++k) plain_list(bytes, (*names)[k]);
-  }
-  const std::size_t surfaces = bytes.size(mesh.surfaces);
-  for (std::size_t k = 0; k < surfaces; ++k) {
-    bytes.plain(mesh.surfaces[k].tag);
-    plain_list(bytes, mesh.surfaces[k].sets);
-    plain_list(bytes, mesh.surfaces[k].cells);
-  }
-}
-
 }  // namespace
-
-std::string bytes_of(const SurfaceMesh& mesh) {
-  ByteWriter writer;
-  exchange(writer, mesh);
-  return writer.bytes;
-}
-
-SurfaceMesh surface_mesh_of(const std::string& bytes) {
-  SurfaceMesh mesh;
-  ByteReader reader{bytes.data()};
-  exchange(reader, mesh);
-  return mesh;
-}
 
 std::vector<VertexId> vertices_of_nodes(const SurfaceMesh& mesh) {
   const std::vector<double> shortest = shortest_edges(mesh);

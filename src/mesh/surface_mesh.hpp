@@ -25,7 +25,7 @@ struct SurfaceMesh {
   std::vector<std::string> facet_sets;
 };
 
-/// The mesh as bytes, for another process of this program, and back.
+/// The mesh as bytes, for another process of this program, and back. Throws InputError for bytes that are no mesh.
 std::string bytes_of(const SurfaceMesh&);
 SurfaceMesh surface_mesh_of(const std::string& bytes);
 

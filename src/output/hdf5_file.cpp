@@ -76,8 +76,12 @@ std::string last_error() {
   return reason.empty() ? "an unknown error of HDF5" : reason;
 }
 
+const Teuchos::MpiComm<int>* with_mpi(const Teuchos::Comm<int>& comm) {
+  return dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+}
+
 MPI_Comm raw(const Teuchos::Comm<int>& comm) {
-  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+  const auto* mpi = with_mpi(comm);
   return mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
 }
 
@@ -89,8 +93,7 @@ class Hdf5File::Impl {
       : name(std::move(path)), mode(open_mode), comm(std::move(teuchos_comm)), mpi(raw(*comm)) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not pages on the screen
     on_first_rank(*comm, [this] { try_to_open(); });
-    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_fapl_mpio(access, mpi, MPI_INFO_NULL);
+    Handle access = access_to_file();
     const unsigned how = mode == Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
     const hid_t id = mode == Mode::create ? H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
                                           : H5Fopen(name.c_str(), how, access);
@@ -175,9 +178,10 @@ class Hdf5File::Impl {
     return {H5Screate_simple(columns == 1 ? 1 : 2, extent, nullptr), H5Sclose};
   }
 
-  static Handle collective() {
+  /// How tables are moved: by all ranks together.
+  Handle collective() const {
     Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    if (with_mpi(*comm)) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
     return transfer;
   }
 
@@ -190,6 +194,16 @@ class Hdf5File::Impl {
   static inline bool any_broken = false;
 
  private:
+  /// With MPI always MPI-IO, on one rank too. Without it files are not locked either.
+  Handle access_to_file() const {
+    Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    if (with_mpi(*comm))
+      H5Pset_fapl_mpio(access, mpi, MPI_INFO_NULL);
+    else
+      H5Pset_file_locking(access, false, true);
+    return access;
+  }
+
   /// Asks the system first: its reason is clearer than that of MPI-IO.
   void try_to_open() const {
     const char* how = mode == Mode::create ? "wb" : mode == Mode::append ? "r+b" : "rb";
@@ -223,7 +237,7 @@ void Hdf5File::write_rows(const std::string& path, const std::vector<long long>&
     Impl::select_rows(space, even.first(), even.count(), table.columns);
     Handle memory = Impl::table_space(even.count(), table.columns);
     Impl::select_rows(memory, 0, even.count(), table.columns);
-    impl_->require(H5Dwrite(dataset, native<T>(), memory, space, Impl::collective(), rows.data()) >= 0);
+    impl_->require(H5Dwrite(dataset, native<T>(), memory, space, impl_->collective(), rows.data()) >= 0);
   }
   impl_->require(dataset.close());
   if (!table.unit.empty()) impl_->put_attribute(path, "unit", table.unit);
@@ -242,7 +256,7 @@ std::vector<T> Hdf5File::read_rows(const std::string& path, const std::vector<lo
     Impl::select_rows(space, even.first(), even.count(), shape.columns);
     Handle memory = Impl::table_space(even.count(), shape.columns);
     Impl::select_rows(memory, 0, even.count(), shape.columns);
-    impl_->require(H5Dread(dataset, native<T>(), memory, space, Impl::collective(), rows.data()) >= 0);
+    impl_->require(H5Dread(dataset, native<T>(), memory, space, impl_->collective(), rows.data()) >= 0);
   }
   return even.scatter(rows, shape.columns);
 }
@@ -290,7 +304,7 @@ void Hdf5File::write_texts(const std::string& path, const std::vector<std::strin
   impl_->require(dataset.good());
   if (rows == 0) return;
   Impl::select_rows(space, 0, impl_->comm->getRank() == 0 ? rows : 0, 1);
-  impl_->require(H5Dwrite(dataset, type, space, space, Impl::collective(), padded.data()) >= 0);
+  impl_->require(H5Dwrite(dataset, type, space, space, impl_->collective(), padded.data()) >= 0);
 }
 
 std::vector<std::string> Hdf5File::read_texts(const std::string& path) const {
@@ -300,7 +314,7 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& path) const {
   const std::size_t length = H5Tget_size(type);
   impl_->require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0, "no texts of one length");
   std::string padded(length * shape.rows, '\0');
-  if (shape.rows > 0) impl_->require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, Impl::collective(), padded.data()) >= 0);
+  if (shape.rows > 0) impl_->require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, impl_->collective(), padded.data()) >= 0);
   std::vector<std::string> texts;
   for (long long k = 0; k < shape.rows; ++k) texts.push_back(trimmed(padded.substr(k * length, length)));
   return texts;

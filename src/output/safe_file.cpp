@@ -39,7 +39,7 @@ struct Seal {
 
 /// Digest of the first `count` bytes.
 std::uint64_t digest_of(std::istream& file, std::streamoff count) {
-  std::vector<char> part(1 << 20);
+  std::vector<char> part(1 << 16);
   std::uint64_t sum = no_bytes_digest;
   while (count > 0 && file.read(part.data(), std::min<std::streamoff>(count, part.size()))) {
     sum = digest(part.data(), static_cast<std::size_t>(file.gcount()), sum);
