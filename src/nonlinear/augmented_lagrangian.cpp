@@ -9,6 +9,7 @@
 #include "nonlinear/line_search.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
+#include "nonlinear/rigid_mechanism.hpp"
 
 namespace voussoir {
 namespace {
@@ -213,22 +214,21 @@ bool AugmentedLagrangian::moved_far(State& s) const {
 
 /// Does the motion of the last update lead nowhere? Far along it forces and imbalance must be as they are here: nothing
 /// stiffens, opens or closes. The test does not wait until round-off (Young's modulus x motion) hides the imbalance.
-/// Expects the gradient that measure() leaves.
+/// Expects the gradient and the gaps that measure() leaves.
 bool AugmentedLagrangian::runs_away(State& s) const {
   mechanism_->update(1.0, s.x, -1.0, *s.x_old, 0.0);
   const double size = mechanism_->normInf(), far = run_away * problem_.length_scale();
   if (!(size > 0)) return false;
-  if (size < far) {
-    const double imbalance = s.gradient->normInf();
-    s.direction->update(1.0, s.x, far / size, *mechanism_, 0.0);
-    problem_.evaluate(*s.direction, *s.linear, s.gap);
-    problem_.subtract_contact_forces(s.lambda, *s.linear);
-    s.linear->update(-1.0, *s.gradient, 1.0);
-    if (s.linear->normInf() > unchanged * imbalance) return false;
-    if (contact_residual(problem_, s.lambda, s.gap) > unchanged * imbalance) return false;
-  }
   mechanism_->scale(1 / size);
-  return true;
+  if (size >= far) return true;
+  const double allowance = unchanged * s.gradient->normInf();
+  if (!parameters_.has_inertia && is_rigid_mechanism(problem_, *mechanism_, s.lambda, s.gap, far, allowance))
+    return true;
+  s.direction->update(1.0, s.x, far, *mechanism_, 0.0);
+  problem_.evaluate(*s.direction, *s.linear, s.gap);
+  problem_.subtract_contact_forces(s.lambda, *s.linear);
+  s.linear->update(-1.0, *s.gradient, 1.0);
+  return s.linear->normInf() <= allowance && contact_residual(problem_, s.lambda, s.gap) <= allowance;
 }
 
 NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, double tolerance,

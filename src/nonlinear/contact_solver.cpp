@@ -55,7 +55,7 @@ bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double toleran
   const TpetraVector x_before(x, Teuchos::Copy);
   const PointField lambda_before = lambda;
   const int most = std::min(fast_solves, parameters_.largest_iterations);
-  AugmentedLagrangian quick(problem_, {parameters_.tolerance, most});
+  AugmentedLagrangian quick(problem_, {parameters_.tolerance, most, parameters_.has_inertia});
   quick.narrate = narrate;
   report = quick.solve(x, lambda, tolerance, &known_gap);
   if (report.outcome == NewtonOutcome::converged) {
@@ -118,7 +118,9 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
     const int left = parameters_.largest_iterations - report.newton_iterations;
     const int most = closing_solves << std::min(led_nowhere_, most_doublings);
     last = left <= most;
-    AugmentedLagrangian closing(problem_, {parameters_.tolerance, std::max(1, last ? left : most)});
+    NewtonParameters some = parameters_;
+    some.largest_iterations = std::max(1, last ? left : most);
+    AugmentedLagrangian closing(problem_, some);
     const int before = report.newton_iterations;
     closing.narrate = [&](NewtonProgress p) {
       p.iteration += before;

@@ -1,6 +1,7 @@
 // What the nonlinear solver sees. Here the dimension of space ends: above are vectors, points and numbers.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "joints/contact_law.hpp"
@@ -43,6 +44,11 @@ class NonlinearProblem {
   virtual void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) = 0;
   /// y = K R d and the gaps of a direction d (no loads, no initial gaps).
   virtual void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) = 0;
+  /// The gaps of the nearest motion to d in which every block moves as a whole; returns how far d is from it [m].
+  /// Infinitely far where nothing is known of blocks. Collective.
+  virtual double rigid_gaps(const TpetraVector& /*d*/, PointField& /*gap*/) {
+    return std::numeric_limits<double>::infinity();
+  }
   /// r -= B^T lambda.
   virtual void subtract_contact_forces(const PointField& lambda, TpetraVector& r) = 0;
   /// Proximal weight of each owned unknown [N/m], the size at which it matters as much as the structure's stiffness.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "blocks/assembly.hpp"
+#include "blocks/rigid_motion.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/traffic.hpp"
@@ -107,6 +108,27 @@ void ContactProblem<dim>::evaluate_direction(const TpetraVector& d, TpetraVector
   parts_.structure.apply_stiffness(copies_, forces_);
   space_->sum(forces_, y);
   gaps(gap, false);
+}
+
+template <int dim>
+double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
+  const auto& s = parts_.structure;
+  space_->scatter(d, copies_);
+  double off = 0;
+  for (std::size_t b = 0; b < s.blocks().size(); ++b) {
+    const auto& block = s.blocks()[b];
+    const RigidMotion rigid = rigid_motion(s, block, copies_);
+    const int end = block.first_local + static_cast<int>(block.mesh.position.size());
+    for (int i = block.first_local; i < end; ++i) {
+      const auto u = rigid.at(s.position()[i]);
+      for (int c = 0; c < dim; ++c) {
+        off = std::max(off, std::abs(copies_[dim * i + c] - u[c]));
+        copies_[dim * i + c] = u[c];
+      }
+    }
+  }
+  gaps(gap, false);
+  return largest_over_ranks(*s.comm(), off);
 }
 
 template <int dim>

@@ -75,6 +75,7 @@ class ContactProblem : public NonlinearProblem {
   const PointField& slip_origin() const override { return state_.slip_origin; }
   void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) override;
   void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) override;
+  double rigid_gaps(const TpetraVector& d, PointField& gap) override;
   void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
   const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
   int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,

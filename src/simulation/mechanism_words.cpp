@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 
@@ -62,23 +63,12 @@ std::vector<BlockMotion> block_motions(const Model<2>& model, const std::vector<
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
     const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
-    Vector<2> middle{}, mean{};
     double largest = 0;
-    for (int i = first; i < first + count; ++i) {
-      const Vector<2> u{motion[2 * i], motion[2 * i + 1]};
-      middle = middle + (1.0 / count) * s.position()[i];
-      mean = mean + (1.0 / count) * u;
-      largest = std::max(largest, norm(u));
-    }
+    for (int i = first; i < first + count; ++i)
+      largest = std::max(largest, std::hypot(motion[2 * i], motion[2 * i + 1]));
     if (largest <= least) continue;
-    double moment = 0, inertia = 0, radius = 0;
-    for (int i = first; i < first + count; ++i) {
-      const Vector<2> r = s.position()[i] - middle;
-      moment += cross(r, Vector<2>{motion[2 * i], motion[2 * i + 1]});
-      inertia += dot(r, r);
-      radius = std::max(radius, norm(r));
-    }
-    moving.push_back({block.mesh.id, mean[0], mean[1], inertia > 0 ? moment / inertia * radius : 0.0});
+    const RigidMotion rigid = rigid_motion(s, block, motion);
+    moving.push_back({block.mesh.id, rigid.mean[0], rigid.mean[1], rigid.rotation * rigid.radius});
   }
   return moving;
 }
