@@ -36,6 +36,7 @@ For k In {0 : voussoirs}
 EndFor
 
 ring() = {};
+outside() = {};
 For k In {0 : voussoirs - 1}
   inner = newl;
   Circle(inner) = {intrados(k), centre, intrados(k + 1)};
@@ -48,6 +49,7 @@ For k In {0 : voussoirs - 1}
   Plane Surface(stone) = {loop};
   Transfinite Surface{stone} = {intrados(k), extrados(k), extrados(k + 1), intrados(k + 1)};
   ring() += stone;
+  outside() += outer;
 EndFor
 
 // Abutments: from the springings away, at right angles to them.
@@ -89,3 +91,4 @@ EndIf
 Physical Surface("ring") = ring();
 Physical Surface("abutments") = abutments();
 Physical Curve("ground") = ground();
+Physical Curve("extrados") = outside();
