@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -39,7 +40,7 @@ BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim
     for (int a = 0; a < dim; ++a) jump_.push_back(jump_row(p, a));
   }
   set_pattern(jump_);
-  const auto append = [](std::vector<std::size_t>& all, const std::vector<std::size_t>& more) {
+  const auto append = [](std::vector<Place>& all, const std::vector<Place>& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
   for (const auto& row : jump_) append(jump_place_, places(row));
@@ -129,18 +130,19 @@ void BlockMotions<dim>::set_pattern(const std::vector<Row>& jumps) {
     first = last;
   }
   VOUSSOIR_ENSURE(matrix_.rows() == size_);
+  VOUSSOIR_CHECK(matrix_.column.size() <= std::numeric_limits<Place>::max());
   matrix_.value.assign(matrix_.column.size(), 0.0);
 }
 
 /// Where row^T row stands in the matrix.
 template <int dim>
-std::vector<std::size_t> BlockMotions<dim>::places(const Row& row) const {
-  std::vector<std::size_t> place;
+std::vector<typename BlockMotions<dim>::Place> BlockMotions<dim>::places(const Row& row) const {
+  std::vector<Place> place;
   for (const auto& i : row)
     for (const auto& j : row) {
       const auto first = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column]);
       const auto last = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column + 1]);
-      place.push_back(static_cast<std::size_t>(std::lower_bound(first, last, j.column) - matrix_.column.begin()));
+      place.push_back(static_cast<Place>(std::lower_bound(first, last, j.column) - matrix_.column.begin()));
     }
   return place;
 }
@@ -187,12 +189,12 @@ template <int dim>
 void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
   auto mine = elastic_;
   // Adds factor row^T row at the next places; returns those after.
-  const auto add_product = [&mine](const Entry* row, std::size_t size, double factor, const std::size_t* place) {
+  const auto add_product = [&mine](const Entry* row, std::size_t size, double factor, const Place* place) {
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t j = 0; j < size; ++j) mine[*place++] += factor * row[i].value * row[j].value;
     return place;
   };
-  const std::size_t* place = jump_place_.data();
+  const Place* place = jump_place_.data();
   for (std::size_t k = 0; k < jump_point_.size(); ++k)
     for (int a = 0; a < dim; ++a) {
       const auto& point = stiffness[jump_point_[k]];
@@ -234,7 +236,7 @@ long long BlockMotions<dim>::bytes() const {
   for (const auto& row : jump_) entries += row.size();
   return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
          static_cast<long long>(entries * sizeof(Entry) + elastic_.size() * sizeof(double) +
-                                (jump_place_.size() + z_place_.size()) * sizeof(std::size_t));
+                                (jump_place_.size() + z_place_.size()) * sizeof(Place));
 }
 
 template class BlockMotions<2>;

@@ -5,6 +5,7 @@
 // Every rank holds and factors the whole coarse matrix.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "homogenisation/system_matrix.hpp"
@@ -34,11 +35,12 @@ class BlockMotions {
     double value;
   };
   using Row = std::vector<Entry>;
+  using Place = std::uint32_t;  ///< in the matrix; there are some forty per unknown
 
   Row row_of(int node, int component) const;
   Row jump_row(const ContactPoint<dim>&, int axis) const;
   void set_pattern(const std::vector<Row>& couplings);
-  std::vector<std::size_t> places(const Row&) const;
+  std::vector<Place> places(const Row&) const;
   void add_elastic_energy();
 
   const Structure<dim>& structure_;
@@ -50,7 +52,7 @@ class BlockMotions {
   Row z_;                                 ///< Z at owned unknowns, compressed rows
   std::vector<int> jump_point_;           ///< owned selected points that couple clusters
   std::vector<Row> jump_;                 ///< dim rows for each of them
-  std::vector<std::size_t> jump_place_, z_place_;  ///< of their products in the matrix, one row after the other
+  std::vector<Place> jump_place_, z_place_;  ///< of their products in the matrix, one row after the other
   LocalCsr matrix_;                       ///< dense blocks of modes x modes, the same pattern on every rank
   std::vector<double> elastic_;           ///< this rank's part of Z^T K Z, in the pattern of the matrix
   int size_ = 0;
