@@ -186,20 +186,29 @@ def seconds(blocks, ranks, machine, widths, iterations):
     }
 
 
-def memory(blocks, ranks, alone):
-    """GB of a rank: its share of everything, and block motions whole."""
-    replicated = alone["motions_bytes"] / alone["blocks"]
+def replicated_bytes(rows):
+    """Of block motions and one block, on every rank: what does not become less with ranks."""
+    most = max((r for r in rows if r["level_rows"]), key=lambda r: (r["ranks"], r["size"]))
+    alone = next(r for r in rows if r["ranks"] == 1 and r["size"] == most["size"])
+    ranks = most["ranks"]
+    return (ranks * most["motions_bytes"] - alone["motions_bytes"]) / (ranks - 1) / most["blocks"]
+
+
+def memory(blocks, ranks, alone, replicated):
+    """GB of a rank: its share of everything, and the matrix and factors of block motions whole."""
     own = alone["peak_memory_MB"] * 1e6 / alone["blocks"] - replicated
     return (own * blocks / ranks + replicated * blocks) / 1e9
 
 
 def tables(rows, widths, options):
     machine = Machine(rows, options)
+    replicated = replicated_bytes(rows)
     iterations = machine.alone["iterations"]
     print(f"On one rank here: {machine.iteration * 1e9:.0f} ns an unknown and iteration, W({machine.alone['size']:g}) "
           f"factors its block motions in {machine.alone['motions_factor_s']:.2g} s; {iterations} iterations.\n"
           f"Network: {machine.latency:g} s, {machine.bandwidth:g} bytes/s of a rank. "
-          f"Memory of a rank: {options['memory']:g} GB.\n")
+          f"Memory of a rank: {options['memory']:g} GB; "
+          f"{replicated / 1e3:.2g} kB of each block on every rank.\n")
     table = []
     for kind in ("strong", "weak"):
         print(f"{kind} scaling: " + (f"{options['blocks']:g} blocks" if kind == "strong" else
@@ -220,7 +229,7 @@ def tables(rows, widths, options):
             first = first or (all_parts, others)
             ideal = ranks if kind == "strong" else 1
             limit = max(parts, key=parts.get)
-            gigabytes = memory(blocks, ranks, machine.alone)
+            gigabytes = memory(blocks, ranks, machine.alone, replicated)
             row = {"kind": kind, "ranks": ranks, "blocks": blocks, "seconds": all_parts,
                    "efficiency": first[0] / all_parts / ideal, "efficiency_without": first[1] / others / ideal,
                    "gigabytes": gigabytes, "fits": gigabytes <= options["memory"], **parts}
