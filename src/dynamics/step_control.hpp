@@ -25,11 +25,12 @@ struct TimeStepLevel {
 class StepControl {
  public:
   /// @param duration        [s] of the stage
-  /// @param fixed           [s] time step the user wants; 0 = automatic, between one and `largest` Courant numbers
+  /// @param fixed           [s] time step the user wants; 0 = automatic, between the Courant time and the longest
   /// @param now             where the stage stands; outlives the control
   /// @param courant_time    [s] passage of a wave through the smallest cell
+  /// @param longest         [s] an automatic step
   /// @param tolerance       [-] error of an automatic step
-  StepControl(TimeStepLevel& now, double duration, double fixed, double courant_time, double largest_courant,
+  StepControl(TimeStepLevel& now, double duration, double fixed, double courant_time, double longest,
               double tolerance, int largest_halvings)
       : now_(now),
         duration_(duration),
@@ -37,8 +38,8 @@ class StepControl {
         tolerance_(tolerance),
         largest_halvings_(largest_halvings) {
     // An automatic stage has at least 20 steps: loads that ramp over it are seen.
-    const double longest = automatic_ ? std::min(largest_courant * courant_time, duration / 20) : fixed;
-    base_steps_ = std::max(1LL, static_cast<long long>(std::ceil(duration / longest * (1 - 1e-12))));
+    const double largest = automatic_ ? std::min(longest, duration / 20) : fixed;
+    base_steps_ = std::max(1LL, static_cast<long long>(std::ceil(duration / largest * (1 - 1e-12))));
     if (automatic_)  // begin at the Courant time: what follows is not known yet
       finest_ = std::max(0, static_cast<int>(std::ceil(std::log2(base() / courant_time) - 1e-9)));
     if (now_.level < 0) now_ = {finest_, 0, 0};

@@ -15,7 +15,7 @@ struct TimeParameters {
   double stiffness_damping = 0;   ///< [s] beta
   double error_tolerance = 0.02;  ///< [-] of an automatic time step
   double force_tolerance = 1e-11;  ///< [-] of the forces of a time step, relative to the largest
-  double largest_courant = 100;   ///< [-] of an automatic time step
+  double largest_courant = 1000;   ///< [-] of an automatic time step
   int largest_halvings = 12;      ///< of one time step that does not converge
   void declare(ParameterSection&);
 };

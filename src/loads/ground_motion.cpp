@@ -65,6 +65,8 @@ class GroundMotion final : public Load<2> {
     return sizeof(*this) + mass_.capacity() * sizeof(double) + record_[0].bytes() + record_[1].bytes();
   }
 
+  double resolution() const override { return std::min(record_[0].resolution(), record_[1].resolution()); }
+
   std::string remark() const override { return remark_on(record_[0], "x record") + remark_on(record_[1], "y record"); }
 
  private:

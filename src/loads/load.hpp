@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,6 +37,8 @@ class Load {
   /// Adds factor times the strain that a block would take freely, in every direction of the plane [-, per local block].
   virtual void add_free_strain(double, std::vector<double>&) const {}
   virtual bool strains() const { return false; }
+  /// [s] A time step that sees how the load varies; infinite when it does not vary by itself. The same on every rank.
+  virtual double resolution() const { return std::numeric_limits<double>::infinity(); }
   /// [bytes] held on this rank.
   virtual std::size_t bytes() const = 0;
   /// What a user should know of the load before the run; "" for nothing. The same on every rank.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -12,6 +13,7 @@ namespace voussoir {
 namespace {
 
 constexpr double pi = 3.141592653589793;
+constexpr double steps_of_a_period = 20;  // the midpoint rule then lags behind by less than a hundredth of a period
 
 }  // namespace
 
@@ -27,6 +29,11 @@ double PiecewiseLinear::operator()(double t) const {
   const auto k = static_cast<std::size_t>(after - time_.begin());
   const double share = (t - time_[k - 1]) / (time_[k] - time_[k - 1]);
   return value_[k - 1] + share * (value_[k] - value_[k - 1]);
+}
+
+double PiecewiseLinear::resolution() const {
+  if (time_.size() < 2) return std::numeric_limits<double>::infinity();
+  return (time_.back() - time_.front()) / static_cast<double>(time_.size() - 1) / 2;
 }
 
 void check_rising(const std::vector<double>& time, const std::string& file, const std::string& where) {
@@ -66,6 +73,21 @@ TimeFunction::TimeFunction(const TimeFunctionParameters& p, const std::string& w
       line_ = {std::move(table.columns[0]), std::move(table.columns[1])};
       break;
     }
+  }
+}
+
+double TimeFunction::resolution() const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  switch (type_) {
+    case TimeFunctionType::record:
+      return line_.resolution();
+    case TimeFunctionType::pulse:
+      return 2 * (end_ - start_) / steps_of_a_period;
+    case TimeFunctionType::sine:
+    case TimeFunctionType::sine_sweep:
+      return 1 / (std::max(std::abs(first_frequency_), std::abs(last_frequency_)) * steps_of_a_period);
+    default:
+      return none;
   }
 }
 

@@ -18,6 +18,8 @@ class PiecewiseLinear {
   double operator()(double t) const;
   const std::vector<double>& time() const { return time_; }
   const std::vector<double>& value() const { return value_; }
+  /// [s] Half the mean interval of its points; infinite for fewer than two.
+  double resolution() const;
   std::size_t bytes() const { return (time_.capacity() + value_.capacity()) * sizeof(double); }
 
  private:
@@ -34,6 +36,9 @@ class TimeFunction {
 
   /// [-] at a time [s]
   double operator()(double t) const;
+  /// [s] A time step that sees how the factor varies: half the mean interval of a record, a twentieth of the shortest
+  /// period of a sine, a sweep or a pulse; infinite for lines, whose corners the error of a step finds.
+  double resolution() const;
   std::size_t bytes() const { return line_.bytes(); }
 
  private:

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
+#include <limits>
 
 namespace voussoir {
 
@@ -47,6 +48,13 @@ std::vector<double> LoadsAtWork<dim>::free_strain(const std::map<std::string, do
     n.load->add_free_strain(it->second * n.time_function(time), strain);
   }
   return strain;
+}
+
+template <int dim>
+double LoadsAtWork<dim>::resolution() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& n : loads_) shortest = std::min({shortest, n.load->resolution(), n.time_function.resolution()});
+  return shortest;
 }
 
 template <int dim>

@@ -27,6 +27,9 @@ class LoadsAtWork {
   /// Strain that blocks would take freely [-, per local block]; empty when no load strains blocks.
   std::vector<double> free_strain(const std::map<std::string, double>& factors, double time) const;
 
+  /// [s] A time step that sees how all loads vary; infinite when none does.
+  double resolution() const;
+
   /// Costs so far by type of load: calls and bytes of all ranks, seconds of the slowest. Collective.
   std::map<std::string, EffectSummary> costs(const Teuchos::Comm<int>&) const;
   /// What loads have to say before a run, a line each: "earthquake: x record ...".

@@ -228,8 +228,10 @@ class Run {
     if (control_) return;
     const auto& stage = steps_.stage_parameters();
     const auto& time = model_.scene().time;
-    control_ = std::make_unique<StepControl>(level_, stage.duration, stage.time_step, dynamics_->courant_time(),
-                                             time.largest_courant, time.error_tolerance, time.largest_halvings);
+    const double courant_time = dynamics_->courant_time();
+    const double longest = std::min(time.largest_courant * courant_time, model_.loads().resolution());
+    control_ = std::make_unique<StepControl>(level_, stage.duration, stage.time_step, courant_time, longest,
+                                             time.error_tolerance, time.largest_halvings);
   }
 
   bool finished() const { return steps_.finished() && (!load_factor_ || load_factor_->finished()); }

@@ -11,21 +11,21 @@ constexpr double courant = 1e-3, tolerance = 0.02;
 
 TEUCHOS_UNIT_TEST(StepControl, DividesAStageIntoStepsNoLongerThanTheUserWants) {
   TimeStepLevel now, other;
-  const StepControl control(now, 1.0, 0.3, courant, 100, tolerance, 3);
+  const StepControl control(now, 1.0, 0.3, courant, 100 * courant, tolerance, 3);
   TEST_FLOATING_EQUALITY(control.time_step(), 0.25, 1e-12);
-  const StepControl exact(other, 1.0, 0.1, courant, 100, tolerance, 3);
+  const StepControl exact(other, 1.0, 0.1, courant, 100 * courant, tolerance, 3);
   TEST_FLOATING_EQUALITY(exact.time_step(), 0.1, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(StepControl, LeavesAFixedStepAloneWhateverTheError) {
   TimeStepLevel now;
-  StepControl control(now, 1.0, 0.1, courant, 100, tolerance, 3);
+  StepControl control(now, 1.0, 0.1, courant, 100 * courant, tolerance, 3);
   for (int k = 1; k <= 10; ++k) TEST_ASSERT(!control.accept(k % 2 == 0 ? 1.0 : 0.0, 0.1 * k));
 }
 
 TEUCHOS_UNIT_TEST(StepControl, HalvesAFailedStepAndReturnsToIt) {
   TimeStepLevel now;
-  StepControl control(now, 1.0, 0.1, courant, 100, tolerance, 2);
+  StepControl control(now, 1.0, 0.1, courant, 100 * courant, tolerance, 2);
   TEST_ASSERT(control.halve());
   TEST_ASSERT(control.halve());
   TEST_ASSERT(!control.halve());
@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(StepControl, HalvesAFailedStepAndReturnsToIt) {
 
 TEUCHOS_UNIT_TEST(StepControl, GrowsFromTheCourantTimeAndShrinksToIt) {
   TimeStepLevel now;
-  StepControl control(now, 10.0, 0, courant, 100, tolerance, 3);
+  StepControl control(now, 10.0, 0, courant, 100 * courant, tolerance, 3);
   TEST_COMPARE(control.time_step(), <=, courant * (1 + 1e-12));
   double reached = 0;
   for (int k = 0; k < 2000 && reached < 5; ++k) {
@@ -59,9 +59,9 @@ TEUCHOS_UNIT_TEST(StepControl, GrowsFromTheCourantTimeAndShrinksToIt) {
 
 TEUCHOS_UNIT_TEST(StepControl, GoesOnWithTheTimeStepItHadWhenItWasLeft) {
   TimeStepLevel now;
-  StepControl left(now, 1.0, 0.1, courant, 100, tolerance, 3);
+  StepControl left(now, 1.0, 0.1, courant, 100 * courant, tolerance, 3);
   left.halve();
-  TEST_EQUALITY(StepControl(now, 1.0, 0.1, courant, 100, tolerance, 3).time_step(), left.time_step());
+  TEST_EQUALITY(StepControl(now, 1.0, 0.1, courant, 100 * courant, tolerance, 3).time_step(), left.time_step());
 }
 
 }  // namespace

@@ -196,6 +196,7 @@ TEUCHOS_UNIT_TEST(GroundMotion, IsInertiaAgainstTheAccelerationOfTheGround) {
   TEST_FLOATING_EQUALITY(r.y, -0.5 * mass * 0.5, round_off);
   TEST_EQUALITY(wall.resultant(p, 1.0, 3.5).x, 0.0);  // the record is over
   TEST_INEQUALITY(wall.made(p)->remark().find("its baseline drifts"), std::string::npos);
+  TEST_EQUALITY(wall.made(p)->resolution(), 0.75);  // two intervals of 1.5 s in the mean, two steps in each
 }
 
 TEUCHOS_UNIT_TEST(GroundMotion, BringsTheGroundBackWhereTheBaselineIsCorrected) {

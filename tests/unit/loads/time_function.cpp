@@ -105,6 +105,18 @@ TEUCHOS_UNIT_TEST(TimeFunction, OfARecordReadsRowsAndScalesThem) {
   TEST_COMPARE(f.bytes(), >=, 6 * sizeof(double));
 }
 
+TEUCHOS_UNIT_TEST(TimeFunction, TellsATimeStepThatSeesIt) {
+  TEST_ASSERT(std::isinf(made({}).resolution()));
+  TEST_ASSERT(std::isinf(made(parameters(TimeFunctionType::ramp, 0, 1e-3, 1)).resolution()));
+  TEST_FLOATING_EQUALITY(made(parameters(TimeFunctionType::pulse, 1, 0.5, 1)).resolution(), 0.05, round_off);
+  auto sweep = parameters(TimeFunctionType::sine_sweep, 0, 2, 1);
+  sweep.first_frequency = 10;
+  sweep.last_frequency = 2;
+  TEST_FLOATING_EQUALITY(made(sweep).resolution(), 0.005, round_off);
+  const PiecewiseLinear record({0, 0.01, 0.02, 0.06}, {0, 1, 2, 3});
+  TEST_FLOATING_EQUALITY(record.resolution(), 0.01, round_off);
+}
+
 std::string said_of(const std::string& file, const std::string& text) {
   if (everyone()->getRank() == 0) std::ofstream(file) << text;
   TimeFunctionParameters p;
