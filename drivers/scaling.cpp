@@ -20,14 +20,16 @@ using namespace voussoir;
 
 const char* const usage =
     R"(scaling [options], alone or under mpirun
-  --families=LIST     of walls, openings, arches, bridge (default: all)
+  --families=LIST     of walls, openings, storeys, arches, bridge (default: all)
   --largest=N         walls of 16, 32, 64, ... up to N courses (default: 64), arches of 15, 31, 61, ... up to 2 N
-                      voussoirs; bridge and openings (wall 3 of Ferris and Tin-Loi) with cells 1, 2, 4,
-                      ... times as fine up to N / 16
+                      voussoirs; bridge, openings and storeys (walls 3 and 5 of Ferris and Tin-Loi: one and
+                      two storeys) with cells 1, 2, 4, ... times as fine up to N / 16
   --smallest=N        leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)
   --systems=LIST      instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,
                       messages and bytes, on walls with more blocks, finer cells, larger contrast of stones (contrast),
                       more open joints (open), resistances further apart (spread)
+  --peers=LIST        instead, other programs on scenes W<courses> and A<voussoirs>, in turn with this one: GetFEM and
+                      CalculiX where they are installed; see drivers/peers/compare.py
   --modes=LIST        of bonded, adaptive, all (default: adaptive,all)
   --set PATH=VALUE    change one parameter of every scene; may be repeated
   --out=DIR           where results go (default: out/scaling)
@@ -38,8 +40,9 @@ Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is miss
 )";
 
 struct Arguments {
+  std::string peers;
   std::string folder = "out/scaling", draw = VOUSSOIR_SOURCE_DIR "/drivers/report/draw_scaling.py";
-  std::vector<std::string> families{"walls", "openings", "arches", "bridge"}, systems, overrides;
+  std::vector<std::string> families{"walls", "openings", "storeys", "arches", "bridge"}, systems, overrides;
   std::vector<SelectionMode> modes{SelectionMode::adaptive, SelectionMode::all};
   int smallest = 1, largest = 64;
   bool help = false;
@@ -81,7 +84,8 @@ int count_of(const std::string& option, const std::string& text) {
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
   const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes",
-                                       "--systems",  "--set",     "--out",      "--draw"};
+                                       "--systems",  "--peers",   "--set",   "--out",
+                                       "--draw"};
   for (const auto& [option, value] : options_of("scaling", words, known)) {
     if (option == "--help") a.help = true;
     if (option == "--families") a.families = words_of(option, value, a.families);
@@ -90,6 +94,7 @@ Arguments parse(const std::vector<std::string>& words) {
     if (option == "--modes") a.modes = modes_of(value);
     if (option == "--systems")
       a.systems = words_of(option, value, {"blocks", "cells", "contrast", "open", "spread"});
+    if (option == "--peers") a.peers = value;
     if (option == "--set") a.overrides.push_back(value);
     if (option == "--out") a.folder = value;
     if (option == "--draw") a.draw = value;
@@ -122,16 +127,20 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
       if (n >= 2 * a.smallest || a.smallest == 1) scaling.add("arches", n, arch_of(scene, n), a.modes);
   }
   const int finest = std::max(1, a.largest / 16);
-  if (a.asks_for("openings"))
-    for (int finer = 1; finer <= finest; finer *= 2) {
+  const auto push_wall = [&](const std::string& family, int number, double push) {
+    for (int finer = 1; a.asks_for(family) && finer <= finest; finer *= 2) {
       auto scene = scene_of(a, "ferris-tin-loi-wall.xml",
-                            {"mesh/gmsh/geometry/wall=3", "mesh/gmsh/geometry/cells=" + std::to_string(finer)});
-      StageParameters push;
-      push.name = "push";
-      push.factors["sideways"] = 0.2;  // it bears 0.356
-      scene.stages.push_back(push);
-      scaling.add("openings", finer, scene, a.modes);
+                            {"mesh/gmsh/geometry/wall=" + std::to_string(number),
+                             "mesh/gmsh/geometry/cells=" + std::to_string(finer)});
+      StageParameters stage;
+      stage.name = "push";
+      stage.factors["sideways"] = push;
+      scene.stages.push_back(stage);
+      scaling.add(family, finer, scene, a.modes);
     }
+  };
+  push_wall("openings", 3, 0.2);  // it bears 0.356
+  push_wall("storeys", 5, 0.1);   // it bears 0.215
   if (a.asks_for("bridge")) {
     const auto scene = scene_of(a, "clare-college-bridge.xml", bridge_in_two_steps);
     for (int finer = 1; finer <= finest; finer *= 2)
@@ -162,11 +171,26 @@ void study_systems(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<in
   say << "\nResults are in " << a.folder << "/systems.csv and systems.json\n";
 }
 
+/// Other programs run as processes of their own, and so does this one beside them.
+void compare_with_peers(const Arguments& a) {
+  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::string command = std::string("/usr/bin/python3 -B " VOUSSOIR_SOURCE_DIR "/drivers/peers/compare.py ") +
+                              quoted((here / "voussoir").string()) + " " + quoted(a.folder) + " " +
+                              quoted("--scenes=" + a.peers);
+  std::cout << std::flush;
+  if (std::system(command.c_str()) != 0) throw ResourceError("scaling: the comparison failed:\n  " + command);
+}
+
 void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                  std::ostream& say) {
   const auto a = parse(words);
   if (a.help) {
     say << usage;
+    return;
+  }
+  if (!a.peers.empty()) {
+    if (comm->getSize() > 1) refuse("--peers", "compares programs on one rank; run it without mpirun.");
+    compare_with_peers(a);
     return;
   }
   if (!a.systems.empty()) {

@@ -11,10 +11,10 @@ import matplotlib.pyplot as plt
 
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from draw_common import BLUE, GREEN, GREY, ORANGE, PALE, PURPLE, RED, WIDTH, save_study
+from draw_common import BLUE, GREEN, GREY, ORANGE, PALE, PURPLE, RED, SKY, WIDTH, save_study
 from read_results import number
 
-COLOURS = {"walls": BLUE, "openings": PURPLE, "arches": ORANGE, "bridge": GREEN}
+COLOURS = {"walls": BLUE, "openings": PURPLE, "storeys": SKY, "arches": ORANGE, "bridge": GREEN}
 LINES = {"adaptive": "-", "all": "--", "bonded": ":"}
 # What a load step may cost in bonded solves, and what its linear solves may take.
 MOST_CONTINUA, MOST_KRYLOV, MOST_SOLVES = 3, 25, 12
