@@ -48,8 +48,9 @@ def contrast(low, high):
     return content
 
 
+# The soft course gives way by 0.37 m: 1e12 Pa times that is known to 4e-5 Pa m, as much as 1e-8 of the forces.
 case(GROUP, "contrast 1e8 between courses", lambda: contrast(1e4, 1e12),
-     fails="no way closes the contact conditions within 2000 solves; with a contrast of 1e6 all is well",
+     fails="round-off of stiffness times displacement is as large as the tolerance; a tolerance of 1e-7 converges",
      check=lambda run: [Near("weight carried", run.reaction(), wall_weight(4), 1e-8)])
 case(GROUP, "contrast 1e6 between courses", lambda: contrast(1e6, 1e12),
      check=lambda run: [Near("weight carried", run.reaction(), wall_weight(4), 1e-8)])
