@@ -21,8 +21,8 @@ void TimeParameters::declare(ParameterSection& section) {
               "below 1e-13 is round-off, above 1e-4 no energy is kept",
               "1e-11 keeps energy over ten thousand steps; 1e-8 is for hundreds of points at their friction bound.");
   section.add("largest Courant number", largest_courant, "-", at_least(1.0),
-              "an automatic time step lasts no longer than so many passages of a wave through the smallest cell, than half "
-              "the interval of a record and than a twentieth of the period of a load",
+              "an automatic time step lasts no longer than so many passages of a wave through the smallest cell, than "
+              "half the interval of a record and than a twentieth of the period of a load",
               "one passage is what a cell resolves");
   section.add("largest halvings", largest_halvings, "-", between(0, 30),
               "how often a time step that does not converge may be halved",

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "base/tensor.hpp"
 
@@ -16,6 +17,40 @@ struct PointLaw {
   double friction = 0;  ///< [-] Coulomb's coefficient, may be infinite
   double cohesion = 0;  ///< [N] shear force borne without compression, may be infinite; 0 once broken
   double tension = 0;   ///< [N] tensile force borne, may be infinite; 0 once broken
+};
+
+/// Laws of many points. What no point of a rank has is not held: a scene without cohesion has no bytes for it.
+class PointLaws {
+ public:
+  explicit PointLaws(std::size_t points = 0, const PointLaw& law = {}) : points_(points) {
+    if (law.friction != 0 || law.cohesion != 0 || law.tension != 0)
+      for (std::size_t k = 0; k < points; ++k) set(k, law);
+  }
+  std::size_t size() const { return points_; }
+  PointLaw operator[](std::size_t k) const { return {at(friction_, k), at(cohesion_, k), at(tension_, k)}; }
+  void set(std::size_t k, const PointLaw& law) {
+    put(friction_, k, law.friction);
+    put(cohesion_, k, law.cohesion);
+    put(tension_, k, law.tension);
+  }
+  /// A point whose bond is broken has friction alone.
+  void lose_bond(std::size_t k) {
+    put(cohesion_, k, 0);
+    put(tension_, k, 0);
+  }
+  std::size_t bytes() const {
+    return (friction_.capacity() + cohesion_.capacity() + tension_.capacity()) * sizeof(double);
+  }
+
+ private:
+  static double at(const std::vector<double>& of, std::size_t k) { return of.empty() ? 0.0 : of[k]; }
+  void put(std::vector<double>& of, std::size_t k, double value) const {
+    if (of.empty() && value == 0) return;
+    of.resize(points_);
+    of[k] = value;
+  }
+  std::size_t points_;
+  std::vector<double> friction_, cohesion_, tension_;  ///< as many as points, or none
 };
 
 /// What mortar gives way under a force, in series with contact: the law holds for gap + normal x p and slip +

@@ -32,7 +32,7 @@ class NonlinearProblem {
   virtual int owned_points() const = 0;
   /// 1 where the point is resolved as contact; the others are tied and skipped.
   virtual const std::vector<char>& selected() const = 0;
-  virtual const std::vector<PointLaw>& law() const = 0;
+  virtual const PointLaws& law() const = 0;
   /// Stiffness of the blocks as a point sees it [N/m]: the natural augmentation.
   virtual const std::vector<double>& local_stiffness() const = 0;
   /// Mortar of each point; empty when stone meets stone everywhere.

@@ -68,10 +68,10 @@ std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const
 }
 
 template <int dim>
-std::vector<PointLaw> AdaptiveStep<dim>::current_law(const ContactState& state) const {
+PointLaws AdaptiveStep<dim>::current_law(const ContactState& state) const {
   auto law = model_.law();
   for (std::size_t k = 0; k < law.size(); ++k)
-    if (state.broken[k]) law[k].cohesion = law[k].tension = 0;
+    if (state.broken[k]) law.lose_bond(k);
   return law;
 }
 

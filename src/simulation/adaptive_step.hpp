@@ -55,11 +55,11 @@ class AdaptiveStep {
                    const std::vector<double>& prescribed, double tolerance, const PointField* known_gap,
                    const PointField& force_before, std::vector<int>& cluster, StepReport&);
   bool break_points(ContactState&) const;
-  std::vector<PointLaw> current_law(const ContactState&) const;
+  PointLaws current_law(const ContactState&) const;
 
   const Model<dim>& model_;
   LinearSolver solver_;
-  std::vector<PointLaw> law_;
+  PointLaws law_;
   std::vector<double> mechanism_;
 };
 

@@ -20,7 +20,7 @@ constexpr double proximal_strain = 1e-4;
 }  // namespace
 
 template <int dim>
-ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& state, const std::vector<PointLaw>& law,
+ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& state, const PointLaws& law,
                                     const std::vector<double>& load, const std::vector<double>& prescribed)
     : parts_(parts), state_(state), law_(law), load_(load), prescribed_(prescribed) {
   const auto& s = parts.structure;

@@ -56,7 +56,7 @@ class ContactProblem : public NonlinearProblem {
 
   /// @param load        nodal forces [N, dim x local node copies]
   /// @param prescribed  displacement of held components [m], the same shape
-  ContactProblem(const Parts&, const ContactState&, const std::vector<PointLaw>&, const std::vector<double>& load,
+  ContactProblem(const Parts&, const ContactState&, const PointLaws&, const std::vector<double>& load,
                  const std::vector<double>& prescribed);
 
   const MergedSpace<dim>& space() const { return *space_; }
@@ -69,7 +69,7 @@ class ContactProblem : public NonlinearProblem {
   int owned_points() const override { return parts_.points.owned(); }
   /// Without points that supports hold on both sides, whose force nothing determines, and those not built yet.
   const std::vector<char>& selected() const override { return movable_; }
-  const std::vector<PointLaw>& law() const override { return law_; }
+  const PointLaws& law() const override { return law_; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
   const std::vector<PointCompliance>& compliance() const override { return parts_.compliance; }
   const PointField& slip_origin() const override { return state_.slip_origin; }
@@ -95,7 +95,7 @@ class ContactProblem : public NonlinearProblem {
 
   Parts parts_;
   const ContactState& state_;
-  const std::vector<PointLaw>& law_;
+  const PointLaws& law_;
   const std::vector<double>& load_;
   const std::vector<double>& prescribed_;
   std::unique_ptr<MergedSpace<dim>> space_;

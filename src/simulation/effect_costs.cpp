@@ -7,8 +7,7 @@
 namespace voussoir {
 namespace {
 
-// What a law holds of a contact point for friction, for cohesion and for tension strength, whether they are in play or
-// not: points are all of one kind, so that the solver has one loop.
+// What a law holds of a contact point for each of friction, cohesion and tension strength that is in play.
 constexpr long long bytes_of_number = sizeof(double);
 // What a state between load steps holds of a point where something rubs: its slip, as a vector.
 constexpr long long bytes_of_slip = 2 * sizeof(double);
@@ -36,8 +35,9 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
   for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
   const bool friction = costs["friction"].in_play;
-  costs["friction"].bytes = points * (bytes_of_number + (friction ? bytes_of_slip : 0));
-  costs["cohesion"].bytes = costs["tension strength"].bytes = points * bytes_of_number;
+  costs["friction"].bytes = friction ? points * (bytes_of_number + bytes_of_slip) : 0;
+  for (const auto* bond : {"cohesion", "tension strength"})
+    costs[bond].bytes = costs[bond].in_play ? points * bytes_of_number : 0;
   const bool mortar = costs["joint stiffness"].in_play;
   costs["joint stiffness"].bytes = mortar ? points * static_cast<long long>(sizeof(PointCompliance)) : 0;
   costs["inertia"].bytes = costs["inertia"].in_play ? bytes_of_inertia(structure) : 0;

@@ -42,7 +42,7 @@ void release_violating(const ContactPoints<dim>& points, const std::vector<int>&
 }  // namespace
 
 template <int dim>
-TiedViolations tied_violations(const Model<dim>& model, const std::vector<PointLaw>& law, const ContactState& state,
+TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, const ContactState& state,
                                const std::vector<int>& cluster) {
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
@@ -89,7 +89,7 @@ std::vector<char> open_points(const Model<dim>& model) {
 }
 
 template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const std::vector<PointLaw>& law,
+TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const PointLaws& law,
                    const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations,
                    const std::vector<double>& load, const std::vector<double>& prescribed) {
   if (violations.largest == 0) return {};
@@ -128,10 +128,10 @@ double relative_error(const Structure<dim>& structure, const std::vector<double>
   return std::sqrt(changed) < largest_error * std::sqrt(energy) ? std::sqrt(changed / energy) : largest_error;
 }
 
-template TiedViolations tied_violations<2>(const Model<2>&, const std::vector<PointLaw>&, const ContactState&,
+template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
                                            const std::vector<int>&);
 template std::vector<char> open_points<2>(const Model<2>&);
-template TieError tie_error<2>(const ContactProblem<2>::Parts&, const std::vector<PointLaw>&, const ContactState&,
+template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&, const ContactState&,
                                const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
                                const std::vector<double>&);
 template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double);

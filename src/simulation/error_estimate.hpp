@@ -22,7 +22,7 @@ struct TiedViolations {
 /// @param cluster    per local node copy; a point is tied when its nodes have the same cluster
 /// Collective.
 template <int dim>
-TiedViolations tied_violations(const Model<dim>&, const std::vector<PointLaw>&, const ContactState&,
+TiedViolations tied_violations(const Model<dim>&, const PointLaws&, const ContactState&,
                                const std::vector<int>& cluster);
 
 /// Energy that releasing each point alone would set free, r^2 / (2 k) [J]: good for telling points apart, not for
@@ -46,7 +46,7 @@ struct TieError {
 /// @param state  in equilibrium with its ties; ghosts of its forces up to date
 /// Collective. Costs a linear solve where anything is violated.
 template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts&, const std::vector<PointLaw>&, const ContactState&,
+TieError tie_error(const typename ContactProblem<dim>::Parts&, const PointLaws&, const ContactState&,
                    const std::vector<int>& cluster, const TiedViolations&, const std::vector<double>& load,
                    const std::vector<double>& prescribed);
 
@@ -56,10 +56,10 @@ template <int dim>
 double relative_error(const Structure<dim>&, const std::vector<double>& displacement, const TieError&,
                       double known_energy);
 
-extern template TiedViolations tied_violations<2>(const Model<2>&, const std::vector<PointLaw>&,
+extern template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&,
                                                   const ContactState&, const std::vector<int>&);
 extern template std::vector<char> open_points<2>(const Model<2>&);
-extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const std::vector<PointLaw>&,
+extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&,
                                       const ContactState&, const std::vector<int>&, const TiedViolations&,
                                       const std::vector<double>&, const std::vector<double>&);
 extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double);

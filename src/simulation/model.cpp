@@ -109,9 +109,11 @@ void Model<dim>::set_laws() {
     const auto& j = blocks[structure_->local_block(joint.block_j)].mesh;
     joint.family = family_of(scene_, source_, i, j);
   }
-  for (const auto& p : points_->points()) {
+  law_ = PointLaws(points_->points().size());
+  for (std::size_t k = 0; k < law_.size(); ++k) {
+    const auto& p = points_->points()[k];
     const auto& law = scene_.joints[joints[p.joint].family].parameters;
-    law_.push_back({law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
+    law_.set(k, {law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
     brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
     initial_gap_.push_back(law.initial_gap);
   }

@@ -36,7 +36,7 @@ class Model {
   /// Stiffness a point sees in the cells beside it [N/m].
   const std::vector<double>& local_stiffness() const { return local_stiffness_; }
   /// Law of each point, unbroken.
-  const std::vector<PointLaw>& law() const { return law_; }
+  const PointLaws& law() const { return law_; }
   bool brittle() const { return brittle_; }
   /// Some joint has friction or strength, so that it matters where a point has slipped to.
   bool rubs() const { return rubs_; }
@@ -76,7 +76,7 @@ class Model {
   std::unique_ptr<Continuum<dim>> continuum_;
   std::vector<char> held_;
   std::vector<double> local_stiffness_;
-  std::vector<PointLaw> law_;
+  PointLaws law_;
   std::vector<PointCompliance> compliance_;
   double softest_mortar_ = JointLawParameters::infinity;
   std::vector<double> initial_gap_;

@@ -10,7 +10,7 @@ namespace {
 
 /// Brings the forces of selected points to the nearest admissible ones, normal part first.
 template <int dim>
-void admit(const std::vector<PointLaw>& law, ContactState& state) {
+void admit(const PointLaws& law, ContactState& state) {
   for (std::size_t k = 0; k < law.size(); ++k) {
     if (!state.selected[k]) continue;
     const double normal = project_normal(law[k], state.lambda[dim * k]);
@@ -25,7 +25,7 @@ void admit(const std::vector<PointLaw>& law, ContactState& state) {
 }  // namespace
 
 template <int dim>
-bool release(const Model<dim>& model, const std::vector<PointLaw>& law, const std::vector<int>& cluster,
+bool release(const Model<dim>& model, const PointLaws& law, const std::vector<int>& cluster,
              const std::vector<double>& eta, ContactState& state) {
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
@@ -60,7 +60,7 @@ bool release(const Model<dim>& model, const std::vector<PointLaw>& law, const st
 }
 
 template <int dim>
-bool release_all(const Model<dim>& model, const std::vector<PointLaw>& law, ContactState& state) {
+bool release_all(const Model<dim>& model, const PointLaws& law, ContactState& state) {
   const bool more = count_selected(model, state) < model.points().total();
   std::fill(state.selected.begin(), state.selected.end(), 1);
   admit<dim>(law, state);
@@ -68,7 +68,7 @@ bool release_all(const Model<dim>& model, const std::vector<PointLaw>& law, Cont
 }
 
 template <int dim>
-bool release_mortar(const Model<dim>& model, const std::vector<PointLaw>& law, ContactState& state) {
+bool release_mortar(const Model<dim>& model, const PointLaws& law, ContactState& state) {
   if (model.softest_mortar() == JointLawParameters::infinity) return false;
   const auto before = count_selected(model, state);
   const auto& mortar = model.compliance();
@@ -84,10 +84,10 @@ long long count_selected(const Model<dim>& model, const ContactState& state) {
   return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
 }
 
-template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,
+template bool release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
                          const std::vector<double>&, ContactState&);
-template bool release_all<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
-template bool release_mortar<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
+template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
+template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
 template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -11,26 +11,26 @@ namespace voussoir {
 /// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
 /// @return false when nothing new was selected
 template <int dim>
-bool release(const Model<dim>&, const std::vector<PointLaw>&, const std::vector<int>& cluster,
+bool release(const Model<dim>&, const PointLaws&, const std::vector<int>& cluster,
              const std::vector<double>& eta, ContactState&);
 
 /// Selects every point, with admissible forces; false when all were selected already. Collective.
 template <int dim>
-bool release_all(const Model<dim>&, const std::vector<PointLaw>&, ContactState&);
+bool release_all(const Model<dim>&, const PointLaws&, ContactState&);
 
 /// Selects every point with mortar, for which no bond can stand, with admissible forces; false when there was none to
 /// select. Collective where joints have mortar.
 template <int dim>
-bool release_mortar(const Model<dim>&, const std::vector<PointLaw>&, ContactState&);
+bool release_mortar(const Model<dim>&, const PointLaws&, ContactState&);
 
 /// Selected points of all ranks. Collective.
 template <int dim>
 long long count_selected(const Model<dim>&, const ContactState&);
 
-extern template bool release<2>(const Model<2>&, const std::vector<PointLaw>&, const std::vector<int>&,
+extern template bool release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
                                 const std::vector<double>&, ContactState&);
-extern template bool release_all<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
-extern template bool release_mortar<2>(const Model<2>&, const std::vector<PointLaw>&, ContactState&);
+extern template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
+extern template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
 extern template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

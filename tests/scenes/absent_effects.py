@@ -20,8 +20,6 @@ FOLDER = pathlib.Path("absent-effects").resolve()
 PROGRAM = None
 TIME_STEPS = 4
 DONE, NO_CONVERGENCE = 0, 3  # without its weight an arch may have no equilibrium; then neither has it when it is idle
-# Contact points are all of one kind (src/joints/README.md): a number of each law, in play or not.
-IN_EVERY_POINT = {"friction", "cohesion", "tension strength"}
 
 
 def scenes():
@@ -130,7 +128,7 @@ class AbsentEffects(unittest.TestCase):
         if effect not in others:
             self.assertFalse(effects[effect]["in_play"])
         for key, cost in effects.items():
-            if not cost["in_play"] and key not in IN_EVERY_POINT:
+            if not cost["in_play"]:
                 self.assertEqual((cost["calls"], cost["seconds"], cost["bytes"]), (0, 0, 0), key)
 
 

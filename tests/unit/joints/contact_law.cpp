@@ -126,4 +126,21 @@ TEUCHOS_UNIT_TEST(Violation, IsTheNearestDistanceWhereOnlyOneConditionFails) {
   TEST_FLOATING_EQUALITY(violation(dry, std::array<double, 2>{10, 8}), 2.0, 1e-15);
 }
 
+TEUCHOS_UNIT_TEST(PointLaws, HoldWhatSomePointHasAndNothingElse) {
+  PointLaws laws(1000);
+  TEST_EQUALITY(laws.bytes(), std::size_t{0});
+  laws.set(3, smooth);
+  TEST_EQUALITY(laws.bytes(), std::size_t{0});
+  laws.set(7, dry);
+  TEST_EQUALITY(laws.bytes(), 1000 * sizeof(double));
+  laws.set(8, mortar);
+  TEST_EQUALITY(laws.bytes(), 3 * 1000 * sizeof(double));
+  TEST_EQUALITY(laws[7].friction, dry.friction);
+  TEST_EQUALITY(laws[7].cohesion, 0.0);
+  TEST_EQUALITY(laws[8].tension, mortar.tension);
+  laws.lose_bond(8);
+  TEST_EQUALITY(laws[8].friction, mortar.friction);
+  TEST_EQUALITY(laws[8].cohesion + laws[8].tension, 0.0);
+}
+
 }  // namespace

@@ -17,7 +17,7 @@ constexpr int many = 200;  // by chance: open, sticking and slipping points are 
 /// Points with laws of every kind.
 Points points_by_chance(int components) {
   Points p(components, many);
-  for (int k = 0; k < many; ++k) p.law_[k] = {1.5 + noise(k), k % 3 == 0 ? 0.2 : 0.0, k % 5 == 0 ? 0.3 : 0.0};
+  for (int k = 0; k < many; ++k) p.law_.set(k, {1.5 + noise(k), k % 3 == 0 ? 0.2 : 0.0, k % 5 == 0 ? 0.3 : 0.0});
   for (int i = 0; i < components * many; ++i) p.origin_[i] = i % components == 0 ? 0.0 : 0.1 * noise(5000 + i);
   return p;
 }

@@ -18,7 +18,7 @@ class Points : public NonlinearProblem {
   int points() const override { return int(selected_.size()); }
   int owned_points() const override { return points(); }
   const std::vector<char>& selected() const override { return selected_; }
-  const std::vector<PointLaw>& law() const override { return law_; }
+  const PointLaws& law() const override { return law_; }
   const std::vector<double>& local_stiffness() const override { return stiffness_; }
   const PointField& slip_origin() const override { return origin_; }
   Teuchos::RCP<const TpetraMap> map() const override { return {}; }
@@ -36,7 +36,7 @@ class Points : public NonlinearProblem {
 
   int components_;
   std::vector<char> selected_;
-  std::vector<PointLaw> law_;
+  PointLaws law_;
   std::vector<double> stiffness_;
   PointField origin_;
 

@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(RigidMechanism, FrictionThatIsNotSpentOrTurnsRoundStopsIt) {
   TEST_ASSERT(leads_nowhere(stone, {10, -4.95, 10, -5}));  // within the allowance
   stone.moves = {0, -1, 0, -1};
   TEST_ASSERT(!leads_nowhere(stone, sliding));
-  stone.law_[1].friction = std::numeric_limits<double>::infinity();
+  stone.law_.set(1, {std::numeric_limits<double>::infinity()});
   stone.moves = {0, 1, 0, 1};
   TEST_ASSERT(!leads_nowhere(stone, sliding));
 }
