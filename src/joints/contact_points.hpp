@@ -5,6 +5,7 @@
 //              Gap [m] > 0 is open; normal force [N] > 0 is compression.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -62,6 +63,17 @@ class ContactPoints {
   long long total_joints_ = 0;
   std::unique_ptr<Exchange> exchange_;
 };
+
+/// The relative motions of all points [points x components], written over.
+/// @param u  on node copies, dim numbers each
+template <int dim>
+void relative_motions(const ContactPoints<dim>& points, const std::vector<double>& u, std::vector<double>& motions) {
+  motions.resize(static_cast<std::size_t>(dim) * points.size());
+  for (int k = 0; k < points.size(); ++k) {
+    const auto motion = relative_motion(points.points()[k], u);
+    std::copy(motion.begin(), motion.end(), motions.begin() + static_cast<long>(dim) * k);
+  }
+}
 
 extern template class ContactPoints<2>;
 

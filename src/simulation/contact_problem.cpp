@@ -82,13 +82,9 @@ Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<doubl
 
 template <int dim>
 void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
-  const auto& points = parts_.points.points();
-  gap.resize(points.size() * dim);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto motion = relative_motion(points[k], copies_);
-    std::copy(motion.begin(), motion.end(), gap.begin() + static_cast<long>(k * dim));
-    if (initial && !parts_.initial_gap.empty()) gap[k * dim] += parts_.initial_gap[k];
-  }
+  relative_motions(parts_.points, copies_, gap);
+  if (!initial) return;
+  for (std::size_t k = 0; k < parts_.initial_gap.size(); ++k) gap[k * dim] += parts_.initial_gap[k];
 }
 
 template <int dim>

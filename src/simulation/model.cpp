@@ -162,12 +162,9 @@ void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointR
 
 template <int dim>
 std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
-  std::vector<double> gap(static_cast<std::size_t>(dim) * points_->size());
-  for (int k = 0; k < points_->size(); ++k) {
-    const auto motion = relative_motion(points_->points()[k], u);
-    std::copy(motion.begin(), motion.end(), gap.begin() + static_cast<long>(dim) * k);
-    if (!initial_gap_.empty()) gap[dim * k] += initial_gap_[k];
-  }
+  std::vector<double> gap;
+  relative_motions(*points_, u, gap);
+  for (std::size_t k = 0; k < initial_gap_.size(); ++k) gap[dim * k] += initial_gap_[k];
   return gap;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -16,6 +15,7 @@
 #include "output/study_table.hpp"
 #include "simulation/adaptive_step.hpp"
 #include "simulation/release.hpp"
+#include "simulation/processor_clock.hpp"
 #include "simulation/shares_of_ranks.hpp"
 #include "simulation/simulation.hpp"
 
@@ -24,19 +24,6 @@ namespace {
 
 constexpr double price_tolerance = 1e-8;
 constexpr int price_repetitions = 3;
-
-/// Seconds of the processor since it was made, slowest rank.
-class ProcessorClock {
- public:
-  explicit ProcessorClock(const Teuchos::Comm<int>& comm) : comm_(comm), start_(std::clock()) {}
-  double seconds() const {
-    return largest_over_ranks(comm_, static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC);
-  }
-
- private:
-  const Teuchos::Comm<int>& comm_;
-  std::clock_t start_;
-};
 
 void assemble_blocks(const Structure<2>& structure) {
   const auto& model = structure.model();

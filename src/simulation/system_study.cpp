@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iomanip>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
 #include "simulation/adaptive_step.hpp"
+#include "simulation/processor_clock.hpp"
 #include "simulation/shares_of_ranks.hpp"
 #include "simulation/simulation.hpp"
 
@@ -120,24 +120,20 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
   return e;
 }
 
-double seconds_since(std::clock_t start, const Teuchos::Comm<int>& comm) {
-  return largest_over_ranks(comm, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-}
-
 void time_motions(const ContactProblem<2>& problem, const Model<2>& model, const ContactState& state,
                   const std::vector<PointStiffness>& stiffness, SystemRow& row) {
   const auto& comm = *model.structure().comm();
   const std::vector<int> active(row.blocks, 1);
   BlockMotions<2> motions(model.structure(), model.points(), state.selected, problem.space(), active);
   motions.update(stiffness, {});
-  auto start = std::clock();
+  const ProcessorClock factor(comm);
   motions.update(stiffness, {});
-  row.motions_factor_seconds = seconds_since(start, comm);
+  row.motions_factor_seconds = factor.seconds();
   TpetraVector r(problem.map()), z(problem.map());
   r.putScalar(1);
-  start = std::clock();
+  const ProcessorClock solve(comm);
   for (int k = 0; k < repetitions; ++k) motions.add(r, z);
-  row.motions_solve_seconds = seconds_since(start, comm) / repetitions;
+  row.motions_solve_seconds = solve.seconds() / repetitions;
 }
 
 }  // namespace
@@ -158,7 +154,7 @@ void SystemStudy::add(const SystemCase& given, Scene scene) {
     hard.parameters.young_modulus *= given.contrast;
     scene.materials.push_back(hard);
   }
-  const auto begin = std::clock();
+  const ProcessorClock setup(*comm_);
   const Model<2> model(scene, stones, comm_);
   std::vector<double> load, prescribed;
   LoadSteps steps(scene.stages, scene.load_steps);
@@ -181,12 +177,12 @@ void SystemStudy::add(const SystemCase& given, Scene scene) {
 
   SystemRow row;
   row.given = given;
-  row.setup_seconds = seconds_since(begin, *comm_);
+  row.setup_seconds = setup.seconds();
   const auto before = traffic_so_far();
-  const auto start = std::clock();
+  const ProcessorClock solve(*comm_);
   row.iterations = problem.solve(stiffness, 1.0, b, d, tolerance);
   const auto since = traffic_since(before);
-  row.solve_seconds = seconds_since(start, *comm_);
+  row.solve_seconds = solve.seconds();
   const double size = b->norm2();
   const auto product = Teuchos::rcp(new TpetraVector(problem.map()));
   problem.system().matrix()->apply(*d, *product);

@@ -29,11 +29,8 @@ Teuchos::RCP<const TpetraMap> map_of_points(const ContactPoints<dim>& points,
 
 template <int dim>
 PointField relative_velocities(const ContactPoints<dim>& points, const std::vector<double>& velocity) {
-  PointField speed(static_cast<std::size_t>(dim) * points.size());
-  for (int k = 0; k < points.size(); ++k) {
-    const auto motion = relative_motion(points.points()[k], velocity);
-    std::copy(motion.begin(), motion.end(), speed.begin() + static_cast<long>(dim) * k);
-  }
+  PointField speed;
+  relative_motions(points, velocity, speed);
   return speed;
 }
 
@@ -128,9 +125,9 @@ class VelocityProjection<dim>::ByMass : public Preconditioner {
 
 template <int dim>
 VelocityProjection<dim>::VelocityProjection(const Model<dim>& model, const Structure<dim>& mass)
-    : points_(model.points()),
+    : model_(model),
+      mass_(mass),
       solver_(model.scene().solver),
-      impulses_(Teuchos::rcp(new Impulses(model, mass))),
       by_mass_(std::make_shared<ByMass>(model, mass)) {}
 
 template <int dim>
@@ -143,6 +140,7 @@ double VelocityProjection<dim>::mass(int point, int axis) const {
 
 template <int dim>
 void VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::vector<char>& held) {
+  if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
   impulses_->hold(held);
   const auto map = impulses_->getDomainMap();
   const auto speed = Teuchos::rcp(new TpetraVector(map)), lambda = Teuchos::rcp(new TpetraVector(map));

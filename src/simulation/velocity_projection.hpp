@@ -35,9 +35,10 @@ class VelocityProjection {
  private:
   class Impulses;
   class ByMass;
-  const ContactPoints<dim>& points_;
+  const Model<dim>& model_;
+  const Structure<dim>& mass_;
   LinearSolver solver_;
-  Teuchos::RCP<Impulses> impulses_;
+  Teuchos::RCP<Impulses> impulses_;  ///< from the first projection on: a run without impacts factors no mass
   std::shared_ptr<ByMass> by_mass_;
 };
 
