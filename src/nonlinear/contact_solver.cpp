@@ -29,11 +29,6 @@ ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& 
       fast_(fast),
       mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
 
-bool ContactSolver::anything_selected() const {
-  const auto& selected = problem_.selected();
-  return largest_over_ranks(problem_, std::find(selected.begin(), selected.end(), 1) != selected.end()) > 0;
-}
-
 double ContactSolver::out_of_balance(const TpetraVector& x, const PointField& lambda) const {
   TpetraVector residual(problem_.map());
   PointField gap;
@@ -104,7 +99,7 @@ const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lam
 
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
   NewtonReport report;
-  path_ = problem_.components() == 2 && anything_selected();
+  path_ = problem_.components() == 2 && anything_selected(problem_);
   if (in_equilibrium(x, lambda, tolerance)) {
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {

@@ -29,7 +29,6 @@ class ContactSolver {
   const TpetraVector& mechanism() const { return *mechanism_; }
 
  private:
-  bool anything_selected() const;
   double out_of_balance(const TpetraVector& x, const PointField& lambda) const;  ///< [N] largest
   bool in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const;
   /// Returns the known gaps when the path led nowhere, which leaves the state as it was, else null.

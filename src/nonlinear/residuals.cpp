@@ -13,6 +13,11 @@ double largest_over_ranks(const NonlinearProblem& problem, double local) {
   return largest_over_ranks(*problem.map()->getComm(), local);
 }
 
+bool anything_selected(const NonlinearProblem& problem) {
+  const auto& selected = problem.selected();
+  return largest_over_ranks(problem, std::find(selected.begin(), selected.end(), 1) != selected.end()) > 0;
+}
+
 double force_scale(const NonlinearProblem& problem, const PointField& lambda) {
   double scale = problem.force_scale();
   // What tied points bore when it was recovered last counts too: equilibrium is no better than round-off of that.

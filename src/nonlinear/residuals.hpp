@@ -16,6 +16,9 @@ struct Imbalance {
 /// Largest of a number over the ranks. Collective.
 double largest_over_ranks(const NonlinearProblem&, double local);
 
+/// Is any point resolved as contact? Collective.
+bool anything_selected(const NonlinearProblem&);
+
 /// Largest force in play [N]: loads and normal contact forces; never zero. Collective.
 double force_scale(const NonlinearProblem&, const PointField& lambda);
 

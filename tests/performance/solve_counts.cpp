@@ -45,4 +45,15 @@ TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {23,
 TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {22, 120}, {35, 215}, out, success); }
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {23, 80}, {38, 195}, out, success); }
 
+// Nothing to choose, nothing to correct: every step of a bonded structure is one linear solve.
+TEUCHOS_UNIT_TEST(SolveCounts, ABondedWall) {
+  Scene scene = wall_scene(16);
+  scene.selection.mode = SelectionMode::bonded;
+  Experiment experiment(scene);
+  for (const double share : {0.0, 1.0}) {
+    TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}, {scene.loads[1].name, share}}));
+    TEST_EQUALITY(experiment.solution().last.newton.newton_iterations, 1);
+  }
+}
+
 }  // namespace
