@@ -14,22 +14,23 @@ stop() {
   exit "$code"
 }
 
-# Names the packages of the list that dpkg does not have, in one call because each call costs 10 ms.
+# missing_packages [long]: names those of the list that dpkg does not have, in one call because each call costs 10 ms.
 missing_packages() {
   local wanted
-  mapfile -t wanted < <(grep -v -e '^#' -e '^$' "$voussoir_root/cmake/packages.txt")
+  mapfile -t wanted < <(sed -n -e "s/^${1:-none}: //" -e '/^[^# ]\+$/p' "$voussoir_root/cmake/packages.txt")
   comm -23 <(printf '%s\n' "${wanted[@]}" | sort) \
     <(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null |
       sed -n 's/ installed$//p' | sort -u)
 }
 
+# install_packages [long]
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
     say "Not a Debian system: libraries are taken as they are; cmake/packages.txt names them."
     return
   fi
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
 
   local command=(apt-get install -y --no-install-recommends "${missing[@]}")
