@@ -256,7 +256,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     const double least = waiting * std::pow(contact * scale_, 2);
     double distance = barrier();
     waits = 2 * least > distance ? waits + 1 : 0;
-    const bool creeping = waits >= creeping_steps && size > creeping_gain * sizes[iteration - creeping_steps];
+    const bool creeping = waits >= creeping_steps && (iteration < creeping_steps ||  // waiting since it set out
+                                                      size > creeping_gain * sizes[iteration - creeping_steps]);
     if (augmentation_ < fastest && (creeping || slow)) {
       augmentation_ *= faster;
       waits = 0;
