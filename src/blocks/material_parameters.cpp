@@ -10,6 +10,9 @@ void ModelParameters::declare(ParameterSection& section) {
                             "something long");
   section.add("thickness", thickness, "m", above(0.0), "thickness out of plane", "masses and forces grow with it",
               "Give the depth of the stones, or 1 for results per metre.");
+  section.add_choice<Rotations>("rotations", rotations, {{"small", Rotations::small}, {"finite", Rotations::finite}},
+                                "small: equilibrium of the stones as drawn; finite: where they have moved and turned "
+                                "to, in load steps without time or construction");
 }
 
 void MaterialParameters::declare(ParameterSection& section) {

@@ -9,12 +9,16 @@ class ParameterSection;
 
 enum class Plane { stress, strain };
 
+/// Small: equilibrium of the stones as drawn. Finite: of the stones where they have moved and turned to.
+enum class Rotations { small, finite };
+
 /// Consistent: integrals of products of shape functions. Lumped: each node has the mass of its share of the volume.
 enum class Mass { consistent, lumped };
 
 struct ModelParameters {
   Plane plane = Plane::stress;
   double thickness = 1.0;  ///< [m] out of plane
+  Rotations rotations = Rotations::small;
   void declare(ParameterSection&);
 };
 

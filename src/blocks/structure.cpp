@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -105,6 +106,61 @@ template <int dim>
 void Structure<dim>::apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const {
   y.resize(u.size());
   for (const auto& b : blocks_) b.stiffness.multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
+}
+
+template <int dim>
+void Structure<dim>::internal_forces(const std::vector<double>& u, std::vector<double>& y) const {
+  if (rigid_motion_.empty())
+    apply_stiffness(u, y);
+  else
+    apply_stiffness(deformation(u), y);
+}
+
+template <int dim>
+std::vector<double> Structure<dim>::deformation(const std::vector<double>& u) const {
+  auto d = u;
+  for (std::size_t i = 0; i < rigid_motion_.size(); ++i) d[i] -= rigid_motion_[i];
+  return d;
+}
+
+/// Translation of the middle of the nodes, and the rotation about it that is nearest to what they do (least squares).
+template <int dim>
+double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
+  static_assert(dim == 2);
+  auto& b = blocks_[block];
+  const int first = b.first_local, count = static_cast<int>(b.mesh.position.size());
+  Vector<2> middle{}, mean{};
+  for (int i = first; i < first + count; ++i) {
+    middle = middle + (1.0 / count) * drawn_[i];
+    mean = mean + (1.0 / count) * Vector<2>{u[2 * i], u[2 * i + 1]};
+  }
+  double along = 0, across = 0;
+  for (int i = first; i < first + count; ++i) {
+    const Vector<2> r = drawn_[i] - middle, now = r + Vector<2>{u[2 * i], u[2 * i + 1]} - mean;
+    along += dot(r, now);
+    across += cross(r, now);
+  }
+  const double turn = std::atan2(across, along), cosine = std::cos(turn), sine = std::sin(turn);
+  for (int i = first; i < first + count; ++i) {
+    const Vector<2> r = drawn_[i] - middle;
+    position_[i] = middle + mean + Vector<2>{cosine * r[0] - sine * r[1], sine * r[0] + cosine * r[1]};
+    b.mesh.position[i - first] = position_[i];
+    for (int c = 0; c < 2; ++c) rigid_motion_[2 * i + c] = position_[i][c] - drawn_[i][c];
+  }
+  b.stiffness = block_stiffness(b.mesh, b.material, model_.plane, model_.thickness);
+  return std::abs(turn - std::exchange(turn_[block], turn));
+}
+
+template <int dim>
+double Structure<dim>::follow(const std::vector<double>& u) {
+  if (drawn_.empty()) {
+    drawn_ = position_;
+    rigid_motion_.assign(u.size(), 0.0);
+    turn_.assign(blocks_.size(), 0.0);
+  }
+  double largest = 0;
+  for (int b = 0; b < static_cast<int>(blocks_.size()); ++b) largest = std::max(largest, follow_block(b, u));
+  return largest_over_ranks(*comm_, largest);
 }
 
 template <int dim>

@@ -42,7 +42,9 @@ class Structure {
   int owned_nodes() const { return owned_nodes_; }
   NodeId total_nodes() const { return total_nodes_; }
   const std::vector<NodeId>& node_id() const { return node_id_; }
+  /// Where nodes are: as drawn, less what deformation moves them when the blocks have been followed.
   const std::vector<Vector<dim>>& position() const { return position_; }
+  const std::vector<Vector<dim>>& drawn_position() const { return drawn_.empty() ? position_ : drawn_; }
   const std::vector<int>& block_of_node() const { return block_of_node_; }
 
   /// Nodes grouped by vertex: copies of group g are copy[copies_start[g]] .. copy[copies_start[g + 1] - 1],
@@ -57,6 +59,16 @@ class Structure {
 
   /// y = K u on local node copies [dim nodes], owned and halo; no communication.
   void apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const;
+  /// Forces of the blocks against a displacement [N]: K u, of what deforms the blocks.
+  void internal_forces(const std::vector<double>& u, std::vector<double>& y) const;
+  /// What of a displacement deforms the blocks: all but the motion they have been followed to.
+  std::vector<double> deformation(const std::vector<double>& u) const;
+  /// Takes every block, undeformed, to where a displacement has moved and turned it, however far: places of nodes
+  /// and K. Displacements still count from the drawing. Collective.
+  /// @return the largest turn since the last time [rad]
+  double follow(const std::vector<double>& u);
+  /// How far a local block has been followed from its drawing [rad], counter-clockwise.
+  double turn(int block) const { return turn_.empty() ? 0.0 : turn_[block]; }
   /// u.K u / 2 over all ranks [J]. Collective.
   double elastic_energy(const std::vector<double>& u) const;
   /// The same structure with other matrices in the place of the stiffness of its blocks.
@@ -69,6 +81,7 @@ class Structure {
   void add_block(const BlockSource<dim>&, BlockId, const std::vector<NodeId>& first,
                  const std::function<Material(const Block<dim>&)>&);
   void group_copies();
+  double follow_block(int block, const std::vector<double>& u);
 
   std::vector<int> owner_;
   ModelParameters model_;
@@ -82,6 +95,10 @@ class Structure {
   std::vector<int> block_of_node_, copies_start_, copy_;
   std::shared_ptr<const Exchange> node_exchange_;
   double size_ = 0;
+  // Of blocks that have been followed; empty before.
+  std::vector<Vector<dim>> drawn_;    ///< [m] places of nodes in the drawing
+  std::vector<double> rigid_motion_;  ///< [m] to position_, dim numbers per node
+  std::vector<double> turn_;          ///< [rad] per local block
 };
 
 extern template class Structure<2>;

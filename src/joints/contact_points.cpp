@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -85,6 +86,22 @@ ContactPoints<dim>::ContactPoints(const BlockSource<dim>& source, const Structur
     ids.push_back(points_[k].id);
   }
   exchange_ = std::make_unique<Exchange>(ids, owned_, structure.comm());
+}
+
+template <int dim>
+void ContactPoints<dim>::follow(const Structure<dim>& structure) {
+  static_assert(dim == 2);
+  if (drawn_normal_.empty())
+    for (const auto& p : points_) drawn_normal_.push_back(p.axis[0]);
+  const auto& block = structure.block_of_node();
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    auto& p = points_[k];
+    const double turn = (structure.turn(block[p.node_i]) + structure.turn(block[p.node_j])) / 2;
+    const double cosine = std::cos(turn), sine = std::sin(turn);
+    const auto& n = drawn_normal_[k];
+    p.axis[0] = {cosine * n[0] - sine * n[1], sine * n[0] + cosine * n[1]};
+    p.axis[1] = {-p.axis[0][1], p.axis[0][0]};
+  }
 }
 
 template class ContactPoints<2>;

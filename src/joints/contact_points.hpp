@@ -54,6 +54,8 @@ class ContactPoints {
   PointId total() const { return total_; }
   long long total_joints() const { return total_joints_; }
   const Exchange& exchange() const { return *exchange_; }
+  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean.
+  void follow(const Structure<dim>&);
 
  private:
   std::vector<ContactPoint<dim>> points_;
@@ -62,6 +64,7 @@ class ContactPoints {
   PointId total_ = 0;
   long long total_joints_ = 0;
   std::unique_ptr<Exchange> exchange_;
+  std::vector<Vector<dim>> drawn_normal_;  ///< of points that have been followed
 };
 
 /// The relative motions of all points [points x components], written over.

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
@@ -11,7 +13,8 @@ void SettlementParameters::declare(ParameterSection& section) {
               Presence::required, "Give a name from the section \"supports\".");
   section.add("ux", ux, "m", any_number(), "displacement to the right");
   section.add("uy", uy, "m", any_number(), "displacement upwards; a settlement is negative");
-  section.add("rotation", rotation, "rad", any_number(), "small rotation, counter-clockwise");
+  section.add("rotation", rotation, "rad", any_number(),
+              "rotation, counter-clockwise; a small one unless model > rotations is finite");
   section.add("about x", about_x, "m", any_number(), "centre of the rotation");
   section.add("about y", about_y, "m", any_number(), "centre of the rotation");
 }
@@ -32,27 +35,65 @@ void add_settlement<2>(const Structure<2>& s, const SettlementParameters& load, 
   for_each_node_on(s, facet_set, [&](int node) {
     if (moved[node]) return;
     moved[node] = 1;
-    const auto& x = s.position()[node];
+    const auto& x = s.drawn_position()[node];
     const Vector<2> u{load.ux - load.rotation * (x[1] - load.about_y), load.uy + load.rotation * (x[0] - load.about_x)};
     for (int c = 0; c < 2; ++c)
       if (holds(support, c)) displacement[2 * node + c] += factor * u[c];
   });
 }
 
+namespace {
+
+/// A support that turns by a finite rotation: its nodes keep their distances, so their motion is no multiple of a
+/// pattern.
+class TurningSupport : public Load<2> {
+ public:
+  /// @param moves  1 for the components [2 x local node copies] that the support takes along
+  TurningSupport(const Structure<2>& s, const SettlementParameters& p, const std::vector<char>& moves)
+      : translation_{p.ux, p.uy}, rotation_(p.rotation) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      if (!moves[i]) continue;
+      index_.push_back(static_cast<int>(i));
+      arm_.push_back(s.drawn_position()[i / 2] - Vector<2>{p.about_x, p.about_y});
+    }
+  }
+  void add(double factor, double, std::vector<double>&, std::vector<double>& prescribed) const override {
+    const double cosine = std::cos(factor * rotation_), sine = std::sin(factor * rotation_);
+    for (std::size_t k = 0; k < index_.size(); ++k) {
+      const auto& r = arm_[k];
+      const Vector<2> turned{cosine * r[0] - sine * r[1], sine * r[0] + cosine * r[1]};
+      prescribed[index_[k]] += (factor * translation_ + turned - r)[index_[k] % 2];
+    }
+  }
+  std::size_t bytes() const override { return index_.size() * (sizeof(int) + sizeof(Vector<2>)); }
+
+ private:
+  Vector<2> translation_;  ///< [m] for factor 1
+  double rotation_;        ///< [rad] for factor 1
+  std::vector<int> index_;
+  std::vector<Vector<2>> arm_;  ///< [m] from the centre
+};
+
+}  // namespace
+
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& p, const LoadSite<2>& site) {
-  std::vector<double> unit(2 * site.structure.nodes(), 0.0);
-  std::vector<char> moved(unit.size(), 0);  // a node of two supports moves with the first
+  const auto& s = site.structure;
+  std::vector<double> unit(2 * s.nodes(), 0.0);
+  std::vector<char> moved(unit.size(), 0), moves(unit.size(), 0);  // a node of two supports moves with the first
   for (const auto& [name, support] : site.supports) {
     const int set = site.facet_set(support.on);
     if (name == p.support) {
-      add_settlement(site.structure, p, support, set, 1.0, unit);
+      add_settlement(s, p, support, set, 1.0, unit);
+      hold(s, support, set, moves);
       for (std::size_t i = 0; i < unit.size(); ++i)
-        if (moved[i]) unit[i] = 0;
+        if (moved[i]) unit[i] = moves[i] = 0;
       break;
     }
-    hold(site.structure, support, set, moved);
+    hold(s, support, set, moved);
   }
+  if (p.rotation != 0 && s.model().rotations == Rotations::finite)
+    return std::make_unique<TurningSupport>(s, p, moves);
   return std::make_unique<PatternLoad<2>>(unit, PatternLoad<2>::Of::displacements);
 }
 

@@ -88,10 +88,12 @@ void check_load_factor(Scene& scene, InputProblems& problems) {
     if (load == scene.loads.end() && !loads.empty())
       problems.add(path + " > " + name, " = " + number_text(share) + " [-]\n  names no load of this scene" +
                                             did_you_mean(name, loads) + ".\n  Loads: " + list_of(loads) + ".");
-    if (load != scene.loads.end() && load_as<SettlementParameters>(*load))
+    if (load != scene.loads.end() && load_as<SettlementParameters>(*load) &&
+        scene.model.rotations == Rotations::small)
       scene.warnings.push_back("load factor: " + in_quotes(name) +
                                " moves a support. Displacements are small ones, so what is sought is the movement at "
-                               "which the structure as drawn stands no more, not as it leans by then.");
+                               "which the structure as drawn stands no more, not as it leans by then. Give model > "
+                               "rotations = \"finite\" to let it lean.");
   }
   if (pattern.empty()) return;
   for (const StageParameters& stage : scene.stages)
@@ -170,6 +172,23 @@ void check_construction(const Scene& scene, InputProblems& problems) {
                                              "  Give adaptive or all.");
 }
 
+/// Stones that turn far do so in load steps alone.
+void check_rotations(const Scene& scene, InputProblems& problems) {
+  if (scene.model.rotations == Rotations::small) return;
+  const std::string key = "scene > model > rotations", value = " = \"finite\"\n  does not go with ";
+  for (const StageParameters& stage : scene.stages)
+    if (stage.dynamic())
+      problems.add(key, value + "stage " + in_quotes(stage.name) + ", which has a duration (time steps know of small "
+                                "rotations only).\n  Give \"small\", or leave the duration out.");
+  if (!scene.construction.empty())
+    problems.add(key, value + "construction stages (stones that are not there yet cannot be followed).\n"
+                              "  Give \"small\", or leave the construction out.");
+  for (const auto& load : scene.loads)
+    if (load_as<TemperatureParameters>(load))
+      problems.add(key, value + "load " + in_quotes(load.name) + " (heat presses along the axes of the drawing).\n"
+                                "  Give \"small\", or leave this load out.");
+}
+
 void check_mortar(const Scene& scene, InputProblems& problems) {
   for (const auto& [name, law] : scene.joints) {
     if (!law.has_mortar()) continue;
@@ -223,6 +242,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_velocities(scene);
   check_construction(scene, problems);
   check_mortar(scene, problems);
+  check_rotations(scene, problems);
 }
 
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,

@@ -55,7 +55,7 @@ template <int dim>
 std::vector<double> AdaptiveStep<dim>::borne_by_joints(const ContactState& state,
                                                        const std::vector<double>& load) const {
   std::vector<double> r;
-  model_.structure().apply_stiffness(state.displacement, r);
+  model_.structure().internal_forces(state.displacement, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] -= load[i];
   return r;
 }
@@ -217,11 +217,7 @@ StepReport AdaptiveStep<dim>::solve(ContactState& state, const std::vector<doubl
   auto report = solve_unbroken(state, load, prescribed);
   while (report.newton.outcome == NewtonOutcome::converged && model_.brittle() && break_points(state)) {
     const auto again = solve_unbroken(state, load, prescribed);
-    report.newton.add(again.newton);
-    report.selection_rounds += again.selection_rounds;
-    report.estimate_solves += again.estimate_solves;
-    report.cost.add(again.cost);
-    report.error_estimate = again.error_estimate;
+    report.add(again);
   }
   if (report.newton.outcome != NewtonOutcome::converged) return report;
   if (state.slip_origin.empty()) return report;

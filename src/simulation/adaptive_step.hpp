@@ -17,6 +17,16 @@ struct StepReport {
   double error_estimate = 0;  ///< [-] relative, energy norm
   long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
   SystemCost cost;
+
+  /// Goes on with another solution of the same step, which stands.
+  void add(const StepReport& again) {
+    newton.add(again.newton);
+    selection_rounds += again.selection_rounds;
+    estimate_solves += again.estimate_solves;
+    error_estimate = again.error_estimate;
+    largest_clusters = again.largest_clusters;
+    cost.add(again.cost);
+  }
 };
 
 template <int dim>

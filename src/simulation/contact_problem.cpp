@@ -90,7 +90,7 @@ void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
 template <int dim>
 void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
   space_->scatter(x, copies_);
-  parts_.structure.apply_stiffness(copies_, forces_);
+  parts_.structure.internal_forces(copies_, forces_);
   internal_scale_ = 0;
   for (double f : forces_) internal_scale_ = std::max(internal_scale_, std::abs(f));
   for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= load_[i];

@@ -121,7 +121,7 @@ template <int dim>
 double relative_error(const Structure<dim>& structure, const std::vector<double>& displacement, const TieError& error,
                       double known_energy) {
   if (error.change.empty()) return 0.0;
-  auto without = displacement;
+  auto without = structure.deformation(displacement);
   for (std::size_t i = 0; i < without.size(); ++i) without[i] += error.change[i];
   const double changed = structure.elastic_energy(error.change);
   const double energy = std::max(structure.elastic_energy(without), known_energy);

@@ -1,9 +1,12 @@
 #include "simulation/load_factor_analysis.hpp"
 
 #include <Teuchos_Time.hpp>
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
+#include "linalg/reduce.hpp"
+#include "simulation/finite_rotations.hpp"
 #include "simulation/mechanism_words.hpp"
 
 namespace voussoir {
@@ -18,6 +21,19 @@ std::string factor_text(double factor) {
 
 /// Beyond this share of the structure displacements change what bears what, which small ones leave out.
 constexpr double small_displacements = 0.01;
+
+// A mechanism whose stones overlap by less of its largest motion than this is one: those found far from the limit 1e-5.
+constexpr double believable_overlap = 1e-3;
+
+/// How far stones that press on each other would move into each other, relative to the largest motion of a mechanism.
+double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const Model<2>& model) {
+  std::vector<double> motion;
+  relative_motions(model.points(), mechanism, motion);
+  double overlap = 0;
+  for (int k = 0; k < model.points().owned(); ++k)
+    if (state.lambda[2 * k] > 0) overlap = std::max(overlap, -motion[2 * k]);
+  return largest_over_ranks(*model.structure().comm(), overlap);
+}
 
 }  // namespace
 
@@ -35,7 +51,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   run.narrator.begin(summary.steps + 1, stage, factor, 1.0);
   Teuchos::Time clock("attempt", true);
   const ContactState before = run.state;
-  const auto report = run.step.solve(run.state, next_load, prescribed);
+  const auto report = solve_load_step(run.model, run.step, run.state, next_load, prescribed);
   const double seconds = clock.totalElapsedTime(true);
   const int solves = report.newton.newton_iterations + report.estimate_solves;
   if (report.newton.outcome == NewtonOutcome::converged) {
@@ -48,10 +64,15 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   run.narrator.failed(report, stage, factor);
   const auto failed = std::exchange(run.state, before);
-  const bool collapse = report.newton.outcome == NewtonOutcome::collapse;
+  const bool collapse = report.newton.outcome == NewtonOutcome::collapse, first = !search_.found();
   search_.add(collapse ? Verdict::collapse : Verdict::undecided, solves);
   if (!collapse) return;
-  mechanism_ = run.step.mechanism();
+  // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
+  const auto& mechanism = run.step.mechanism();
+  if (!first && overlap_of(mechanism, failed, run.model) >
+                                     std::max(believable_overlap, overlap_of(mechanism_, failed_, run.model)))
+    return;
+  mechanism_ = mechanism;
   failed_ = failed;
 }
 
@@ -81,7 +102,7 @@ void LoadFactorAnalysis::conclude(const Attempting& run) {
   judge(run);
   auto& summary = run.recorder.summary();
   const double share = summary.largest_displacement / run.model.structure().size();
-  if (share > small_displacements)
+  if (share > small_displacements && run.model.scene().model.rotations == Rotations::small)
     summary.message += "; by then displacements are " + factor_text(100 * share) +
                        " % of the structure, more than small displacements, which are all that is computed, can tell";
 }

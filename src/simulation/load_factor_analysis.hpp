@@ -57,7 +57,7 @@ class LoadFactorAnalysis {
 
   LoadFactorParameters p_;
   FactorSearch search_;
-  std::vector<double> mechanism_;  ///< of the smallest factor that collapses, on node copies
+  std::vector<double> mechanism_;  ///< of the smallest factor that collapses with a clear one, on node copies
   ContactState failed_;            ///< forces and selection there
 };
 

@@ -200,6 +200,14 @@ void Model<dim>::set_absent(const std::vector<char>& absent) {
 }
 
 template <int dim>
+double Model<dim>::follow(const std::vector<double>& displacement) {
+  Phase phase("blocks");
+  const double turned = structure_->follow(displacement);
+  points_->follow(*structure_);
+  return turned;
+}
+
+template <int dim>
 void Model<dim>::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                        std::vector<double>& prescribed) const {
   force.resize(static_cast<std::size_t>(dim) * structure_->nodes());

@@ -52,6 +52,10 @@ class Model {
   std::vector<double> gaps(const std::vector<double>& displacement, const std::vector<double>& lambda) const;
   /// Energy in the mortar of the points of this rank [J].
   double mortar_energy(const std::vector<double>& lambda) const;
+  /// Takes stones and joints to where a displacement has moved and turned them; the continuum, which preconditions,
+  /// stays as drawn. Collective.
+  /// @return the largest turn of a stone since the last time [rad]
+  double follow(const std::vector<double>& displacement);
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
   /// Holds all of the blocks that are not there [per local block], and what supports hold.
   void set_absent(const std::vector<char>& absent);

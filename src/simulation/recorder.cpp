@@ -121,18 +121,19 @@ std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointF
 
 template <int dim>
 void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
-                               const std::vector<int>& status, const std::string& stage, double load_factor,
-                               std::optional<double> time) {
+                               const std::vector<double>& deformation, const std::vector<int>& status,
+                               const std::string& stage, double load_factor, std::optional<double> time) {
   if (!fields_) return;
   StepRows rows;
   rows.number = ++record_.written;
   rows.stage = stage;
   rows.load_factor = load_factor;
   rows.time = time;
-  const auto owned = dim * model_.structure().owned_nodes();
+  const auto& s = model_.structure();
+  const auto owned = dim * s.owned_nodes();
   if (time) rows.velocity.assign(state.velocity.begin(), state.velocity.begin() + owned);
-  rows.displacement.assign(displacement.begin(), displacement.begin() + dim * model_.structure().owned_nodes());
-  rows.stress = cell_stresses(model_.structure(), displacement, free_strain_);
+  rows.displacement.assign(displacement.begin(), displacement.begin() + owned);
+  rows.stress = cell_stresses(s, deformation, free_strain_);
   const auto gap = step_.gaps(displacement);
   for (int k = 0; k < model_.points().owned(); ++k) {
     rows.gap.push_back(gap[dim * k]);
@@ -152,10 +153,11 @@ void Recorder<dim>::book(const ContactState& before, const std::vector<double>& 
   const auto& s = model_.structure();
   const auto reaction_before = step_.residual(before, load_before), reaction = step_.residual(after, load);
   std::vector<double> ku;
-  s.apply_stiffness(after.displacement, ku);
+  const auto deformation = s.deformation(after.displacement);
+  s.apply_stiffness(deformation, ku);
   double elastic = 0, work = 0, friction = 0, fracture = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
-    elastic += after.displacement[i] * ku[i] / 2;
+    elastic += deformation[i] * ku[i] / 2;
     const double moved = after.displacement[i] - before.displacement[i];
     work += moved * (load_before[i] + load[i]) / 2;
     if (model_.held()[i]) work += moved * (reaction_before[i] + reaction[i]) / 2;
@@ -267,7 +269,9 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
                 energy.friction(), energy.fracture(), energy.imbalance(),
                 energy.damping(),  energy.imbalance_in_time()};
   sum.load_factor = load_factor;
-  if (write_fields) write_step(after, after.displacement, status, stage, load_factor, time);
+  if (!write_fields) return;
+  const auto& u = after.displacement;
+  write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);
 }
 
 template <int dim>
@@ -275,7 +279,7 @@ void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const
                                      const std::string& stage, double load_factor) {
   Phase phase("output");
   const auto gap = step_.gaps(mechanism);
-  write_step(state, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor, {});
+  write_step(state, mechanism, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor, {});
 }
 
 template class Recorder<2>;

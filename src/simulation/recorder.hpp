@@ -64,8 +64,10 @@ class Recorder {
  private:
   void write_tables();
   std::vector<int> statuses(const ContactState&, const PointField& gap, const PointField& slip_before) const;
-  void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<int>& status,
-                  const std::string& stage, double load_factor, std::optional<double> time);
+  /// @param deformation  what of the displacement strains the stones
+  void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
+                  const std::vector<int>& status, const std::string& stage, double load_factor,
+                  std::optional<double> time);
   void finish(const ContactState& before, const ContactState& after, const StepReport&, const std::string& stage,
               double load_factor, std::optional<double> time, bool write_fields, double seconds);
   void book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,

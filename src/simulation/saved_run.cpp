@@ -25,7 +25,7 @@ long long geometry_digest(const Structure<dim>& s) {
   std::uint64_t sum = 0;
   for (int i = 0; i < s.owned_nodes(); ++i) {
     const auto node = digest(&s.node_id()[i], sizeof(NodeId));
-    sum += digest(s.position()[i].data(), dim * sizeof(double), node);
+    sum += digest(s.drawn_position()[i].data(), dim * sizeof(double), node);
   }
   // Only the lower half is summed over ranks as a number, or signs could overflow.
   const auto mine = static_cast<long long>(sum & 0xffffffffu);

@@ -19,6 +19,7 @@
 #include "scene/scene_printer.hpp"
 #include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
+#include "simulation/finite_rotations.hpp"
 #include "simulation/load_factor_analysis.hpp"
 #include "simulation/masonry_statics.hpp"
 #include "simulation/mechanism_words.hpp"
@@ -155,7 +156,7 @@ class Run {
     construction_.restrict(state_, next_load, prescribed);
     narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
-    const auto report = step_.solve(state_, next_load, prescribed);
+    const auto report = solve_load_step(model_, step_, state_, next_load, prescribed);
     const double seconds = clock.totalElapsedTime(true);
     const std::string stage = steps_.stage();
     const double target = steps_.target();

@@ -153,4 +153,37 @@ TEUCHOS_UNIT_TEST(Supports, HoldTheNamedComponentsOfTheNodesOfTheirFacetsAlsoInT
   }
 }
 
+TEUCHOS_UNIT_TEST(Structure, StonesThatAreFollowedBearNoForcesAndStretchAsBefore) {
+  const auto source = wall();
+  auto s = wall_structure(*source, everyone());
+  const Vector<2> centre{3, -1};
+  const auto stretched = [&](double angle, double stretch) {
+    std::vector<double> u;
+    for (const auto& x : s.drawn_position()) {
+      const Vector<2> r{(1 + stretch) * (x[0] - centre[0]), x[1] - centre[1]};
+      const double c = std::cos(angle), t = std::sin(angle);
+      u.push_back(c * r[0] - t * r[1] + centre[0] - x[0]);
+      u.push_back(t * r[0] + c * r[1] + centre[1] - x[1]);
+    }
+    return u;
+  };
+  std::vector<double> small, forces;
+  s.internal_forces(stretched(0, 1e-4), small);
+  const double largest = *std::max_element(small.begin(), small.end());
+
+  const double angle = 0.7;  // [rad] no small one
+  TEST_FLOATING_EQUALITY(s.follow(stretched(angle, 0)), angle, 1e-12);
+  s.internal_forces(stretched(angle, 0), forces);
+  for (double f : forces) TEST_COMPARE(std::abs(f), <, 1e-9 * largest);
+  TEST_COMPARE(s.follow(stretched(angle, 0)), <, 1e-12);
+
+  s.follow(stretched(angle, 1e-4));
+  s.internal_forces(stretched(angle, 1e-4), forces);
+  for (std::size_t i = 0; i < small.size(); i += 2) {
+    TEST_COMPARE(std::abs(forces[i] - std::cos(angle) * small[i] + std::sin(angle) * small[i + 1]), <, 1e-9 * largest);
+    TEST_COMPARE(std::abs(forces[i + 1] - std::sin(angle) * small[i] - std::cos(angle) * small[i + 1]), <,
+                 1e-9 * largest);
+  }
+}
+
 }  // namespace
