@@ -105,7 +105,9 @@ run_environment() {
   export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 # one thread per rank, or ranks fight over the cores
   # Containers forbid reading another process' memory, and Open MPI complains on every start.
   export OMPI_MCA_btl_vader_single_copy_mechanism=none
-  export ASAN_OPTIONS=${ASAN_OPTIONS:-leak_check_at_exit=0} # debug build: plug-ins of MPI are gone by then
+  # Debug build: programs look for leaks themselves, before MPI ends and takes its plug-ins away.
+  export ASAN_OPTIONS=${ASAN_OPTIONS:-leak_check_at_exit=0}
+  export LSAN_OPTIONS=${LSAN_OPTIONS:-suppressions=$voussoir_root/cmake/leaks.txt:print_suppressions=0}
   if [ "$(id -u)" -eq 0 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   fi

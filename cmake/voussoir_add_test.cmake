@@ -20,7 +20,7 @@ set(VOUSSOIR_TEST_ENVIRONMENT
     OMPI_MCA_btl_vader_single_copy_mechanism=none # containers forbid reading another process' memory
     OMPI_MCA_mpi_yield_when_idle=1 # waiting ranks leave the core to others
     OMPI_MCA_hwloc_base_binding_policy=none # tests that run side by side must not be bound to the same core
-    "ASAN_OPTIONS=leak_check_at_exit=0" # tests/support looks for leaks while MPI is still there
+    "ASAN_OPTIONS=leak_check_at_exit=0" # programs look for leaks while MPI is still there: src/base/leaks.hpp
     "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_LIST_DIR}/leaks.txt:print_suppressions=0"
     "UBSAN_OPTIONS=print_stacktrace=1")
 

@@ -7,12 +7,14 @@
 #include <Tpetra_Core.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/leaks.hpp"
 #include "mesh/generators.hpp"
 #include "simulation/adaptive_step.hpp"
 #include "simulation/model.hpp"
@@ -178,6 +180,9 @@ int run_program(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   int name_alone = 1;  // Kokkos would answer --help before we do
+  leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);
-  return run_program({argv + 1, argv + argc});
+  leaks::watch_from_here();
+  const int code = run_program({argv + 1, argv + argc});
+  return leaks::found() ? EXIT_FAILURE : code;
 }

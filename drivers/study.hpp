@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/leaks.hpp"
 
 namespace voussoir {
 
@@ -58,7 +59,9 @@ inline int run_study(int argc, char** argv,
                      const std::function<void(const std::vector<std::string>&,
                                               const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&)>& study) {
   int name_alone = 1;  // Kokkos would answer --help before we do
+  leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);
+  leaks::watch_from_here();
   const auto comm = Tpetra::getDefaultComm();
   std::ofstream nowhere;
   const bool first = comm->getRank() == 0;
@@ -68,7 +71,7 @@ inline int run_study(int argc, char** argv,
   };
   try {
     study({argv + 1, argv + argc}, comm, first ? std::cout : nowhere);
-    return exit_done;
+    return leaks::found() ? EXIT_FAILURE : exit_done;
   } catch (const InputError& error) {
     return failed(error, exit_input);
   } catch (const ConvergenceError& error) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/leaks.hpp"
 #include "base/version.hpp"
 #include "linalg/gather.hpp"
 #include "output/hdf5_file.hpp"
@@ -168,9 +169,11 @@ int run_program(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   int name_alone = 1;  // Kokkos would answer --help before we do
+  leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);
+  leaks::watch_from_here();
   const int code = run_program({argv + 1, argv + argc});
-  if (!Hdf5File::any_broken()) return code;
+  if (!Hdf5File::any_broken()) return leaks::found() ? EXIT_FAILURE : code;
   std::cout << std::flush;
   std::_Exit(code);
 }
