@@ -50,7 +50,7 @@ LinearSolver::~LinearSolver() = default;
 LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& a,
                                       const std::shared_ptr<const Preconditioner>& m,
                                       const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
-                                      double relative_tolerance, Symmetry symmetry) {
+                                      double relative_tolerance, Symmetry symmetry, int largest_iterations) {
   const TrafficScope sent_for(TrafficOf::krylov);
   auto problem = Teuchos::rcp(new Data::Problem(a, x, b));
   const auto& given = data_->parameters;
@@ -65,7 +65,8 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
 
   auto list = Teuchos::parameterList(symmetric ? given.belos : given.belos_unsymmetric);
   list->set("Convergence Tolerance", relative_tolerance);
-  list->set("Maximum Iterations", given.largest_iterations);
+  const int most = largest_iterations > 0 ? largest_iterations : given.largest_iterations;
+  list->set("Maximum Iterations", std::min(most, given.largest_iterations));
   // A restart loses little after so many vectors, and their memory stays below that of the matrix.
   if (method == "BLOCK GMRES" && !list->isParameter("Num Blocks")) list->set("Num Blocks", restart);
   const double size = b->norm2();

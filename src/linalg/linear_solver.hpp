@@ -23,10 +23,10 @@ class LinearSolver {
 
   /// Solves A x = b from the given x until |b - A x| <= relative_tolerance |b|.
   /// M may be null. Every rank calls it.
+  /// @param largest_iterations  of this solve, where fewer are wanted than the parameters allow; 0 = those
   LinearSolveResult solve(const Teuchos::RCP<const TpetraOperator>& a, const std::shared_ptr<const Preconditioner>& m,
                           const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
-                          double relative_tolerance,
-                          Symmetry = Symmetry::symmetric);
+                          double relative_tolerance, Symmetry = Symmetry::symmetric, int largest_iterations = 0);
 
  private:
   struct Data;

@@ -14,18 +14,33 @@ namespace voussoir {
 namespace {
 
 // What closed points resist with, relative to their local stiffness. On the bridge in its earthquake (README.md) 100
-// takes 10 solves a step, because forces creep at vertices, 1000 takes 5.4 and 10^4 takes 6.5.
-constexpr double augmentation = 1000;
+// takes 10 solves a step, because forces creep at vertices, 1000 takes 5.4 and 10^4 takes 6.5. Load steps of walls and
+// arches take as many with 100 and fewer Krylov iterations.
+constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100;
 // Of linear solves. What one leaves open looks like points that change: with 1e-2 near the end the first 0.9 s of the
 // bridge in its earthquake took 2028 solves and 14416 Krylov iterations, with 1e-4 911 and 5366.
 constexpr double accuracy = 1e-4;
-// So many solves that gain less than half: it circles.
-constexpr int patience = 8;
+// So many solves that gain less than half: it circles. In load steps another way is cheaper than to find out.
+constexpr int patience_in_time = 8, patience_at_rest = 4;
 constexpr double gained = 0.5;
+// A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
+constexpr int many_krylov = 50;
+// Right sides larger than this many times the largest force are solved as accurately as if they were not: they are
+// those of stones that flew, and what a solve leaves of them must not push the others.
+constexpr double flown = 3;
+// A residual that grows by more than this has lost a stone. Points that give way then resist by this share of the local
+// stiffness, ten times as much if that does not help, and a tenth after every step that is taken.
+constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5;
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem) : problem_(problem), sliding_(problem.points()) {
+ActiveSet::ActiveSet(NonlinearProblem& problem, bool inertia)
+    : problem_(problem),
+      inertia_(inertia),
+      augmentation_(inertia ? augmentation_in_time : augmentation_at_rest),
+      proximal_(inertia ? 0 : 1),
+      patience_(inertia ? patience_in_time : patience_at_rest),
+      sliding_(problem.points()) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
@@ -44,11 +59,11 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap) {
     const double p = trial(0), q = trial(1);
     if (!(p > -law.tension)) continue;
     auto& r = resistance_[k];
-    r.normal = stiffness_of(problem_, k, 0, augmentation);
+    r.normal = stiffness_of(problem_, k, 0, augmentation_);
     const double bound = friction_bound(law, p);
     const double direction = q < 0 ? -1 : 1;
     if (std::abs(q) < bound || (bound > 0 && direction == -before[k])) {
-      r.tangential = stiffness_of(problem_, k, 1, augmentation);
+      r.tangential = stiffness_of(problem_, k, 1, augmentation_);
     } else {
       sliding_[k] = direction;
       if (bound > 0) r.coupling = sliding_[k] * law.friction * r.normal;
@@ -92,36 +107,65 @@ double ActiveSet::measure(const TpetraVector& x, const PointField& lambda, Newto
   return std::max(report.residual, report.complementarity);
 }
 
+/// One linear solve with the statuses chosen; returns its Krylov iterations. What damping resists is no force: nothing
+/// of it is left once points rest.
+/// @param damping  of points that give way, relative to their local stiffness
+int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance) {
+  auto damped = resistance_;
+  for (int k = 0; damping > 0 && k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    damped[k].normal = std::max(damped[k].normal, stiffness_of(problem_, k, 0, damping));
+    damped[k].tangential = std::max(damped[k].tangential, stiffness_of(problem_, k, 1, damping));
+  }
+  direction_->putScalar(0);
+  const int most = inertia_ ? 0 : many_krylov;
+  const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, relative_tolerance, most);
+  problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
+  x.update(1.0, *direction_, 1.0);
+  lambda = target_;
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const auto& r = resistance_[k];
+    lambda[2 * k] -= r.normal * gap_direction_[2 * k];
+    lambda[2 * k + 1] -= r.tangential * gap_direction_[2 * k + 1] + r.coupling * gap_direction_[2 * k];
+  }
+  return krylov;
+}
+
 bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
                       const PointField* known_gap, NewtonReport& report) {
-  problem_.evaluate(x, *linear_, gap_);
-  double best = std::numeric_limits<double>::infinity();
-  for (int solves = 1, last_gain = 1; solves <= largest_solves && solves < last_gain + patience; ++solves) {
-    choose(lambda, known_gap && solves == 1 ? *known_gap : gap_);
+  const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
+  double best = std::numeric_limits<double>::infinity(), damping = 0;
+  for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
+    choose(lambda, known_gap && solves == 0 ? *known_gap : gap_);
     aim(lambda);
-    Tpetra::deep_copy(*gradient_, *linear_);
-    problem_.subtract_contact_forces(target_, *gradient_);
-    gradient_->scale(-1.0);
-    direction_->putScalar(0);
-    const int krylov = problem_.solve(resistance_, 0.0, gradient_, direction_, accuracy);
-    report.count(krylov);
-    problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
-    x.update(1.0, *direction_, 1.0);
-    lambda = target_;
-    for (int k = 0; k < problem_.points(); ++k) {
-      if (!problem_.selected()[k]) continue;
-      const auto& r = resistance_[k];
-      lambda[2 * k] -= r.normal * gap_direction_[2 * k];
-      lambda[2 * k + 1] -= r.tangential * gap_direction_[2 * k + 1] + r.coupling * gap_direction_[2 * k];
-    }
-    const double size = measure(x, lambda, report);
-    tell(report, krylov);
-    if (size <= tolerance) {
-      lambda = admissible_;
-      report.outcome = NewtonOutcome::converged;
-      return true;
+    const TpetraVector x_before(x, Teuchos::Copy), linear_before(*linear_, Teuchos::Copy);
+    double size = 0;
+    for (;;) {
+      Tpetra::deep_copy(*gradient_, linear_before);
+      problem_.subtract_contact_forces(target_, *gradient_);
+      gradient_->scale(-1.0);
+      const double share = inertia_ ? 1.0 : std::min(1.0, flown * largest_force / gradient_->normInf());
+      const int krylov = step(x, lambda, damping, std::max(accuracy * share, std::numeric_limits<double>::epsilon()));
+      report.count(krylov);
+      ++solves;
+      size = measure(x, lambda, report);
+      tell(report, krylov);
+      if (size <= tolerance) {
+        lambda = admissible_;
+        report.outcome = NewtonOutcome::converged;
+        return true;
+      }
+      if (inertia_) break;  // nothing flies
+      if (krylov >= many_krylov) return false;
+      // Supports that have moved are no measure: what they leave at the start says little of what follows.
+      const double known = known_gap ? best : std::min(best, start);
+      if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;
+      damping = std::max(10 * damping, first_damping);
+      Tpetra::deep_copy(x, x_before);
     }
     if (!std::isfinite(size)) return false;
+    damping = damping > no_damping ? damping / 10 : 0;
     if (size > gained * best) continue;
     best = size;
     last_gain = solves;
@@ -139,7 +183,7 @@ void ActiveSet::tell(const NewtonReport& report, int krylov) const {
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;
   narrate({report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0], all[1], krylov,
-           1.0, augmentation});
+           1.0, augmentation_});
 }
 
 }  // namespace voussoir

@@ -1,9 +1,10 @@
-// The short way where few points change: each linear solve takes the statuses that the last state asks for, friction
-// follows the pressure, forces follow as far as points resist.
+// The short way: each linear solve takes the statuses that the last state asks for, friction follows the pressure,
+// forces follow as far as points resist.
 //
 // A point that is closed resists with R, far above the local stiffness, so what is left of its gap falls by that ratio
-// with every solve; one that slips has the force s mu p. Once statuses stay, two or three solves are left. It has no
-// line search and may circle: then it says so, and another way is taken.
+// with every solve; one that slips has the force s mu p. Once statuses stay, two or three solves are left. A stone that
+// comes loose on the way would fly: then the step is made again with points that yield only slowly. It has no line
+// search and may circle: then it says so, and another way is taken.
 //
 // Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton, 2D);
 //          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
@@ -18,8 +19,9 @@ namespace voussoir {
 
 class ActiveSet {
  public:
-  /// @param problem  with two components and no free motions: the blocks of a time step have mass
-  explicit ActiveSet(NonlinearProblem& problem);
+  /// @param problem  with two components
+  /// @param inertia  whether blocks have mass, as those of a time step, and no free motions
+  ActiveSet(NonlinearProblem& problem, bool inertia);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
@@ -33,10 +35,14 @@ class ActiveSet {
  private:
   void choose(const PointField& lambda, const PointField& gap);
   void aim(const PointField& lambda);
+  int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance);
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
   void tell(const NewtonReport&, int krylov) const;
 
   NonlinearProblem& problem_;
+  bool inertia_;
+  double augmentation_, proximal_;
+  int patience_;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
   PointField target_, gap_, gap_direction_, admissible_;

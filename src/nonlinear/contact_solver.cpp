@@ -8,12 +8,10 @@
 namespace voussoir {
 namespace {
 
-// Solves for which the fast way is left alone after it has failed, doubling up to the second number.
+// Solutions for which active sets are left alone in load steps after they have failed: none, 1, 3, up to this.
 constexpr int longest_wait = 7;
-// Linear solves after which the augmented Lagrangian gives up as the fast way.
-constexpr int fast_solves = 8;
-// Linear solves for active sets: those that arrive take up to 20.
-constexpr int active_set_solves = 30;
+// Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 13.
+constexpr int solves_in_time = 30, solves_at_rest = 15;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
 // many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.
 constexpr int closing_solves = 80;
@@ -41,37 +39,25 @@ bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lamb
   return out_of_balance(x, lambda) <= tolerance * force_scale(problem_, lambda);
 }
 
-bool ContactSolver::try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap,
-                             NewtonReport& report) {
-  if (fast_.wait > 0) {
+bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                                   NewtonReport& report) {
+  const bool inertia = parameters_.has_inertia;
+  if (parameters_.time_follows) return false;
+  if (!inertia && fast_.wait > 0) {
     --fast_.wait;
     return false;
   }
   const TpetraVector x_before(x, Teuchos::Copy);
   const PointField lambda_before = lambda;
-  const int most = std::min(fast_solves, parameters_.largest_iterations);
-  AugmentedLagrangian quick(problem_, {parameters_.tolerance, most, parameters_.has_inertia});
-  quick.narrate = narrate;
-  report = quick.solve(x, lambda, tolerance, &known_gap);
-  if (report.outcome == NewtonOutcome::converged) {
+  ActiveSet active(problem_, inertia);
+  active.narrate = narrate;
+  const int most = std::min(inertia ? solves_in_time : solves_at_rest, parameters_.largest_iterations);
+  if (active.solve(x, lambda, tolerance, most, known_gap, report)) {
     fast_ = {};
     return true;
   }
-  fast_.last_wait = std::min(2 * fast_.last_wait + 1, longest_wait);
   fast_.wait = fast_.last_wait;
-  Tpetra::deep_copy(x, x_before);
-  lambda = lambda_before;
-  return false;
-}
-
-bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                                   NewtonReport& report) {
-  const TpetraVector x_before(x, Teuchos::Copy);
-  const PointField lambda_before = lambda;
-  ActiveSet active(problem_);
-  active.narrate = narrate;
-  const int most = std::min(active_set_solves, parameters_.largest_iterations);
-  if (active.solve(x, lambda, tolerance, most, known_gap, report)) return true;
+  fast_.last_wait = std::min(2 * fast_.last_wait + 1, longest_wait);
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
   return false;
@@ -103,9 +89,7 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
   if (in_equilibrium(x, lambda, tolerance)) {
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {
-    if (parameters_.has_inertia ? try_active_set(x, lambda, tolerance, known_gap, report)
-                                : known_gap && try_fast(x, lambda, tolerance, *known_gap, report))
-      return report;
+    if (try_active_set(x, lambda, tolerance, known_gap, report)) return report;
     known_gap = along_the_path(x, lambda, tolerance, known_gap, report);
   }
   // Where closing labours, another path from the state it has reached is shorter.

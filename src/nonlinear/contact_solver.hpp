@@ -34,7 +34,6 @@ class ContactSolver {
   /// Returns the known gaps when the path led nowhere, which leaves the state as it was, else null.
   const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                                    NewtonReport&);
-  bool try_fast(TpetraVector& x, PointField& lambda, double tolerance, const PointField& known_gap, NewtonReport&);
   bool try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                       NewtonReport&);
 

@@ -6,7 +6,7 @@ namespace voussoir {
 
 struct FastWay {
   int wait = 0;       ///< solves that go without it
-  int last_wait = 0;  ///< after its last failure
+  int last_wait = 0;  ///< after its next failure
   template <class Archive>
   void keep(Archive& archive) {
     archive.value("fast_way.wait", wait);

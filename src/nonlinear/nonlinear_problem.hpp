@@ -54,8 +54,9 @@ class NonlinearProblem {
   /// Proximal weight of each owned unknown [N/m], the size at which it matters as much as the structure's stiffness.
   virtual const std::vector<double>& proximal_weight() const = 0;
   /// Solves (K + resistance + scale x proximal) d = b; returns Krylov iterations. Collective.
+  /// @param largest_krylov  0 = as many as the scene allows
   virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-                    const Teuchos::RCP<TpetraVector>& d, double relative_tolerance) = 0;
+                    const Teuchos::RCP<TpetraVector>& d, double relative_tolerance, int largest_krylov = 0) = 0;
   /// Largest force in play [N]: what residuals are measured against.
   virtual double force_scale() const = 0;
   /// Size of the structure [m]: what run-away displacements are measured against.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/load_steps.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
@@ -82,7 +83,9 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
                                     double tolerance, const PointField* known_gap, const PointField& force_before,
                                     std::vector<int>& cluster, StepReport& report) {
   ContactProblem<dim> problem(parts, state, law_, load, prescribed);
-  ContactSolver newton(problem, model_.scene().newton, state.fast_way);
+  auto how = model_.scene().newton;
+  how.time_follows = !how.has_inertia && any_time(model_.scene().stages);
+  ContactSolver newton(problem, how, state.fast_way);
   newton.narrate = narrate;
   const auto x = problem.unknowns(state.displacement);
   {

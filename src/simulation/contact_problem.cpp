@@ -142,7 +142,7 @@ void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, Tpet
 template <int dim>
 int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
                                const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
-                               double relative_tolerance) {
+                               double relative_tolerance, int largest_krylov) {
   std::vector<double> proximal(proximal_weight_.size());
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
   const TrafficScope sent_for(TrafficOf::set_up);
@@ -150,7 +150,8 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   coarse_->update(*matrix_, stiffness, proximal);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
   coarse_->set_symmetry(symmetry);
-  return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance, symmetry).iterations;
+  return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance, symmetry, largest_krylov)
+      .iterations;
 }
 
 template class ContactProblem<2>;
