@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "blocks/structure.hpp"
 
@@ -10,7 +11,8 @@ namespace voussoir {
 /// A small motion of a plane block: of its middle, and a rotation about it.
 struct RigidMotion {
   Vector<2> middle{}, mean{};  ///< [m] where the middle of its nodes is, and how it moves
-  double rotation = 0;         ///< [-] counter-clockwise
+  double rotation = 0;         ///< [-] counter-clockwise, of a small motion
+  double turn = 0;             ///< [rad] the same of a motion that may be large
   double radius = 0;           ///< [m] of the node farthest from the middle
 
   Vector<2> at(const Vector<2>& x) const {
@@ -19,23 +21,27 @@ struct RigidMotion {
   }
 };
 
-/// @param motion  of all local node copies [m, 2 x nodes]
-inline RigidMotion rigid_motion(const Structure<2>& s, const LocalBlock<2>& block, const std::vector<double>& motion) {
+/// @param position  of all local node copies [m]
+/// @param motion    of all local node copies [m, 2 x nodes]
+inline RigidMotion rigid_motion(const std::vector<Vector<2>>& position, const LocalBlock<2>& block,
+                                const std::vector<double>& motion) {
   RigidMotion rigid;
   const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
   const auto of_node = [&](int i) { return Vector<2>{motion[2 * i], motion[2 * i + 1]}; };
   for (int i = first; i < first + count; ++i) {
-    rigid.middle = rigid.middle + (1.0 / count) * s.position()[i];
+    rigid.middle = rigid.middle + (1.0 / count) * position[i];
     rigid.mean = rigid.mean + (1.0 / count) * of_node(i);
   }
-  double moment = 0, inertia = 0;
+  double moment = 0, inertia = 0, stretch = 0;
   for (int i = first; i < first + count; ++i) {
-    const Vector<2> r = s.position()[i] - rigid.middle;
+    const Vector<2> r = position[i] - rigid.middle;
     moment += cross(r, of_node(i));
     inertia += dot(r, r);
+    stretch += dot(r, of_node(i));
     rigid.radius = std::max(rigid.radius, norm(r));
   }
   if (inertia > 0) rigid.rotation = moment / inertia;
+  rigid.turn = std::atan2(moment, inertia + stretch);
   return rigid;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "blocks/assembly.hpp"
+#include "blocks/rigid_motion.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -123,32 +124,19 @@ std::vector<double> Structure<dim>::deformation(const std::vector<double>& u) co
   return d;
 }
 
-/// Translation of the middle of the nodes, and the rotation about it that is nearest to what they do (least squares).
 template <int dim>
 double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
-  static_assert(dim == 2);
   auto& b = blocks_[block];
-  const int first = b.first_local, count = static_cast<int>(b.mesh.position.size());
-  Vector<2> middle{}, mean{};
-  for (int i = first; i < first + count; ++i) {
-    middle = middle + (1.0 / count) * drawn_[i];
-    mean = mean + (1.0 / count) * Vector<2>{u[2 * i], u[2 * i + 1]};
-  }
-  double along = 0, across = 0;
-  for (int i = first; i < first + count; ++i) {
-    const Vector<2> r = drawn_[i] - middle, now = r + Vector<2>{u[2 * i], u[2 * i + 1]} - mean;
-    along += dot(r, now);
-    across += cross(r, now);
-  }
-  const double turn = std::atan2(across, along), cosine = std::cos(turn), sine = std::sin(turn);
-  for (int i = first; i < first + count; ++i) {
-    const Vector<2> r = drawn_[i] - middle;
-    position_[i] = middle + mean + Vector<2>{cosine * r[0] - sine * r[1], sine * r[0] + cosine * r[1]};
-    b.mesh.position[i - first] = position_[i];
-    for (int c = 0; c < 2; ++c) rigid_motion_[2 * i + c] = position_[i][c] - drawn_[i][c];
+  const RigidMotion rigid = rigid_motion(drawn_, b, u);
+  const Rotation rotation(rigid.turn);
+  for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
+    const std::size_t node = b.first_local + i;
+    position_[node] = rigid.middle + rigid.mean + rotation(drawn_[node] - rigid.middle);
+    b.mesh.position[i] = position_[node];
+    for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = position_[node][c] - drawn_[node][c];
   }
   b.stiffness = block_stiffness(b.mesh, b.material, model_.plane, model_.thickness);
-  return std::abs(turn - std::exchange(turn_[block], turn));
+  return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
 }
 
 template <int dim>

@@ -42,7 +42,7 @@ class Structure {
   int owned_nodes() const { return owned_nodes_; }
   NodeId total_nodes() const { return total_nodes_; }
   const std::vector<NodeId>& node_id() const { return node_id_; }
-  /// Where nodes are: as drawn, less what deformation moves them when the blocks have been followed.
+  /// Where nodes are: as drawn, or where blocks have been followed to.
   const std::vector<Vector<dim>>& position() const { return position_; }
   const std::vector<Vector<dim>>& drawn_position() const { return drawn_.empty() ? position_ : drawn_; }
   const std::vector<int>& block_of_node() const { return block_of_node_; }

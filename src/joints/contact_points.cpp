@@ -2,7 +2,6 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -97,9 +96,7 @@ void ContactPoints<dim>::follow(const Structure<dim>& structure) {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     auto& p = points_[k];
     const double turn = (structure.turn(block[p.node_i]) + structure.turn(block[p.node_j])) / 2;
-    const double cosine = std::cos(turn), sine = std::sin(turn);
-    const auto& n = drawn_normal_[k];
-    p.axis[0] = {cosine * n[0] - sine * n[1], sine * n[0] + cosine * n[1]};
+    p.axis[0] = Rotation(turn)(drawn_normal_[k]);
     p.axis[1] = {-p.axis[0][1], p.axis[0][0]};
   }
 }

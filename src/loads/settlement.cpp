@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
@@ -58,11 +56,10 @@ class TurningSupport : public Load<2> {
     }
   }
   void add(double factor, double, std::vector<double>&, std::vector<double>& prescribed) const override {
-    const double cosine = std::cos(factor * rotation_), sine = std::sin(factor * rotation_);
+    const Rotation rotation(factor * rotation_);
     for (std::size_t k = 0; k < index_.size(); ++k) {
       const auto& r = arm_[k];
-      const Vector<2> turned{cosine * r[0] - sine * r[1], sine * r[0] + cosine * r[1]};
-      prescribed[index_[k]] += (factor * translation_ + turned - r)[index_[k] % 2];
+      prescribed[index_[k]] += (factor * translation_ + rotation(r) - r)[index_[k] % 2];
     }
   }
   std::size_t bytes() const override { return index_.size() * (sizeof(int) + sizeof(Vector<2>)); }

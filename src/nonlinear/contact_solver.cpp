@@ -56,8 +56,8 @@ bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double t
     fast_ = {};
     return true;
   }
-  fast_.wait = fast_.last_wait;
-  fast_.last_wait = std::min(2 * fast_.last_wait + 1, longest_wait);
+  fast_.wait = fast_.next_wait;
+  fast_.next_wait = std::min(2 * fast_.next_wait + 1, longest_wait);
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
   return false;

@@ -6,11 +6,11 @@ namespace voussoir {
 
 struct FastWay {
   int wait = 0;       ///< solves that go without it
-  int last_wait = 0;  ///< after its next failure
+  int next_wait = 0;  ///< after its next failure
   template <class Archive>
   void keep(Archive& archive) {
     archive.value("fast_way.wait", wait);
-    archive.value("fast_way.last_wait", last_wait);
+    archive.value("fast_way.last_wait", next_wait);
   }
 };
 

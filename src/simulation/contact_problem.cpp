@@ -113,7 +113,7 @@ double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
   double off = 0;
   for (std::size_t b = 0; b < s.blocks().size(); ++b) {
     const auto& block = s.blocks()[b];
-    const RigidMotion rigid = rigid_motion(s, block, copies_);
+    const RigidMotion rigid = rigid_motion(s.position(), block, copies_);
     const int end = block.first_local + static_cast<int>(block.mesh.position.size());
     for (int i = block.first_local; i < end; ++i) {
       const auto u = rigid.at(s.position()[i]);

@@ -69,9 +69,8 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   if (!collapse) return;
   // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
   const auto& mechanism = run.step.mechanism();
-  if (!first && overlap_of(mechanism, failed, run.model) >
-                                     std::max(believable_overlap, overlap_of(mechanism_, failed_, run.model)))
-    return;
+  const auto overlap = [&](const auto& motion, const auto& state) { return overlap_of(motion, state, run.model); };
+  if (!first && overlap(mechanism, failed) > std::max(believable_overlap, overlap(mechanism_, failed_))) return;
   mechanism_ = mechanism;
   failed_ = failed;
 }

@@ -67,7 +67,7 @@ std::vector<BlockMotion> block_motions(const Model<2>& model, const std::vector<
     for (int i = first; i < first + count; ++i)
       largest = std::max(largest, std::hypot(motion[2 * i], motion[2 * i + 1]));
     if (largest <= least) continue;
-    const RigidMotion rigid = rigid_motion(s, block, motion);
+    const RigidMotion rigid = rigid_motion(s.position(), block, motion);
     moving.push_back({block.mesh.id, rigid.mean[0], rigid.mean[1], rigid.rotation * rigid.radius});
   }
   return moving;

@@ -15,10 +15,8 @@ Came out  Arch 1.4500 to 1.4563 m, the mechanism with hinges at crown, sixth and
 Tolerance The brackets hold the expected value, give or take 0.2 %: stones of 100 GPa and 10 GPa are not rigid.
 """
 
-import json
 import math
 import pathlib
-import subprocess
 import sys
 import unittest
 
@@ -28,7 +26,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hard" / "g
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "restart"))
 from drawing import grid  # noqa: E402  (folders of their own)
 import scenes  # noqa: E402
-from runs import empty  # noqa: E402
+from runs import empty, run_scene  # noqa: E402
 
 PROGRAM = MPIEXEC = None
 ARCH = pathlib.Path(__file__).resolve().parents[2] / "xml" / "spreading-arch.xml"
@@ -39,14 +37,7 @@ WITHIN = 0.002
 def run(name, scene, *settings, ranks=1):
     """The result.json of a run."""
     out = empty(f"finite_rotations/{name}")
-    launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-    command = [*launch, PROGRAM, f"--xml={scene}", f"--out={out}", "--quiet"]
-    for setting in settings:
-        command += ["--set", setting]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    return json.loads((out / "result.json").read_text())
+    return run_scene(PROGRAM, MPIEXEC, out, scene, *settings, ranks=ranks)
 
 
 def turned(x, about, angle):

@@ -16,9 +16,7 @@ Tolerance the upper end of the bracket must reach the lower published value less
           upper one: a mechanism found too early or an equilibrium where none can be fails.
 """
 
-import json
 import pathlib
-import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -26,7 +24,7 @@ import xml.etree.ElementTree as ElementTree
 import h5py
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "restart"))
-from runs import empty  # noqa: E402  (a folder of its own)
+from runs import empty, run_scene  # noqa: E402  (a folder of its own)
 
 XML = pathlib.Path(__file__).resolve().parents[2] / "xml"
 PROGRAM = MPIEXEC = None
@@ -36,14 +34,7 @@ BELOW = 0.005  # of the smaller published value
 def run(name, scene, *settings, ranks=1):
     """Runs a scene; its result.json and its folder."""
     out = empty(f"load_factors/{name}")
-    launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-    command = [*launch, PROGRAM, f"--xml={XML / scene}.xml", f"--out={out}"]
-    for setting in settings:
-        command += ["--set", setting]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
-    return json.loads((out / "result.json").read_text()), out
+    return run_scene(PROGRAM, MPIEXEC, out, XML / f"{scene}.xml", *settings, ranks=ranks), out
 
 
 class Case(unittest.TestCase):

@@ -43,6 +43,18 @@ class Program:
                                 stderr=subprocess.STDOUT, start_new_session=True)
 
 
+def run_scene(program, mpiexec, out, scene, *settings, ranks=1):
+    """Runs a scene into an empty folder, and expects it to succeed; its result.json."""
+    launch = [mpiexec, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    command = [*launch, program, f"--xml={scene}", f"--out={out}", "--quiet"]
+    for setting in settings:
+        command += ["--set", setting]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return json.loads((pathlib.Path(out) / "result.json").read_text())
+
+
 def empty(folder):
     """A folder's path with nothing there, results of earlier tests and those kept beside included."""
     folder = pathlib.Path(folder).resolve()

@@ -4,15 +4,13 @@
 """
 
 import csv
-import json
 import math
 import pathlib
-import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "restart"))
-from runs import empty  # noqa: E402  (a folder of its own)
+from runs import empty, run_scene  # noqa: E402  (a folder of its own)
 
 XML = pathlib.Path(__file__).resolve().parents[2] / "xml"
 PROGRAM = MPIEXEC = None
@@ -22,17 +20,11 @@ GRAVITY, DENSITY = 9.81, 2000
 def run(name, scene, *settings, ranks=1):
     """Runs a scene; its joints by pair of blocks, and the section statics of its result.json."""
     out = empty(f"joint_table/{name}")
-    launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-    command = [*launch, PROGRAM, f"--xml={XML / scene}.xml", f"--out={out}", "--quiet"]
-    for setting in settings:
-        command += ["--set", setting]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    result = run_scene(PROGRAM, MPIEXEC, out, XML / f"{scene}.xml", *settings, ranks=ranks)
     with open(out / "joints.csv", newline="", encoding="utf-8") as file:
         joints = {(int(row.pop("block_i")), int(row.pop("block_j"))): {k: float(v) if v else math.nan for k, v in row.items()}
                   for row in csv.DictReader(file)}
-    return joints, json.loads((out / "result.json").read_text())["statics"]
+    return joints, result["statics"]
 
 
 class JointTable(unittest.TestCase):
