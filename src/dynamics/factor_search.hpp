@@ -85,20 +85,20 @@ class FactorSearch {
   /// Names what a checkpoint keeps (output/checkpoint.hpp).
   template <class Archive>
   void keep(Archive& archive) {
-    archive.value("load_factor.lower", lower_);
-    archive.value("load_factor.upper", upper_);
-    archive.value("load_factor.undecided", undecided_);
-    archive.value("load_factor.tried_from", tried_from_);
-    archive.value("load_factor.probes", probes_);
+    archive.within("load_factor.lower", lower_, 0, none);
+    archive.within("load_factor.upper", upper_, 0, none);
+    archive.within("load_factor.undecided", undecided_, 0, none);
+    archive.within("load_factor.tried_from", tried_from_, 0, none);
+    archive.within("load_factor.probes", probes_, 0, largest_probes);
     auto count = static_cast<int>(attempts_.size());
-    archive.choice("load_factor.attempts", count, most_attempts);
+    archive.within("load_factor.attempts", count, 0, most_attempts);
     attempts_.resize(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
       auto& attempt = attempts_[static_cast<std::size_t>(k)];
       const std::string name = "load_factor.attempt " + std::to_string(k);
       auto verdict = static_cast<int>(attempt.verdict);
       archive.value(name + ".factor", attempt.factor);
-      archive.choice(name + ".verdict", verdict, static_cast<int>(Verdict::undecided) + 1);
+      archive.within(name + ".verdict", verdict, 0, static_cast<int>(Verdict::undecided));
       archive.value(name + ".linear_solves", attempt.linear_solves);
       attempt.verdict = static_cast<Verdict>(verdict);
     }

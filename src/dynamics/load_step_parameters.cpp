@@ -24,7 +24,7 @@ void StageParameters::declare(ParameterSection& section) {
 }
 
 void LoadStepParameters::declare(ParameterSection& section) {
-  section.add("largest halvings", largest_halvings, "-", between(0, 30),
+  section.add("largest halvings", largest_halvings, "-", between(0, most_halvings),
               "how often a load step that does not converge may be halved",
               "after 30 halvings a step is 1e-9 of its size", "Give 0 to stop at the first failure; 4 is usual.");
   section.add("expect collapse", expect_collapse,

@@ -77,10 +77,10 @@ class LoadSteps {
   template <class Archive>
   void keep(Archive& archive) {
     auto stage = static_cast<int>(stage_);
-    archive.choice("load_steps.stage", stage, static_cast<int>(stages_.size()) + 1);
-    archive.value("load_steps.reached", reached_);
-    archive.value("load_steps.halvings", halvings_);
-    archive.value("load_steps.successes", successes_);
+    archive.within("load_steps.stage", stage, 0, static_cast<double>(stages_.size()));
+    archive.within("load_steps.reached", reached_, 0, 1);
+    archive.within("load_steps.halvings", halvings_, 0, LoadStepParameters::most_halvings);
+    archive.within("load_steps.successes", successes_, 0, 1);
     stage_ = static_cast<std::size_t>(stage);
     before_.clear();
     time_before_ = 0;

@@ -16,10 +16,11 @@ struct TimeStepLevel {
   int failures = 0;
   template <class Archive>
   void keep(Archive& archive) {
-    archive.value("time_step.level", level);
-    archive.value("time_step.calm", calm);
-    archive.value("time_step.failures", failures);
+    archive.within("time_step.level", level, -1, deepest);
+    archive.within("time_step.calm", calm, 0, 1e9);
+    archive.within("time_step.failures", failures, 0, deepest);
   }
+  static constexpr int deepest = 62;  ///< 2^level is a whole number
 };
 
 class StepControl {
@@ -66,7 +67,7 @@ class StepControl {
 
   /// The step was not solved: halve it. False when it has been halved often enough.
   bool halve() {
-    if (now_.failures == largest_halvings_) return false;
+    if (now_.failures == largest_halvings_ || now_.level == TimeStepLevel::deepest) return false;
     ++now_.failures;
     ++now_.level;
     now_.calm = 0;

@@ -8,8 +8,6 @@
 namespace voussoir {
 namespace {
 
-// Solutions for which active sets are left alone in load steps after they have failed: none, 1, 3, up to this.
-constexpr int longest_wait = 7;
 // Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 13.
 constexpr int solves_in_time = 30, solves_at_rest = 15;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
@@ -57,7 +55,7 @@ bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double t
     return true;
   }
   fast_.wait = fast_.next_wait;
-  fast_.next_wait = std::min(2 * fast_.next_wait + 1, longest_wait);
+  fast_.next_wait = std::min(2 * fast_.next_wait + 1, FastWay::longest);
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
   return false;

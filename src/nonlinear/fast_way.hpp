@@ -9,9 +9,10 @@ struct FastWay {
   int next_wait = 0;  ///< after its next failure
   template <class Archive>
   void keep(Archive& archive) {
-    archive.value("fast_way.wait", wait);
-    archive.value("fast_way.last_wait", next_wait);
+    archive.within("fast_way.wait", wait, 0, longest);
+    archive.within("fast_way.last_wait", next_wait, 0, longest);
   }
+  static constexpr int longest = 7;  ///< waits are none, 1, 3, up to this
 };
 
 }  // namespace voussoir

@@ -18,6 +18,11 @@ const char* const numbers = "/run";
 
 std::string beside(const std::string& path) { return path + ".part"; }
 
+template <class T>
+std::string outside(const std::string& path, const std::string& name, T number) {
+  return cannot_read(path, name + " = " + std::to_string(number) + " outside its range");
+}
+
 /// Opens the file; one to be restored is looked at before HDF5, which may crash on a damaged one.
 std::unique_ptr<Hdf5File> opened(const std::string& path, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                  Checkpoint::Way way) {
@@ -41,6 +46,7 @@ void Checkpoint::value(const std::string& name, T& v) {
     auto wide = static_cast<long long>(v);
     value(name, wide);
     v = static_cast<T>(wide);
+    if (v != wide) throw ResourceError(outside(path_, name, wide));
   } else if (saving()) {
     file_->write_attribute(numbers, name, v);
   } else {
@@ -48,20 +54,21 @@ void Checkpoint::value(const std::string& name, T& v) {
   }
 }
 
-void Checkpoint::choice(const std::string& name, int& number, int choices) {
+template <class T>
+void Checkpoint::within(const std::string& name, T& number, double least, double most) {
   value(name, number);
-  if (!saving() && (number < 0 || number >= choices))
-    throw ResourceError(cannot_read(path_, name + " = " + std::to_string(number) + " outside its range"));
+  if (!saving() && !(least <= static_cast<double>(number) && static_cast<double>(number) <= most))
+    throw ResourceError(outside(path_, name, number));
 }
 
 template <class T>
 void Checkpoint::rows(const std::string& name, const LocalRows& local, int columns, std::vector<T>& values) {
   using Stored = std::conditional_t<std::is_same_v<T, double>, double, int>;
   const std::string path = "/state/" + name;
+  const int here = values.empty() ? 0 : 1;
+  int anywhere = 0;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
   if (saving()) {
-    const int here = values.empty() ? 0 : 1;
-    int anywhere = 0;
-    Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
     if (!anywhere) return;
     VOUSSOIR_EXPECT(values.size() == local.ids.size() * columns);
     const std::vector<long long> ids(local.ids.begin(), local.ids.begin() + local.owned);
@@ -70,7 +77,10 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
     return;
   }
   values.clear();
-  if (!file_->has(path)) return;
+  if (!file_->has(path)) {
+    if (anywhere) throw ResourceError(cannot_read(path_, name + " that is not there"));
+    return;
+  }
   const Table shape = file_->table(path);
   if (shape.rows != local.total || shape.columns != columns)
     throw ResourceError(cannot_read(path_, name + " of another size than the structure's"));
@@ -105,6 +115,9 @@ template void Checkpoint::value(const std::string&, int&);
 template void Checkpoint::value(const std::string&, long long&);
 template void Checkpoint::value(const std::string&, double&);
 template void Checkpoint::value(const std::string&, std::string&);
+template void Checkpoint::within(const std::string&, int&, double, double);
+template void Checkpoint::within(const std::string&, long long&, double, double);
+template void Checkpoint::within(const std::string&, double&, double, double);
 template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<char>&);
 template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<int>&);
 template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<double>&);

@@ -34,10 +34,12 @@ class Checkpoint {
   /// A number or text that all ranks know. T is bool, int, long long, double or std::string.
   template <class T>
   void value(const std::string& name, T&);
-  /// A number from 0 to choices - 1, such as an index.
-  void choice(const std::string& name, int& number, int choices);
+  /// A number with its range, such as an index: a file that holds another is refused. T is int, long long or double.
+  template <class T>
+  void within(const std::string& name, T&, double least, double most);
   /// A table by global rows, so that any number of ranks can restore it. A table that is empty everywhere is left out
-  /// and restored empty. Numbers are finite. T is char, int or double.
+  /// and restored empty, but where there are values before there must be a table. Numbers are finite. T is char, int or
+  /// double.
   template <class T>
   void rows(const std::string& name, const LocalRows&, int columns, std::vector<T>&);
   /// Puts what was saved in the place of the last checkpoint.

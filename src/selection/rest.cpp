@@ -18,7 +18,8 @@ bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<
   const std::size_t points = selected.size();
   if (points == 0) return false;
   const std::size_t components = gap.size() / points;
-  if (rest.place.size() != gap.size()) {
+  if (rest.place.size() != gap.size() || rest.steps.size() != points || rest.needed.size() != points ||
+      rest.bonded.size() != points) {
     rest.place = gap;
     rest.steps.assign(points, 0.0);
     rest.needed.assign(points, patience);

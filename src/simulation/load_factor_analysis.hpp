@@ -43,6 +43,12 @@ class LoadFactorAnalysis {
   void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim) {
     const bool over = finished();
     search_.keep(archive);
+    if (search_.found()) {  // then the tables are there
+      mechanism_.resize(nodes.ids.size() * dim);
+      failed_.lambda.resize(points.ids.size() * dim);
+      failed_.selected.resize(points.ids.size());
+      failed_.broken.resize(points.ids.size());
+    }
     archive.rows("load_factor.mechanism", nodes, dim, mechanism_);
     archive.rows("load_factor.failed.lambda", points, dim, failed_.lambda);
     archive.rows("load_factor.failed.selected", points, 1, failed_.selected);

@@ -85,23 +85,24 @@ class Recorder {
 
 template <class Archive>
 void Record::keep(Archive& archive) {
+  constexpr double most_steps = 2e9, largest_count = 1e15;  // numbers that can be added to
   energy.keep(archive);
-  archive.value("steps", summary.steps);
+  archive.within("steps", summary.steps, 0, most_steps);
   archive.value("time_s", summary.time);
-  archive.value("selection_rounds", summary.selection_rounds);
-  archive.value("newton_iterations", summary.newton_iterations);
-  archive.value("linear_solves", summary.linear_solves);
-  archive.value("krylov_iterations", summary.krylov_iterations);
+  archive.within("selection_rounds", summary.selection_rounds, 0, largest_count);
+  archive.within("newton_iterations", summary.newton_iterations, 0, largest_count);
+  archive.within("linear_solves", summary.linear_solves, 0, largest_count);
+  archive.within("krylov_iterations", summary.krylov_iterations, 0, largest_count);
   archive.value("largest_penetration_m", summary.largest_penetration);
   archive.value("complementarity_residual", summary.complementarity_residual);
   archive.value("error_estimate", summary.error_estimate);
   archive.value("largest_displacement_m", summary.largest_displacement);
   archive.value("load_factor", summary.load_factor);
-  archive.value("selected_points", count.selected);
-  archive.value("open_points", count.open);
-  archive.value("stick_points", count.stick);
-  archive.value("slip_points", count.slip);
-  archive.value("fields_written", written);
+  archive.within("selected_points", count.selected, 0, largest_count);
+  archive.within("open_points", count.open, 0, largest_count);
+  archive.within("stick_points", count.stick, 0, largest_count);
+  archive.within("slip_points", count.slip, 0, largest_count);
+  archive.within("fields_written", written, 0, most_steps);
   summary.selected_points = count.selected;
   summary.open_points = count.open;
   summary.stick_points = count.stick;

@@ -14,7 +14,9 @@
 
 #include "dynamics/factor_search.hpp"
 #include "dynamics/load_steps.hpp"
+#include "dynamics/step_control.hpp"
 #include "fuzz.hpp"
+#include "nonlinear/fast_way.hpp"
 #include "output/checkpoint.hpp"
 
 extern "C" int H5set_free_list_limits(int, int, int, int, int, int);  // of HDF5, whose header one file alone includes
@@ -32,6 +34,8 @@ struct Run {
   LoadStepParameters parameters;
   LoadSteps steps{stages, parameters};
   FactorSearch search{LoadFactorParameters{}};
+  TimeStepLevel level;
+  FastWay fast_way;
   LocalRows rows{{0, 1, 2, 3}, 4, 4};
   std::vector<double> displacement = std::vector<double>(8, 0.5);
   std::vector<char> selected = std::vector<char>(4, 1);
@@ -42,8 +46,27 @@ struct Run {
     archive.value("stage", stage);
     steps.keep(archive);
     search.keep(archive);
+    level.keep(archive);
+    fast_way.keep(archive);
     archive.rows("displacement", rows, 2, displacement);
     archive.rows("selected", rows, 1, selected);
+  }
+
+  /// Some steps from where it stands: each halved until that is enough, then taken.
+  void go_on() {
+    StepControl control(level, 1.0, 0.1, 0.01, 0.1, 1e-3, 3);
+    for (int step = 0; step < 3; ++step) {
+      do {
+        steps.set_time_step(control.time_step());
+        if (!steps.finished() && steps.target() < steps.reached()) std::abort();
+      } while (control.halve());
+      control.accept(0, 0.1);
+      while (!steps.finished() && steps.halve()) {}
+      if (!steps.finished()) steps.accept();
+      if (search.next()) search.add(Verdict::undecided, fast_way.wait + fast_way.next_wait);
+    }
+    steps.progress();
+    if (displacement.size() != 8 || selected.size() != 4) std::abort();
   }
 };
 
@@ -65,9 +88,10 @@ class Forger {
     if (what % 8 == 4) return checkpoint_.value(name, text);
     checkpoint_.value(name, v);
   }
-  void choice(const std::string& name, int& v, int choices) {
-    int other = next() - 2;
-    value(name, other < choices + 3 ? other : v);
+  template <class T>
+  void within(const std::string& name, T& v, double least, double most) {
+    T other = static_cast<T>(least + next() - 2);
+    value(name, static_cast<double>(other) < most + 3 ? other : v);
   }
   template <class T>
   void rows(const std::string& name, const LocalRows&, int, std::vector<T>&) {
@@ -99,7 +123,7 @@ bool restored() {
     Checkpoint checkpoint(file, alone, Checkpoint::Way::restore);
     Run run;
     run.keep(checkpoint);
-    if (!run.steps.finished()) run.steps.progress();
+    run.go_on();
     done = true;
   });
   return done;

@@ -21,7 +21,10 @@ struct Memory {
     else
       values[name] = v;
   }
-  void choice(const std::string& name, int& v, int) { value(name, v); }
+  template <class T>
+  void within(const std::string& name, T& v, double, double) {
+    value(name, v);
+  }
 };
 
 std::vector<StageParameters> stages() {

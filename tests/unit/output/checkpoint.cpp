@@ -82,7 +82,6 @@ TEUCHOS_UNIT_TEST(Checkpoint, GivesBackEverythingToTheLastBitHaloIncluded) {
   const auto saved = example(rows);
   save(path, saved, rows);
   Everything back;
-  back.nothing = {1.0};  // what was empty is empty again
   Checkpoint archive(path, world(), Way::restore);
   back.keep(archive, rows);
   TEST_EQUALITY(back.flag, saved.flag);
@@ -172,11 +171,33 @@ TEUCHOS_UNIT_TEST(Checkpoint, TablesOfAnotherSizeAndNumbersThatAreNoneAreErrorsO
   TEST_THROW(archive.rows("field", with_halo(6), 2, field), ResourceError);    // it has 7 rows
   TEST_THROW(archive.rows("field", rows, 2, field), ResourceError);            // not finite
   int count = 0;
-  TEST_THROW(archive.choice("count", count, 10), ResourceError);  // -7
   bool flag = false;
   TEST_THROW(archive.value("text", flag), ResourceError);
+  TEST_THROW(archive.value("large", count), ResourceError);  // 5e9 is no int
+  TEST_THROW(archive.value("count", flag), ResourceError);   // -7 is neither true nor false
   std::string text;
   TEST_THROW(archive.value("number", text), ResourceError);
+  std::vector<double> needed(rows.ids.size(), 0.0);
+  TEST_THROW(archive.rows("nothing", rows, 1, needed), ResourceError);  // there were values
+}
+
+TEUCHOS_UNIT_TEST(Checkpoint, NumbersOutsideTheirRangeAreErrorsOnAllRanks) {
+  const std::string path = fresh_folder("checkpoint-range") + "/checkpoint.h5";
+  const auto rows = with_halo(7);
+  auto saved = example(rows);
+  saved.tiny = std::numeric_limits<double>::quiet_NaN();
+  save(path, saved, rows);
+  Checkpoint archive(path, world(), Way::restore);
+  int count = 0;
+  TEST_THROW(archive.within("count", count, 0, 9), ResourceError);  // -7
+  TEST_THROW(archive.within("count", count, -9, -8), ResourceError);
+  archive.within("count", count, -7, -7);
+  TEST_EQUALITY_CONST(count, -7);
+  long long large = 0;
+  TEST_THROW(archive.within("large", large, 0, 4e9), ResourceError);
+  double number = 0;
+  TEST_THROW(archive.within("number", number, 0.2, 1), ResourceError);
+  TEST_THROW(archive.within("tiny", number, -1, std::numeric_limits<double>::infinity()), ResourceError);  // NaN
 }
 
 TEUCHOS_UNIT_TEST(History, IsCutBehindTheRowsThatCount) {

@@ -22,6 +22,12 @@ TEUCHOS_UNIT_TEST(Rest, APointIsBondedAfterThreeStepsOfRest) {
   TEST_ASSERT(!p.selected[0]);
 }
 
+TEUCHOS_UNIT_TEST(Rest, WhatIsRememberedInPartOnlyBeginsAnew) {
+  Point p;
+  p.rest.place = {7, 0};  // as a checkpoint may have it that lacks the other tables
+  TEST_ASSERT(!p.step(7, 0) && !p.step(7, 0) && p.step(7, 0));
+}
+
 TEUCHOS_UNIT_TEST(Rest, SlowMotionIsNoRest) {
   Point p;
   for (int k = 0; k < 20; ++k) TEST_ASSERT(!p.step(0, 0.3 * k));  // half a metre off its place with every second step
