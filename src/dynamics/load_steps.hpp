@@ -67,7 +67,7 @@ class LoadSteps {
   std::map<std::string, double> last_factors() const { return stage_reached() ? before_ : factors(reached_); }
   /// The load step failed: halve it. False when it has been halved often enough.
   bool halve() {
-    if (halvings_ == parameters_.largest_halvings) return false;
+    if (halvings_ >= parameters_.largest_halvings) return false;
     ++halvings_;
     successes_ = 0;
     return true;

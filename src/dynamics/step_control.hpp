@@ -67,7 +67,7 @@ class StepControl {
 
   /// The step was not solved: halve it. False when it has been halved often enough.
   bool halve() {
-    if (now_.failures == largest_halvings_ || now_.level == TimeStepLevel::deepest) return false;
+    if (now_.failures >= largest_halvings_ || now_.level == TimeStepLevel::deepest) return false;
     ++now_.failures;
     ++now_.level;
     now_.calm = 0;

@@ -100,6 +100,22 @@ TEUCHOS_UNIT_TEST(LoadSteps, GoOnFromAnywhereAsIfTheyHadNeverStopped) {
   }
 }
 
+// A scene may change its tolerances before a restart.
+TEUCHOS_UNIT_TEST(LoadSteps, HalvedMoreOftenThanIsAllowedNowAreHalvedNoMore) {
+  const auto all = stages();
+  LoadStepParameters patient, impatient;
+  patient.largest_halvings = 4;
+  impatient.largest_halvings = 2;
+  LoadSteps steps(all, patient), restarted(all, impatient);
+  for (int k = 0; k < 3; ++k) TEST_ASSERT(steps.halve());
+  Memory memory;
+  steps.keep(memory);
+  memory.restoring = true;
+  restarted.keep(memory);
+  TEST_ASSERT(!restarted.halve());
+  TEST_EQUALITY_CONST(restarted.halvings(), 3);
+}
+
 TEUCHOS_UNIT_TEST(EnergyBook, IsKeptWhole) {
   EnergyBook book, back;
   book.advance({1.0, 2.0, 4.5, 0.25, 0.125, 0.0});

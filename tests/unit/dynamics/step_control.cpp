@@ -64,4 +64,13 @@ TEUCHOS_UNIT_TEST(StepControl, GoesOnWithTheTimeStepItHadWhenItWasLeft) {
   TEST_EQUALITY(StepControl(now, 1.0, 0.1, courant, 100 * courant, tolerance, 3).time_step(), left.time_step());
 }
 
+// A scene may change its tolerances before a restart.
+TEUCHOS_UNIT_TEST(StepControl, HalvedMoreOftenThanIsAllowedNowHalvesNoMore) {
+  TimeStepLevel now;
+  StepControl patient(now, 1.0, 0.1, courant, 100 * courant, tolerance, 3);
+  for (int k = 0; k < 2; ++k) TEST_ASSERT(patient.halve());
+  TEST_ASSERT(!StepControl(now, 1.0, 0.1, courant, 100 * courant, tolerance, 1).halve());
+  TEST_ASSERT(patient.halve());
+}
+
 }  // namespace
