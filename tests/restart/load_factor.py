@@ -16,6 +16,7 @@ PATIENCE = 1000  # seconds, also under sanitizers
 NO_CONVERGENCE, INTERRUPTED = 3, 5
 WALL = f"--xml={ROOT / 'xml' / 'ferris-tin-loi-wall.xml'}"
 ARCH = f"--xml={ROOT / 'xml' / 'oppenheim-arch.xml'}"
+SPREADING = f"--xml={ROOT / 'xml' / 'spreading-arch.xml'}"
 ROUGH = ["load factor/accuracy=0.05"]  # six attempts after the doubling
 
 
@@ -25,9 +26,9 @@ def rows(folder):
 
 
 class LoadFactor(unittest.TestCase):
-    def stop_after(self, steps, out):
+    def stop_after(self, steps, out, scene=WALL, settings=ROUGH):
         """Stops a run by a signal when so many steps are in its history: the attempt that follows takes longer."""
-        process = PROGRAM.start(out, WALL, settings=ROUGH)
+        process = PROGRAM.start(out, scene, settings=settings)
         while process.poll() is None and rows(out) < steps:
             time.sleep(0.002)
         process.send_signal(signal.SIGUSR1)
@@ -44,6 +45,18 @@ class LoadFactor(unittest.TestCase):
         done = PROGRAM.run(stopped, WALL, "--restart", settings=ROUGH)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("Going on after step 5, load factor 0.6", done.stdout)
+        self.assertEqual(differences(stopped, reference), [])
+
+    def test_stones_that_have_turned_go_on_to_the_last_bit(self):
+        reference, stopped = empty("restart/load_factor/turned"), empty("restart/load_factor/turned_and_stopped")
+        short = ["load factor/largest factor=1"]  # m, where it still stands
+        done = PROGRAM.run(reference, SPREADING, settings=short)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # Rows: weight, 0.4 m, 0.8 m, 1 m.
+        self.assertEqual(self.stop_after(3, stopped, SPREADING, short), INTERRUPTED)
+        done = PROGRAM.run(stopped, SPREADING, "--restart", settings=short)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Going on after step 3, load factor 0.8", done.stdout)
         self.assertEqual(differences(stopped, reference), [])
 
     def test_undecided_is_no_collapse_and_can_be_tried_again(self):
