@@ -12,6 +12,8 @@
 namespace voussoir {
 namespace {
 
+// Vectors after which GMRES begins anew; the flexible one keeps each with its preconditioned form. With 40 the deformed
+// bridge takes a fifth more iterations, with 30 its time steps a third more.
 constexpr int restart = 60;
 
 /// A Preconditioner seen as the operator Belos expects.
@@ -57,8 +59,9 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   const bool symmetric = symmetry == Symmetry::symmetric;
   const auto& method = symmetric ? given.method : given.unsymmetric_method;
   auto& manager = data_->manager[symmetric ? 0 : 1];
-  // On the right GMRES sees the residual itself; its flexible variant knows no other side. To conjugate gradients sides
-  // are the same, but on the left Belos applies M once more, to a first residual that nobody reads.
+  // On the right GMRES sees the residual itself; its flexible variant knows no other side, and does not apply M once
+  // more to the sum of its vectors, which is one time in five where systems are solved roughly. To conjugate gradients
+  // sides are the same, but on the left Belos applies M once more, to a first residual that nobody reads.
   if (m) problem->setRightPrec(Teuchos::rcp(new PreconditionerOperator(m, b->getMap())));
   if (symmetric) problem->setHermitian();
   problem->setProblem();
@@ -67,8 +70,7 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   list->set("Convergence Tolerance", relative_tolerance);
   const int most = largest_iterations > 0 ? largest_iterations : given.largest_iterations;
   list->set("Maximum Iterations", std::min(most, given.largest_iterations));
-  // A restart loses little after so many vectors, and their memory stays below that of the matrix.
-  if (method == "BLOCK GMRES" && !list->isParameter("Num Blocks")) list->set("Num Blocks", restart);
+  if (!symmetric && method != "BICGSTAB" && !list->isParameter("Num Blocks")) list->set("Num Blocks", restart);
   const double size = b->norm2();
   if (size == 0) {
     x->putScalar(0);

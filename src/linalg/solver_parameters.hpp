@@ -10,7 +10,7 @@ class ParameterSection;
 
 struct SolverParameters {
   std::string method = "CG";         ///< of Belos; must suit symmetric positive definite systems
-  std::string unsymmetric_method = "BLOCK GMRES";  ///< of Belos, for systems in which friction follows the pressure
+  std::string unsymmetric_method = "FLEXIBLE GMRES";  ///< of Belos, for systems in which friction follows the pressure
   double tolerance = 1e-10;          ///< [-] of a linear solve, relative to its right-hand side
   int largest_iterations = 2000;
   Teuchos::ParameterList belos;      ///< sublist "Belos": overrides what Voussoir sets
