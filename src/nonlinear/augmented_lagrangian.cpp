@@ -158,8 +158,11 @@ int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& repo
       s.resistance[k].normal = std::max(s.resistance[k].normal, s.colliding[k].normal);
       s.resistance[k].tangential = std::max(s.resistance[k].tangential, s.colliding[k].tangential);
     }
-    // No more accurate than Newton can use: a tenth of what this minimisation aims at.
-    solve_direction(s, std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2), report);
+    // No more accurate than Newton can use: a tenth of what this minimisation aims at. Where one solve is all, its norm
+    // bounds the largest residual.
+    const double accuracy = s.linear_only ? std::clamp(tolerance / s.gradient->norm2(), 1e-12, 1e-2)
+                                          : std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2);
+    solve_direction(s, accuracy, report);
     const double step = line_search(s);
     s.x.update(step, *s.direction, 1.0);
     s.colliding.assign(problem_.points(), {});
