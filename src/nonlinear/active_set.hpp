@@ -36,6 +36,7 @@ class ActiveSet {
   void choose(const PointField& lambda, const PointField& gap);
   void aim(const PointField& lambda);
   int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance);
+  double step_length(const PointField& lambda) const;
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
   void tell(const NewtonReport&, int krylov) const;
 
@@ -45,8 +46,9 @@ class ActiveSet {
   int patience_;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
-  PointField target_, gap_, gap_direction_, admissible_;
-  double scale_ = 1;  ///< [N]
+  PointField target_, force_, gap_, gap_direction_, admissible_;
+  double scale_ = 1;   ///< [N]
+  double length_ = 1;  ///< of the last step
   Teuchos::RCP<TpetraVector> linear_, gradient_, direction_;
 };
 

@@ -26,18 +26,24 @@ double force_scale(const NonlinearProblem& problem, const PointField& lambda) {
   return scale > 0 ? scale : std::numeric_limits<double>::min();
 }
 
-double contact_residual(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
-  const int n = problem.components();
-  PointField trial, admissible;
+void lawful_forces(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap,
+                   PointField& lawful) {
+  PointField trial;
   std::vector<double> bound;
   trial_forces(problem, lambda, gap, 1.0, trial);
   friction_bounds(problem, lambda, bound);
-  project(problem, trial, bound, admissible);
+  project(problem, trial, bound, lawful);
+}
+
+double contact_residual(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
+  const int n = problem.components();
+  PointField lawful;
+  lawful_forces(problem, lambda, gap, lawful);
   double worst = 0;
   for (int k = 0; k < problem.owned_points(); ++k)
     if (problem.selected()[k])
       for (int c = k * n; c < (k + 1) * n; ++c) {
-        const double off = std::abs(admissible[c] - lambda[c]);
+        const double off = std::abs(lawful[c] - lambda[c]);
         worst = std::isnan(off) ? std::numeric_limits<double>::infinity() : std::max(worst, off);
       }
   return largest_over_ranks(problem, worst);

@@ -22,6 +22,10 @@ bool anything_selected(const NonlinearProblem&);
 /// Largest force in play [N]: loads and normal contact forces; never zero. Collective.
 double force_scale(const NonlinearProblem&, const PointField& lambda);
 
+/// The forces [N] that the contact law makes of lambda at these gaps, judged with the local stiffness: lambda itself
+/// where it is met.
+void lawful_forces(const NonlinearProblem&, const PointField& lambda, const PointField& gap, PointField& lawful);
+
 /// Largest change [N] that the contact law wants in the forces lambda at these gaps, judged with the local stiffness.
 double contact_residual(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
 
