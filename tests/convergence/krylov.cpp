@@ -78,8 +78,8 @@ TEUCHOS_UNIT_TEST(Krylov, IterationsStayWhereTheyAreWhenAnArchHasMoreVoussoirs) 
   }
 }
 
-// Measured: 16 and 27 on two ranks. Affine motions of blocks took 14 and 19, and four times the seconds: rigid ones do not
-// see that partly open joints make a structure softer over many blocks (src/homogenisation/README.md).
+// Measured: 16 and 27 on two ranks. Affine motions of blocks took 14 and 19, and four times the seconds: rigid ones do
+// not see that partly open joints make a structure softer over many blocks (src/homogenisation/README.md).
 TEUCHOS_UNIT_TEST(LargeWall, Of64CoursesTakesAsManyIterationsAsASmallOne) {
   const int small = iterations_at_solution(wall_scene(8)), large = iterations_at_solution(wall_scene(64));
   out << "W(8), W(64): " << small << ", " << large << "\n";
