@@ -29,7 +29,7 @@ Teuchos::ParameterList parameters_for(int dim, int ranks) {
   list.set("number of equations", dim);
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
-  // Forwards down and backwards up: symmetric, as many iterations as with symmetric sweeps, two thirds of their time.
+  // Forwards down and backwards up: symmetric, an iteration more than symmetric sweeps take, 0.75 of their time.
   for (const auto* way : {"pre", "post"}) {
     const std::string smoother = std::string("smoother: ") + way;
     list.set(smoother + " type", "RELAXATION");

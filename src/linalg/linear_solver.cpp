@@ -13,7 +13,7 @@ namespace voussoir {
 namespace {
 
 // Vectors after which GMRES begins anew; the flexible one keeps each with its preconditioned form. With 40 the deformed
-// bridge takes a fifth more iterations, with 30 its time steps a third more.
+// bridge takes three tenths more iterations, with 30 its time steps a third more.
 constexpr int restart = 60;
 
 /// A Preconditioner seen as the operator Belos expects.
