@@ -23,7 +23,7 @@ PYTHON = "/usr/bin/python3"
 # GetFEM's Newton method takes 157 solves for W4 with Debian's reference BLAS and does not end with OpenBLAS, which our
 # packages install: others get the one they do better with.
 LIBRARIES = "/usr/lib/" + str(sysconfig.get_config_var("MULTIARCH"))
-REFERENCE_BLAS = f"{LIBRARIES}/blas:{LIBRARIES}/lapack"
+REFERENCE_BLAS = ":".join(filter(None, (f"{LIBRARIES}/blas", f"{LIBRARIES}/lapack", os.environ.get("LD_LIBRARY_PATH"))))
 
 
 def seconds_of_children():
