@@ -78,14 +78,14 @@ TEUCHOS_UNIT_TEST(Krylov, IterationsStayWhereTheyAreWhenAnArchHasMoreVoussoirs) 
   }
 }
 
-// Measured: 16 and 27 on two ranks. Affine motions of blocks took 14 and 19, and four times the seconds: rigid ones do
-// not see that partly open joints make a structure softer over many blocks (src/homogenisation/README.md).
+// Measured: 16 and 27 on two ranks, so it fails. Affine motions of blocks took 14 and 19, and four times the seconds:
+// rigid ones do not see that partly open joints make a structure softer (src/homogenisation/README.md, Limits).
 TEUCHOS_UNIT_TEST(LargeWall, Of64CoursesTakesAsManyIterationsAsASmallOne) {
   const int small = iterations_at_solution(wall_scene(8)), large = iterations_at_solution(wall_scene(64));
   out << "W(8), W(64): " << small << ", " << large << "\n";
   TEST_COMPARE(small, >, 0);
   TEST_COMPARE(large, >, 0);
-  TEST_COMPARE(large, <=, 1.8 * small);
+  TEST_COMPARE(large, <=, 1.5 * small);
   TEST_COMPARE(large, <=, 30);
 }
 
