@@ -3,8 +3,8 @@
 //
 // A point that is closed resists with R, far above the local stiffness, so what is left of its gap falls by that ratio
 // with every solve; one that slips has the force s mu p. Once statuses stay, two or three solves are left. A stone that
-// comes loose on the way would fly: then the step is made again with points that yield only slowly. It has no line
-// search and may circle: then it says so, and another way is taken.
+// comes loose on the way would fly: then the step is made again with points that yield only slowly. With mass steps are
+// shortened while residuals grow. It may circle: then it says so, and another way is taken.
 //
 // Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton, 2D);
 //          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
