@@ -4,6 +4,7 @@
 
 #include "nonlinear/active_set.hpp"
 #include "nonlinear/residuals.hpp"
+#include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
 namespace {
@@ -45,7 +46,7 @@ bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double t
     --fast_.wait;
     return false;
   }
-  const TpetraVector x_before(x, Teuchos::Copy);
+  const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   ActiveSet active(problem_, inertia);
   active.narrate = narrate;
@@ -56,7 +57,7 @@ bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double t
   }
   fast_.wait = fast_.next_wait;
   fast_.next_wait = std::min(2 * fast_.next_wait + 1, FastWay::longest);
-  Tpetra::deep_copy(x, x_before);
+  before.restore(x);
   lambda = lambda_before;
   return false;
 }
@@ -67,12 +68,12 @@ const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lam
   InteriorPath interior(problem_);
   interior.narrate = narrate;
   const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
-  const TpetraVector x_before(x, Teuchos::Copy);
+  const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
-  const double before = out_of_balance(x, lambda);
+  const double off_before = out_of_balance(x, lambda);
   const auto end = interior.follow(x, lambda, tolerance, steps, known_gap, report);
-  if (end == PathEnd::stuck && out_of_balance(x, lambda) > before) {
-    Tpetra::deep_copy(x, x_before);
+  if (end == PathEnd::stuck && out_of_balance(x, lambda) > off_before) {
+    before.restore(x);
     lambda = lambda_before;
   } else if (end != PathEnd::ran_away) {
     return nullptr;

@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
+#include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
 namespace {
@@ -227,7 +228,7 @@ void InteriorPath::set_out(PointField& lambda, double shift) {
 
 PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
                              const PointField* known_gap, NewtonReport& report) {
-  const TpetraVector x_before(x, Teuchos::Copy);
+  const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   scale_ = force_scale(problem_, lambda);
   if (known_gap) predict(x, lambda, *known_gap, report);
@@ -239,6 +240,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   augmentation_ = usual;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
+    problem_.carry(x, share_of_round_off * tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     arrived = size <= tolerance;
@@ -247,9 +249,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;
     if (arrived || stuck || iteration >= largest_iterations) break;
     sizes.push_back(size);
-    work_->update(1.0, x, -1.0, x_before, 0.0);
-    if (work_->normInf() > run_away * problem_.length_scale()) {
-      Tpetra::deep_copy(x, x_before);
+    if (before.distance(x) > run_away * problem_.length_scale()) {
+      before.restore(x);
       lambda = lambda_before;
       return PathEnd::ran_away;
     }

@@ -93,7 +93,7 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
     report.newton.add(newton.solve(*x, state.lambda, tolerance, known_gap));
   }
   report.cost.add(problem.cost());
-  problem.space().scatter(*x, state.displacement);
+  problem.displacement(*x, state.displacement);
   report.largest_clusters = problem.map()->getGlobalNumElements() / dim;
   if (report.newton.outcome != NewtonOutcome::converged) {
     problem.space().scatter(newton.mechanism(), mechanism_);
@@ -118,7 +118,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   const typename ContactProblem<dim>::Parts parts{model_.structure(),       model_.points(), model_.continuum(),
                                                   model_.held(),            model_.local_stiffness(),
                                                   model_.initial_gap(),     scene.preconditioner, solver_,
-                                                  model_.compliance(),      model_.softest_mortar()};
+                                                  model_.compliance(),      model_.softest_mortar(),
+                                                  scene.newton.has_inertia};
   StepReport report;
   law_ = current_law(state);
   const auto& selection = scene.selection;

@@ -16,6 +16,9 @@ namespace {
 // The proximal term is the stiffness of a foundation that lets the whole structure move by its size under a strain
 // of this amount: 1e-4 of E V / L^2 is far below the stiffness of any arch that stands, and bounds free motions.
 constexpr double proximal_strain = 1e-4;
+// Stones stiffer than this many times the pressure below a column of them as high as the structure are next to rigid:
+// how far they move is a matter of geometry then, and a proximal term in proportion to stiffness would hold them.
+constexpr double next_to_rigid = 1e7;
 
 }  // namespace
 
@@ -32,7 +35,24 @@ ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& stat
   set_movable();
   double mine = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) mine = std::max(mine, std::abs(load[i]));
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(force_scale_));
+  double largest[2] = {mine, 0}, all[2];
+  for (double k : parts.local_stiffness) largest[1] = std::max(largest[1], k);
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, 2, largest, all);
+  force_scale_ = all[0];
+  stiffest_ = all[1];
+}
+
+/// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.
+template <int dim>
+double ContactProblem<dim>::stiffest_that_counts() const {
+  const auto& s = parts_.structure;
+  double mine[2] = {0, 0}, all[2];
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(load_[i]);
+  for (const auto& b : s.blocks())
+    if (b.first_local < s.owned_nodes())
+      for (double v : nodal_volumes(b.mesh, s.model().thickness)) mine[1] += v;
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  return all[0] > 0 ? next_to_rigid * all[0] * s.size() / all[1] : std::numeric_limits<double>::infinity();
 }
 
 template <int dim>
@@ -44,10 +64,11 @@ void ContactProblem<dim>::set_proximal_weights() {
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (!any) return;  // the bonded continuum cannot run away
   const double factor = proximal_strain / (s.size() * s.size());
-  const double mortar = parts_.softest_mortar * s.size();
+  const double mortar = parts_.softest_mortar * s.size(), stiffest = stiffest_that_counts();
   for (const auto& b : s.blocks()) {
     const auto volume = nodal_volumes(b.mesh, s.model().thickness);
-    const double stone = b.material.young_modulus, modulus = std::isinf(mortar) ? stone : stone / (1 + stone / mortar);
+    const double stone = std::min(b.material.young_modulus, stiffest);
+    const double modulus = std::isinf(mortar) ? stone : stone / (1 + stone / mortar);
     for (std::size_t i = 0; i < volume.size(); ++i) {
       const int k = space_->cluster()[b.first_local + i];
       if (k < space_->owned_clusters())
@@ -81,16 +102,27 @@ Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<doubl
 }
 
 template <int dim>
+void ContactProblem<dim>::displacement(const TpetraVector& x, std::vector<double>& u) const {
+  space_->scatter(x, u);
+  for (std::size_t i = 0; i < rigid_.size(); ++i) u[i] = rigid_[i] + (deformed_[i] + u[i]);
+}
+
+template <int dim>
 void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
   relative_motions(parts_.points, copies_, gap);
   if (!initial) return;
+  for (std::size_t i = 0; i < rigid_gap_.size(); ++i) gap[i] += rigid_gap_[i];
   for (std::size_t k = 0; k < parts_.initial_gap.size(); ++k) gap[k * dim] += parts_.initial_gap[k];
 }
 
 template <int dim>
 void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
   space_->scatter(x, copies_);
-  parts_.structure.internal_forces(copies_, forces_);
+  for (std::size_t i = 0; i < deformed_.size(); ++i) copies_[i] += deformed_[i];
+  if (deformed_.empty())
+    parts_.structure.internal_forces(copies_, forces_);
+  else
+    parts_.structure.apply_stiffness(copies_, forces_);
   internal_scale_ = 0;
   for (double f : forces_) internal_scale_ = std::max(internal_scale_, std::abs(f));
   for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= load_[i];
@@ -106,25 +138,55 @@ void ContactProblem<dim>::evaluate_direction(const TpetraVector& d, TpetraVector
   gaps(gap, false);
 }
 
+/// Of u remains what deforms blocks.
 template <int dim>
-double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
+void ContactProblem<dim>::split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const {
   const auto& s = parts_.structure;
-  space_->scatter(d, copies_);
-  double off = 0;
-  for (std::size_t b = 0; b < s.blocks().size(); ++b) {
-    const auto& block = s.blocks()[b];
-    const RigidMotion rigid = rigid_motion(s.position(), block, copies_);
+  rigid.resize(u.size());
+  for (const auto& block : s.blocks()) {
+    const RigidMotion motion = rigid_motion(s.position(), block, u);
     const int end = block.first_local + static_cast<int>(block.mesh.position.size());
     for (int i = block.first_local; i < end; ++i) {
-      const auto u = rigid.at(s.position()[i]);
+      const auto whole = motion.at(s.position()[i]);
       for (int c = 0; c < dim; ++c) {
-        off = std::max(off, std::abs(copies_[dim * i + c] - u[c]));
-        copies_[dim * i + c] = u[c];
+        rigid[dim * i + c] = whole[c];
+        u[dim * i + c] -= whole[c];
       }
     }
   }
+}
+
+template <int dim>
+double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
+  std::vector<double> rest;
+  space_->scatter(d, rest);
+  split_rigid_motions(rest, copies_);
+  double off = 0;
+  for (double u : rest) off = std::max(off, std::abs(u));
   gaps(gap, false);
-  return largest_over_ranks(*s.comm(), off);
+  return largest_over_ranks(*parts_.structure.comm(), off);
+}
+
+template <int dim>
+bool ContactProblem<dim>::carry(TpetraVector& x, double allowed) {
+  if (parts_.inertia || !(std::numeric_limits<double>::epsilon() * stiffest_ * x.normInf() > allowed)) return false;
+  std::vector<double> moved;
+  space_->scatter(x, moved);
+  if (carried_.is_null()) {
+    carried_ = Teuchos::rcp(new TpetraVector(space_->map()));
+    // Where finite rotations have followed stones to is no deformation.
+    deformed_ = parts_.structure.deformation(moved);
+    rigid_ = moved;
+    for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] -= deformed_[i];
+  } else {
+    for (std::size_t i = 0; i < moved.size(); ++i) deformed_[i] += moved[i];
+  }
+  split_rigid_motions(deformed_, moved);
+  for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] += moved[i];
+  relative_motions(parts_.points, rigid_, rigid_gap_);
+  carried_->update(1.0, x, 1.0);
+  x.putScalar(0);
+  return true;
 }
 
 template <int dim>

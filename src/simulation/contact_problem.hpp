@@ -52,6 +52,7 @@ class ContactProblem : public NonlinearProblem {
     /// Per point, empty without mortar.
     const std::vector<PointCompliance>& compliance = no_mortar();
     double softest_mortar = std::numeric_limits<double>::infinity();  ///< [Pa/m] of all joints, the same on every rank
+    bool inertia = false;  ///< in the matrices of blocks: then motions as wholes make forces too
   };
 
   /// @param load        nodal forces [N, dim x local node copies]
@@ -62,6 +63,8 @@ class ContactProblem : public NonlinearProblem {
   const MergedSpace<dim>& space() const { return *space_; }
   /// Unknowns from a displacement, held ones at their prescribed values.
   Teuchos::RCP<TpetraVector> unknowns(const std::vector<double>& displacement) const;
+  /// The displacement of all local node copies, what was carried included.
+  void displacement(const TpetraVector& x, std::vector<double>& u) const;
 
   Teuchos::RCP<const TpetraMap> map() const override { return space_->map(); }
   int components() const override { return dim; }
@@ -76,6 +79,8 @@ class ContactProblem : public NonlinearProblem {
   void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) override;
   void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) override;
   double rigid_gaps(const TpetraVector& d, PointField& gap) override;
+  bool carry(TpetraVector& x, double allowed) override;
+  const TpetraVector* carried() const override { return carried_.get(); }
   void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
   const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
   int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
@@ -90,7 +95,9 @@ class ContactProblem : public NonlinearProblem {
 
  private:
   void gaps(PointField& gap, bool initial) const;
+  void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const;
   void set_proximal_weights();
+  double stiffest_that_counts() const;
   void set_movable();
 
   Parts parts_;
@@ -103,7 +110,11 @@ class ContactProblem : public NonlinearProblem {
   std::shared_ptr<CoarseOperator<dim>> coarse_;
   std::vector<char> movable_;
   std::vector<double> proximal_weight_, copies_, forces_;
-  double force_scale_ = 0, internal_scale_ = 0;
+  // What was carried, and of the node copies where x is 0 [m]: motions of blocks as wholes, their gaps, and the rest;
+  // empty before.
+  Teuchos::RCP<TpetraVector> carried_;
+  std::vector<double> rigid_, rigid_gap_, deformed_;
+  double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
 };
 
 extern template class ContactProblem<2>;

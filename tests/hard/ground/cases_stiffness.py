@@ -48,9 +48,8 @@ def contrast(low, high):
     return content
 
 
-# The soft course gives way by 0.37 m: 1e12 Pa times that is known to 4e-5 Pa m, as much as 1e-8 of the forces.
-case(GROUP, "contrast 1e8 between courses", lambda: contrast(1e4, 1e12),
-     fails="round-off of stiffness times displacement is as large as the tolerance; a tolerance of 1e-7 converges",
+# The soft course gives way by 0.37 m: round-off of 1e12 Pa times that is more than 1e-8 of the forces.
+case(GROUP, "contrast 1e8 between courses", lambda: contrast(1e4, 1e12), quick=True,
      check=lambda run: [Near("weight carried", run.reaction(), wall_weight(4), 1e-8)])
 case(GROUP, "contrast 1e6 between courses", lambda: contrast(1e6, 1e12),
      check=lambda run: [Near("weight carried", run.reaction(), wall_weight(4), 1e-8)])
@@ -95,13 +94,13 @@ def like_stiff(run):
     """The crown of stones 100 times stiffer stays: a rigid three-hinge mechanism is what is left."""
     base = run.again(settled_arch(1e12))
     yield Near("largest displacement", run.result["largest_displacement_m"], base.result["largest_displacement_m"], 1e-3)
+    # 5 mm are 1e6 times what weight does at 1e9 GPa, and steps that find new hinges begin that far away.
+    yield Most("solves, relative to 1000 GPa", run.result["linear_solves"] / base.result["linear_solves"], 2)
 
 
 case(GROUP, "arch spreads by 5 mm, E 1e5 GPa", lambda: settled_arch(1e14), seconds=300, check=like_stiff)
-# Forces are E times differences of displacements, which are known to 1e-16 of themselves: 5e-4 N for 5 mm at 1e15 Pa, as
-# much as the tolerance allows, 0.5 N at 1e18 Pa.
-ROUND_OFF = "round-off of E times 5 mm is as large as the tolerance; 1e5 GPa converges"
-case(GROUP, "arch spreads by 5 mm, E 1e9 GPa", lambda: settled_arch(1e18), seconds=300, check=like_stiff, fails=ROUND_OFF)
+# Round-off of 1e18 Pa times 5 mm is 0.5 N, 1e-5 of the forces.
+case(GROUP, "arch spreads by 5 mm, E 1e9 GPa", lambda: settled_arch(1e18), quick=True, check=like_stiff)
 
 
 def almost_rigid_block(E, slope):
