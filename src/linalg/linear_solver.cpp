@@ -85,13 +85,16 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
     manager->setParameters(list);
   }
   manager->setProblem(problem);
+  LinearSolveResult result;
   try {
-    const bool converged = manager->solve() == Belos::Converged;
-    return {manager->getNumIters(), converged};
+    result.converged = manager->solve() == Belos::Converged;
   } catch (const std::exception& error) {
     if (is_out_of_memory(error)) throw;  // anything else is curvature lost to round-off; x holds what was reached
-    return {manager->getNumIters(), false};
   }
+  result.iterations = manager->getNumIters();
+  // The manager stays, the matrix and its factors must not: the next system is built when this one is gone.
+  manager->setProblem(Teuchos::rcp(new Data::Problem));
+  return result;
 }
 
 }  // namespace voussoir
