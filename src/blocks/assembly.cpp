@@ -29,7 +29,7 @@ LocalCsr coupled_nodes(const Block<2>& block) {
     row.erase(std::unique(row.begin(), row.end()), row.end());
     for (int component = 0; component < 2; ++component) {
       for (int j : row) k.column.insert(k.column.end(), {2 * j, 2 * j + 1});
-      k.start.push_back(k.column.size());
+      k.start.push_back(static_cast<int>(k.column.size()));
     }
   }
   k.value.assign(k.column.size(), 0.0);
@@ -37,8 +37,7 @@ LocalCsr coupled_nodes(const Block<2>& block) {
 }
 
 double& entry(LocalCsr& k, int row, int column) {
-  const auto first = k.column.begin() + static_cast<long>(k.start[row]);
-  const auto last = k.column.begin() + static_cast<long>(k.start[row + 1]);
+  const auto first = k.column.begin() + k.start[row], last = k.column.begin() + k.start[row + 1];
   return k.value[std::lower_bound(first, last, column) - k.column.begin()];
 }
 

@@ -2,9 +2,6 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
-#include <limits>
-#include <set>
-#include <utility>
 
 #include "base/check.hpp"
 #include "linalg/gather.hpp"
@@ -12,202 +9,254 @@
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
+namespace {
+
+template <class T>
+void sort_out(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Pairs of blocks, most of them met many times: doubles are dropped before they take more room than the pairs.
+class Pairs {
+ public:
+  using Pair = std::array<int, 2>;
+  void add(int i, int j) {
+    pairs_.push_back({std::min(i, j), std::max(i, j)});
+    if (pairs_.size() < full_) return;
+    sort_out(pairs_);
+    full_ = std::max(full_, 2 * pairs_.size());
+  }
+  std::vector<Pair> all() && {
+    sort_out(pairs_);
+    return std::move(pairs_);
+  }
+
+ private:
+  std::vector<Pair> pairs_;
+  std::size_t full_ = 1024;
+};
+
+}  // namespace
 
 template <int dim>
 BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim>& points,
                                 const std::vector<char>& selected, const MergedSpace<dim>& space,
                                 const std::vector<int>& active)
-    : structure_(s), points_(points), space_(space), first_column_(active.size(), -1) {
-  for (std::size_t b = 0; b < active.size(); ++b)
-    if (active[b]) {
-      first_column_[b] = size_;
-      size_ += modes;
-    }
-  copies_.resize(space.clusters());
-  for (int k : s.copy()) copies_[space.cluster()[k]].push_back(k);
-  z_start_.push_back(0);
-  std::vector<Row> couplings;
-  for (int k = 0; k < space.owned_clusters(); ++k)
-    for (int c = 0; c < dim; ++c) {
-      const auto row = row_of(space.representative()[k], c);
-      z_.insert(z_.end(), row.begin(), row.end());
-      z_start_.push_back(z_.size());
-    }
-  for (int k = 0; k < points.owned(); ++k) {
-    const auto& p = points.points()[k];
-    if (!selected[k] || space.cluster()[p.node_i] == space.cluster()[p.node_j]) continue;
-    jump_point_.push_back(k);
-    for (int a = 0; a < dim; ++a) jump_.push_back(jump_row(p, a));
-  }
-  set_pattern(jump_);
-  const auto append = [](std::vector<Place>& all, const std::vector<Place>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  };
-  for (const auto& row : jump_) append(jump_place_, places(row));
-  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
-    append(z_place_, places(Row(z_.begin() + static_cast<long>(z_start_[i]),
-                                z_.begin() + static_cast<long>(z_start_[i + 1]))));
+    : structure_(s), points_(points), space_(space) {
+  find_copies(active);
+  set_pattern(selected);
   add_elastic_energy();
 }
 
+/// Sorts the copies at owned vertices by clusters.
 template <int dim>
-typename BlockMotions<dim>::Row BlockMotions<dim>::row_of(int node, int component) const {
-  Row row;
-  const int cluster = space_.cluster()[node];
-  if (space_.held()[dim * cluster + component]) return row;
-  const double share = 1.0 / static_cast<double>(copies_[cluster].size());
-  for (int copy : copies_[cluster]) {
-    const auto& block = structure_.blocks()[structure_.block_of_node()[copy]];
-    const int first = first_column_[block.mesh.id];
-    if (first < 0) continue;
-    // Motions about the first node of the block, lengths relative to its first diagonal.
-    const auto& origin = block.mesh.position.front();
-    const double length = norm(block.mesh.position.back() - origin);
-    const auto x = (1 / length) * (structure_.position()[copy] - origin);
-    row.push_back({first + component, share});
-    int rotation = first + dim;
-    for (int a = 0; a < dim; ++a)
-      for (int b = a + 1; b < dim; ++b, ++rotation) {
-        if (component == a) row.push_back({rotation, -share * x[b]});
-        if (component == b) row.push_back({rotation, share * x[a]});
-      }
+void BlockMotions<dim>::find_copies(const std::vector<int>& active) {
+  std::vector<int> number(active.size(), -1);
+  for (std::size_t b = 0; b < active.size(); ++b)
+    if (active[b]) number[b] = blocks_++;
+  const auto& s = structure_;
+  const auto number_of = [&](int node) { return number[s.blocks()[s.block_of_node()[node]].mesh.id]; };
+  const auto& cluster = space_.cluster();
+  copy_start_.assign(space_.clusters() + 1, 0);
+  for (int k : s.copy())
+    if (number_of(k) >= 0) ++copy_start_[cluster[k] + 1];
+  for (int k = 0; k < space_.clusters(); ++k) copy_start_[k + 1] += copy_start_[k];
+  copies_.resize(copy_start_.back());
+  auto next = copy_start_;
+  for (int k : s.copy()) {
+    if (number_of(k) < 0) continue;
+    const auto& position = s.blocks()[s.block_of_node()[k]].mesh.position;
+    const double length = norm(position.back() - position.front());
+    copies_[next[cluster[k]]++] = {number_of(k), (1 / length) * (s.position()[k] - position.front())};
   }
-  return row;
 }
 
-/// The gap of a point in one direction, as a combination of coarse unknowns.
+/// How far each rigid motion of a block moves a place in it along a direction.
 template <int dim>
-typename BlockMotions<dim>::Row BlockMotions<dim>::jump_row(const ContactPoint<dim>& p, int axis) const {
-  Row jump;
-  for (int c = 0; c < dim; ++c) {
-    for (const auto& e : row_of(p.node_j, c)) jump.push_back({e.column, e.value * p.axis[axis][c]});
-    for (const auto& e : row_of(p.node_i, c)) jump.push_back({e.column, -e.value * p.axis[axis][c]});
-  }
-  return jump;
+typename BlockMotions<dim>::Modes BlockMotions<dim>::motion(const Vector<dim>& arm, const Vector<dim>& direction) {
+  Modes m;
+  std::copy(direction.begin(), direction.end(), m.begin());
+  int rotation = dim;
+  for (int a = 0; a < dim; ++a)
+    for (int b = a + 1; b < dim; ++b) m[rotation++] = direction[b] * arm[a] - direction[a] * arm[b];
+  return m;
 }
 
-/// Pairs of blocks that meet at a node of an owned block, at an unknown or across a point; all ranks get all of them.
+/// How a place in a block moves by its rigid motions.
 template <int dim>
-void BlockMotions<dim>::set_pattern(const std::vector<Row>& jumps) {
-  std::set<std::pair<int, int>> mine;
-  const auto couple = [&mine](std::set<int>& blocks) {
-    for (int i : blocks)
-      for (int j : blocks) mine.emplace(i, j);
-    blocks.clear();
+Vector<dim> BlockMotions<dim>::displacement(const Vector<dim>& arm, const double* motions) {
+  Vector<dim> u;
+  std::copy_n(motions, dim, u.begin());
+  const double* rotation = motions + dim;
+  for (int a = 0; a < dim; ++a)
+    for (int b = a + 1; b < dim; ++b, ++rotation) {
+      u[a] -= *rotation * arm[b];
+      u[b] += *rotation * arm[a];
+    }
+  return u;
+}
+
+/// Adds factor times the motion of a cluster along a direction; components that are held do not move.
+template <int dim>
+void BlockMotions<dim>::add_motion(int cluster, Vector<dim> direction, double factor, Row& row) const {
+  for (int c = 0; c < dim; ++c)
+    if (space_.held()[dim * cluster + c]) direction[c] = 0;
+  const double share = factor / space_.multiplicity()[cluster];
+  for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
+    const auto more = share * motion(copies_[k].arm, direction);
+    auto term = std::lower_bound(row.begin(), row.end(), copies_[k].block,
+                                 [](const Term& t, int block) { return t.block < block; });
+    if (term == row.end() || term->block != copies_[k].block) term = row.insert(term, {copies_[k].block, {}});
+    term->value = term->value + more;
+  }
+}
+
+/// Pairs of blocks that meet at a node of an owned block or across a point; all ranks get all of them.
+template <int dim>
+void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
+  Pairs met;
+  std::vector<int> around;
+  const auto meet_at = [&](int cluster) {
+    for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) around.push_back(copies_[k].block);
   };
-  std::set<int> around;
+  const auto couple = [&] {
+    sort_out(around);
+    for (int i : around)
+      for (int j : around)
+        if (i <= j) met.add(i, j);
+    around.clear();
+  };
+  const auto& cluster = space_.cluster();
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
     const auto& block = structure_.blocks()[b];
     for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
-      for (const auto& e : row_of(block.first_local + static_cast<int>(i), 0)) around.insert(e.column / modes);
-    for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
-      for (const auto& e : row_of(block.first_local + static_cast<int>(i), 1)) around.insert(e.column / modes);
-    couple(around);
+      meet_at(cluster[block.first_local + static_cast<int>(i)]);
+    couple();
   }
-  for (const auto& row : jumps) {
-    for (const auto& e : row) around.insert(e.column / modes);
-    couple(around);
+  for (int k = 0; k < points_.owned(); ++k) {
+    const auto& p = points_.points()[k];
+    if (!selected[k] || cluster[p.node_i] == cluster[p.node_j]) continue;
+    couplings_.push_back(k);
+    meet_at(cluster[p.node_i]);
+    meet_at(cluster[p.node_j]);
+    couple();
   }
-  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i) {
-    for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) around.insert(z_[k].column / modes);
-    couple(around);
-  }
-  for (int b = 0; b < size_ / modes; ++b) mine.emplace(b, b);
-  std::vector<std::array<int, 2>> pairs;
-  for (const auto& [i, j] : mine) pairs.push_back({i, j});
-  pairs = all_gather(pairs, *structure_.comm());
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (int b = 0; b < blocks_; ++b) met.add(b, b);
+  auto pairs = all_gather(std::move(met).all(), *structure_.comm());
+  sort_out(pairs);
 
+  std::size_t entries = 0;
+  for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;
+  matrix_.start.reserve(size() + 1);
+  matrix_.column.reserve(entries);
   for (auto first = pairs.begin(); first != pairs.end();) {
     auto last = first;
     while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
     for (int m = 0; m < modes; ++m) {
       for (auto pair = first; pair != last; ++pair)
-        for (int n = 0; n < modes; ++n) matrix_.column.push_back((*pair)[1] * modes + n);
-      matrix_.start.push_back(matrix_.column.size());
+        for (int n = pair == first ? m : 0; n < modes; ++n) matrix_.column.push_back((*pair)[1] * modes + n);
+      matrix_.start.push_back(static_cast<int>(matrix_.column.size()));
     }
     first = last;
   }
-  VOUSSOIR_ENSURE(matrix_.rows() == size_);
-  VOUSSOIR_CHECK(matrix_.column.size() <= std::numeric_limits<Place>::max());
+  VOUSSOIR_ENSURE(matrix_.rows() == size());
   matrix_.value.assign(matrix_.column.size(), 0.0);
 }
 
-/// Where row^T row stands in the matrix.
+/// Where the columns of another block begin in the first row of a block.
 template <int dim>
-std::vector<typename BlockMotions<dim>::Place> BlockMotions<dim>::places(const Row& row) const {
-  std::vector<Place> place;
-  for (const auto& i : row)
-    for (const auto& j : row) {
-      const auto first = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column]);
-      const auto last = matrix_.column.begin() + static_cast<long>(matrix_.start[i.column + 1]);
-      place.push_back(static_cast<Place>(std::lower_bound(first, last, j.column) - matrix_.column.begin()));
+std::size_t BlockMotions<dim>::place(int block, int other) const {
+  const int* row = matrix_.column.data();
+  int k = matrix_.start[block * modes];
+  while (row[k] != other * modes) k += modes;
+  return k;
+}
+
+/// Adds factor row^T row to the matrix.
+template <int dim>
+void BlockMotions<dim>::add_product(const Row& row, double factor) {
+  for (auto i = row.begin(); i != row.end(); ++i)
+    for (auto j = i; j != row.end(); ++j) {
+      const std::size_t along = place(i->block, j->block) - matrix_.start[i->block * modes];
+      for (int m = 0; m < modes; ++m) {
+        // Each row of a block begins one column later than the one above.
+        double* value = &matrix_.value[matrix_.start[i->block * modes + m] + along] - m;
+        for (int n = i == j ? m : 0; n < modes; ++n) value[n] += factor * i->value[m] * j->value[n];
+      }
     }
-  return place;
 }
 
 template <int dim>
 void BlockMotions<dim>::add_elastic_energy() {
-  elastic_.assign(matrix_.value.size(), 0.0);
-  std::vector<int> local(size_, -1);  // place of a coarse unknown among those of one block's surroundings
+  std::vector<int> local(blocks_, -1);  // place of a block among those around another
+  std::vector<Row> z;
+  std::vector<double> kz;
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
     const auto& block = structure_.blocks()[b];
     const auto& k = block.stiffness;
-    std::vector<Row> z(k.rows());
-    std::vector<int> columns;
+    z.assign(k.rows(), {});
+    std::vector<int> around;
     for (int i = 0; i < k.rows(); ++i) {
-      z[i] = row_of(block.first_local + i / dim, i % dim);
-      for (auto& e : z[i]) {
-        if (local[e.column] < 0) {
-          local[e.column] = static_cast<int>(columns.size());
-          columns.push_back(e.column);
-        }
-        e.column = local[e.column];
+      Vector<dim> direction{};
+      direction[i % dim] = 1;
+      add_motion(space_.cluster()[block.first_local + i / dim], direction, 1.0, z[i]);
+      for (const auto& term : z[i]) {
+        if (local[term.block] >= 0) continue;
+        local[term.block] = static_cast<int>(around.size());
+        around.push_back(term.block);
       }
     }
     // First K Z, then Z^T (K Z).
-    const std::size_t n = columns.size();
-    std::vector<double> kz(k.rows() * n, 0.0), product(n * n, 0.0);
+    const std::size_t n = around.size() * modes;
+    kz.assign(k.rows() * n, 0.0);
     for (int i = 0; i < k.rows(); ++i)
-      for (std::size_t e = k.start[i]; e < k.start[i + 1]; ++e)
-        for (const auto& entry : z[k.column[e]]) kz[i * n + entry.column] += k.value[e] * entry.value;
+      for (int e = k.start[i]; e < k.start[i + 1]; ++e)
+        for (const auto& term : z[k.column[e]])
+          for (int m = 0; m < modes; ++m) kz[i * n + local[term.block] * modes + m] += k.value[e] * term.value[m];
     for (int i = 0; i < k.rows(); ++i)
-      for (const auto& e : z[i])
-        for (std::size_t j = 0; j < n; ++j) product[e.column * n + j] += e.value * kz[i * n + j];
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto first = matrix_.column.begin() + static_cast<long>(matrix_.start[columns[i]]);
-      const auto last = matrix_.column.begin() + static_cast<long>(matrix_.start[columns[i] + 1]);
-      for (std::size_t j = 0; j < n; ++j)
-        elastic_[std::lower_bound(first, last, columns[j]) - matrix_.column.begin()] += product[i * n + j];
-    }
-    for (int column : columns) local[column] = -1;
+      for (const auto& term : z[i])
+        for (int other : around) {
+          if (other < term.block) continue;
+          const std::size_t along = place(term.block, other) - matrix_.start[term.block * modes];
+          const double* product = &kz[i * n + local[other] * modes];
+          for (int m = 0; m < modes; ++m) {
+            double* value = &matrix_.value[matrix_.start[term.block * modes + m] + along] - m;
+            for (int c = other == term.block ? m : 0; c < modes; ++c) value[c] += term.value[m] * product[c];
+          }
+        }
+    for (int other : around) local[other] = -1;
   }
+  elastic_ = matrix_.value;
 }
 
 template <int dim>
 void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
-  auto mine = elastic_;
-  // Adds factor row^T row at the next places; returns those after.
-  const auto add_product = [&mine](const Entry* row, std::size_t size, double factor, const Place* place) {
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t j = 0; j < size; ++j) mine[*place++] += factor * row[i].value * row[j].value;
-    return place;
-  };
-  const Place* place = jump_place_.data();
-  for (std::size_t k = 0; k < jump_point_.size(); ++k)
+  matrix_.value = elastic_;
+  Row row;
+  for (int k : couplings_) {
+    const auto& p = points_.points()[k];
     for (int a = 0; a < dim; ++a) {
-      const auto& point = stiffness[jump_point_[k]];
-      const double sigma = a == 0 ? point.normal : point.tangential;
-      const auto& row = jump_[k * dim + a];
-      place = add_product(row.data(), row.size(), sigma, place);
+      const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].tangential;
+      if (sigma == 0) continue;
+      row.clear();
+      add_motion(space_.cluster()[p.node_j], p.axis[a], 1.0, row);
+      add_motion(space_.cluster()[p.node_i], p.axis[a], -1.0, row);
+      add_product(row, sigma);
     }
-  place = z_place_.data();
-  if (!proximal.empty())
-    for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
-      place = add_product(z_.data() + z_start_[i], z_start_[i + 1] - z_start_[i], proximal[i], place);
-  Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
-                     matrix_.value.data());
+  }
+  for (std::size_t i = 0; i < proximal.size(); ++i) {
+    Vector<dim> direction{};
+    direction[i % dim] = 1;
+    row.clear();
+    add_motion(static_cast<int>(i) / dim, direction, 1.0, row);
+    add_product(row, proximal[i]);
+  }
+  if (structure_.comm()->getSize() > 1) {
+    const auto mine = matrix_.value;
+    Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
+                       matrix_.value.data());
+  }
   if (factor_)
     factor_->refactor(matrix_);
   else
@@ -216,27 +265,37 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
 
 template <int dim>
 void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
-  std::vector<double> mine(size_, 0.0), coarse(size_, 0.0);
+  std::vector<double> mine(size(), 0.0), coarse(size(), 0.0);
   const double* fine = local_view(r);
-  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
-    for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) mine[z_[k].column] += z_[k].value * fine[i];
+  for (int cluster = 0; cluster < space_.owned_clusters(); ++cluster) {
+    Vector<dim> force{};  // on each copy
+    for (int c = 0; c < dim; ++c)
+      if (!space_.held()[dim * cluster + c]) force[c] = fine[dim * cluster + c] / space_.multiplicity()[cluster];
+    for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
+      const auto moments = motion(copies_[k].arm, force);
+      for (int m = 0; m < modes; ++m) mine[copies_[k].block * modes + m] += moments[m];
+    }
+  }
   {
     const TrafficScope sent_for(TrafficOf::block_motions);
-    Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, size_, mine.data(), coarse.data());
+    Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, size(), mine.data(), coarse.data());
   }
   factor_->solve(coarse.data(), coarse.data());
   double* value = local_view_to_write(z);
-  for (std::size_t i = 0; i + 1 < z_start_.size(); ++i)
-    for (std::size_t k = z_start_[i]; k < z_start_[i + 1]; ++k) value[i] += z_[k].value * coarse[z_[k].column];
+  for (int cluster = 0; cluster < space_.owned_clusters(); ++cluster) {
+    Vector<dim> moved{};
+    for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k)
+      moved = moved + displacement(copies_[k].arm, &coarse[copies_[k].block * modes]);
+    for (int c = 0; c < dim; ++c)
+      if (!space_.held()[dim * cluster + c]) value[dim * cluster + c] += moved[c] / space_.multiplicity()[cluster];
+  }
 }
 
 template <int dim>
 long long BlockMotions<dim>::bytes() const {
-  std::size_t entries = z_.size();
-  for (const auto& row : jump_) entries += row.size();
   return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
-         static_cast<long long>(entries * sizeof(Entry) + elastic_.size() * sizeof(double) +
-                                (jump_place_.size() + z_place_.size()) * sizeof(Place));
+         static_cast<long long>(copies_.size() * sizeof(Copy) + elastic_.size() * sizeof(double) +
+                                (copy_start_.size() + couplings_.size()) * sizeof(int));
 }
 
 template class BlockMotions<2>;

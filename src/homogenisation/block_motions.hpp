@@ -1,11 +1,11 @@
 // The rigid-block operator: what is left of a structure when its stones only move as wholes.
 //
 // Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are
-// tied the motion is the mean of the blocks'.
+// tied the motion is the mean of the blocks'. Z is kept as one lever arm per node copy, and Z^T H Z, which is symmetric,
+// as its upper half: what a point adds to it is found again at every update, which is cheaper than to remember where.
 // Every rank holds and factors the whole coarse matrix.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
 #include "homogenisation/system_matrix.hpp"
@@ -24,38 +24,42 @@ class BlockMotions {
   void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
   /// z += Z (Z^T H Z)^-1 Z^T r. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
-  int size() const { return size_; }
+  int size() const { return modes * blocks_; }
   long long bytes() const;
 
  private:
   static constexpr int modes = dim * (dim + 1) / 2;
-  /// One column's value of Z in some combination of unknowns.
-  struct Entry {
-    int column;
-    double value;
+  using Modes = std::array<double, modes>;
+  /// A node copy that moves with its block.
+  struct Copy {
+    int block;        ///< among those that are active
+    Vector<dim> arm;  ///< [-] from the first node of the block, by the length of its first diagonal
   };
-  using Row = std::vector<Entry>;
-  using Place = std::uint32_t;  ///< in the matrix; there are some forty per unknown
+  /// What the motions of one block contribute to some combination of unknowns.
+  struct Term {
+    int block;
+    Modes value;
+  };
+  using Row = std::vector<Term>;  ///< ascending by block
 
-  Row row_of(int node, int component) const;
-  Row jump_row(const ContactPoint<dim>&, int axis) const;
-  void set_pattern(const std::vector<Row>& couplings);
-  std::vector<Place> places(const Row&) const;
+  static Modes motion(const Vector<dim>& arm, const Vector<dim>& direction);
+  static Vector<dim> displacement(const Vector<dim>& arm, const double* motions);
+  void find_copies(const std::vector<int>& active);
+  void set_pattern(const std::vector<char>& selected);
   void add_elastic_energy();
+  void add_motion(int cluster, Vector<dim> direction, double factor, Row&) const;
+  std::size_t place(int block, int other) const;
+  void add_product(const Row&, double factor);
 
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
   const MergedSpace<dim>& space_;
-  std::vector<int> first_column_;         ///< per block of the structure, -1 when not active
-  std::vector<std::vector<int>> copies_;  ///< node copies of each cluster at an owned vertex
-  std::vector<std::size_t> z_start_;
-  Row z_;                                 ///< Z at owned unknowns, compressed rows
-  std::vector<int> jump_point_;           ///< owned selected points that couple clusters
-  std::vector<Row> jump_;                 ///< dim rows for each of them
-  std::vector<Place> jump_place_, z_place_;  ///< of their products in the matrix, one row after the other
-  LocalCsr matrix_;                       ///< dense blocks of modes x modes, the same pattern on every rank
-  std::vector<double> elastic_;           ///< this rank's part of Z^T K Z, in the pattern of the matrix
-  int size_ = 0;
+  int blocks_ = 0;               ///< that are active
+  std::vector<int> copy_start_;  ///< per cluster, those of other ranks too where an owned block touches them
+  std::vector<Copy> copies_;
+  std::vector<int> couplings_;   ///< owned selected points that couple clusters
+  LocalCsr matrix_;              ///< upper half of Z^T H Z, the same pattern on every rank
+  std::vector<double> elastic_;  ///< this rank's part of Z^T K Z, in the pattern of the matrix
   std::unique_ptr<SparseCholesky> factor_;
 };
 

@@ -32,20 +32,26 @@ BlockSolves<dim>::BlockSolves(const Structure<dim>& s, const MergedSpace<dim>& s
 }
 
 template <int dim>
-void BlockSolves<dim>::update(const LocalCsr& h) {
-  LocalCsr blocks;
+void BlockSolves<dim>::update(const OwnedRows& h) {
+  LocalCsr blocks;  // upper triangles
+  std::size_t both = unknown_.size();
+  for (int row : unknown_) both += h.start[row + 1] - h.start[row];
+  blocks.start.reserve(unknown_.size() + 1);
+  blocks.column.reserve(both / 2);
+  blocks.value.reserve(both / 2);
   for (std::size_t b = 0; b + 1 < block_start_.size(); ++b) {
     const auto first = unknown_.begin() + block_start_[b], last = unknown_.begin() + block_start_[b + 1];
     for (auto row = first; row != last; ++row) {
-      auto next = first;
-      for (std::size_t k = h.start[*row]; k < h.start[*row + 1]; ++k) {
-        next = std::lower_bound(next, last, h.column[k]);
+      auto next = row;
+      const int* end = h.column + h.start[*row + 1];
+      for (const int* column = std::lower_bound(h.column + h.start[*row], end, *row); column != end; ++column) {
+        next = std::lower_bound(next, last, *column);
         if (next == last) break;
-        if (*next != h.column[k]) continue;
+        if (*next != *column) continue;
         blocks.column.push_back(static_cast<int>(next - unknown_.begin()));
-        blocks.value.push_back(h.value[k]);
+        blocks.value.push_back(h.value[column - h.column]);
       }
-      blocks.start.push_back(blocks.column.size());
+      blocks.start.push_back(static_cast<int>(blocks.column.size()));
     }
   }
   if (factor_)

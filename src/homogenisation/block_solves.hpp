@@ -15,7 +15,7 @@ class BlockSolves {
   BlockSolves(const Structure<dim>&, const MergedSpace<dim>&, const std::vector<int>& active);
 
   /// Factors the blocks' parts of H.
-  void update(const LocalCsr& h);
+  void update(const OwnedRows& h);
   /// z += factor * sum over blocks of E_b W (H_bb)^-1 W E_b^T r, the weights W sharing unknowns of several blocks.
   void add(const TpetraVector& r, TpetraVector& z, double factor) const;
   long long bytes() const;

@@ -8,18 +8,36 @@
 namespace voussoir {
 namespace {
 
-Teuchos::RCP<TpetraMatrix> distributed(const LocalCsr& a, const Teuchos::RCP<const TpetraMap>& rows,
-                                       const Teuchos::RCP<const TpetraMap>& columns) {
-  const Teuchos::ArrayRCP<std::size_t> start = Teuchos::arcp<std::size_t>(static_cast<long>(a.start.size()));
-  const Teuchos::ArrayRCP<int> column = Teuchos::arcp<int>(static_cast<long>(a.column.size()));
-  const Teuchos::ArrayRCP<double> value = Teuchos::arcp<double>(static_cast<long>(a.value.size()));
-  std::copy(a.start.begin(), a.start.end(), start.begin());
-  std::copy(a.column.begin(), a.column.end(), column.begin());
-  std::copy(a.value.begin(), a.value.end(), value.begin());
-  auto matrix = Teuchos::rcp(new TpetraMatrix(rows, columns, start, column, value));
-  matrix->expertStaticFillComplete(rows, rows);
-  return matrix;
+template <class View>
+View without_values(std::size_t size) {
+  return View(Kokkos::view_alloc(Kokkos::WithoutInitializing, "H"), size);
 }
+
+/// Neighbours of owned nodes, in compressed rows: all is counted first, then filled in.
+class Neighbours {
+ public:
+  explicit Neighbours(int nodes) : start_(nodes + 1, 0) {}
+  void count(int node, std::size_t more) { start_[node + 1] += more; }
+  void begin_filling() {
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    neighbour_.resize(start_.back());
+    end_.assign(start_.begin(), start_.end() - 1);
+  }
+  void add(int node, int neighbour) { neighbour_[end_[node]++] = neighbour; }
+  /// Each row ascending and without doubles.
+  void sort() {
+    for (std::size_t i = 0; i < end_.size(); ++i) {
+      std::sort(begin(i), end(i));
+      end_[i] = std::unique(begin(i), end(i)) - neighbour_.begin();
+    }
+  }
+  std::vector<int>::iterator begin(std::size_t node) { return neighbour_.begin() + static_cast<long>(start_[node]); }
+  std::vector<int>::iterator end(std::size_t node) { return neighbour_.begin() + static_cast<long>(end_[node]); }
+
+ private:
+  std::vector<std::size_t> start_, end_;
+  std::vector<int> neighbour_;
+};
 
 }  // namespace
 
@@ -27,62 +45,105 @@ template <int dim>
 SystemMatrix<dim>::SystemMatrix(const Structure<dim>& structure, const ContactPoints<dim>& points,
                                 const std::vector<char>& selected, const MergedSpace<dim>& space)
     : structure_(structure), points_(points), selected_(selected), space_(space) {
-  // Pattern by nodes: neighbours within a block, and across selected points.
-  const auto& cluster = space.cluster();
-  const int owned = space.owned_clusters();
-  std::vector<std::vector<int>> neighbours(owned);
-  for (const auto& b : structure.blocks())
-    for (int i = 0; i < static_cast<int>(b.mesh.position.size()); ++i) {
-      const int row = cluster[b.first_local + i];
-      if (row >= owned) continue;
-      const auto& k = b.stiffness;
-      for (std::size_t e = k.start[dim * i]; e < k.start[dim * i + 1]; e += dim)
-        neighbours[row].push_back(cluster[b.first_local + k.column[e] / dim]);
-    }
-  for (int k = 0; k < points.size(); ++k) {
-    if (!selected[k]) continue;
-    const int a = cluster[points.points()[k].node_i], b = cluster[points.points()[k].node_j];
-    if (a < owned) neighbours[a].push_back(b);
-    if (b < owned) neighbours[b].push_back(a);
-  }
-  for (auto& row : neighbours) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    for (int c = 0; c < dim; ++c) {
-      for (int j : row)
-        for (int d = 0; d < dim; ++d) local_.column.push_back(dim * j + d);
-      local_.start.push_back(local_.column.size());
-    }
-  }
-  local_.value.assign(local_.column.size(), 0.0);
+  set_pattern();
+  add_stiffness();
+  matrix_ = Teuchos::rcp(new TpetraMatrix(space.map(), space.column_map(), start_, column_, value_));
+  matrix_->expertStaticFillComplete(space.map(), space.map());
+}
 
-  for (const auto& b : structure.blocks()) {
-    const auto& k = b.stiffness;
-    for (int i = 0; i < k.rows(); ++i) {
-      const int row = dim * cluster[b.first_local + i / dim] + i % dim;
-      if (row >= dim * owned) continue;
-      for (std::size_t e = k.start[i]; e < k.start[i + 1]; ++e)
-        entry(row, dim * cluster[b.first_local + k.column[e] / dim] + k.column[e] % dim) += k.value[e];
+/// By nodes: neighbours within a block, and across selected points.
+template <int dim>
+void SystemMatrix<dim>::set_pattern() {
+  const auto& cluster = space_.cluster();
+  const int owned = space_.owned_clusters();
+  Neighbours neighbours(owned);
+  const auto for_all = [&](const auto& of_block, const auto& of_point) {
+    for (const auto& b : structure_.blocks())
+      for (int i = 0; i < static_cast<int>(b.mesh.position.size()); ++i)
+        if (cluster[b.first_local + i] < owned) of_block(b, i);
+    for (int k = 0; k < points_.size(); ++k) {
+      if (!selected_[k]) continue;
+      const int a = cluster[points_.points()[k].node_i], b = cluster[points_.points()[k].node_j];
+      if (a < owned) of_point(a, b);
+      if (b < owned) of_point(b, a);
     }
-  }
-  diagonal_.resize(local_.rows());
-  const auto& held = space.held();
-  for (int i = 0; i < local_.rows(); ++i) {
-    diagonal_[i] = static_cast<std::size_t>(&entry(i, i) - local_.value.data());
-    for (std::size_t e = local_.start[i]; e < local_.start[i + 1]; ++e)
-      if ((held[i] || held[local_.column[e]]) && e != diagonal_[i]) local_.value[e] = 0;
-  }
-  stiffness_values_ = local_.value;
-  matrix_ = distributed(local_, space.map(), space.column_map());
+  };
+  for_all(
+      [&](const LocalBlock<dim>& b, int i) {
+        neighbours.count(cluster[b.first_local + i],
+                         (b.stiffness.start[dim * i + 1] - b.stiffness.start[dim * i]) / dim);
+      },
+      [&](int a, int) { neighbours.count(a, 1); });
+  neighbours.begin_filling();
+  for_all(
+      [&](const LocalBlock<dim>& b, int i) {
+        for (int e = b.stiffness.start[dim * i]; e < b.stiffness.start[dim * i + 1]; e += dim)
+          neighbours.add(cluster[b.first_local + i], cluster[b.first_local + b.stiffness.column[e] / dim]);
+      },
+      [&](int a, int b) { neighbours.add(a, b); });
+  neighbours.sort();
+
+  std::size_t entries = 0;
+  for (int k = 0; k < owned; ++k) entries += dim * dim * (neighbours.end(k) - neighbours.begin(k));
+  start_ = without_values<decltype(start_)>(static_cast<std::size_t>(dim) * owned + 1);
+  column_ = without_values<decltype(column_)>(entries);
+  std::size_t next = 0;
+  for (int k = 0; k < owned; ++k)
+    for (int c = 0; c < dim; ++c) {
+      start_(dim * k + c) = next;
+      for (auto j = neighbours.begin(k); j != neighbours.end(k); ++j)
+        for (int d = 0; d < dim; ++d) column_(next++) = dim * *j + d;
+    }
+  start_(dim * owned) = next;
 }
 
 template <int dim>
-double& SystemMatrix<dim>::entry(int row, int column) {
-  const auto first = local_.column.begin() + static_cast<long>(local_.start[row]);
-  const auto last = local_.column.begin() + static_cast<long>(local_.start[row + 1]);
-  const auto it = std::lower_bound(first, last, column);
-  VOUSSOIR_ASSERT(it != last && *it == column);
-  return local_.value[it - local_.column.begin()];
+void SystemMatrix<dim>::add_stiffness() {
+  const auto& cluster = space_.cluster();
+  const int owned = space_.owned_clusters();
+  value_ = without_values<decltype(value_)>(column_.extent(0));
+  Kokkos::deep_copy(value_, 0.0);
+  for (const auto& b : structure_.blocks()) {
+    const auto& k = b.stiffness;
+    for (int n = 0; n < static_cast<int>(b.mesh.position.size()); ++n) {
+      const int node = cluster[b.first_local + n];
+      if (node >= owned) continue;
+      const int row = k.start[dim * n], length = k.start[dim * n + 1] - row;
+      for (int e = 0; e < length; e += dim) {
+        const auto at = offset(node, cluster[b.first_local + k.column[row + e] / dim]);
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j) entry(node, at, i, j) += k.value[row + i * length + e + j];
+      }
+    }
+  }
+  const auto& held = space_.held();
+  for (int row = 0; row < dim * owned; ++row)
+    for (std::size_t e = start_(row); e < start_(row + 1); ++e)
+      if (column_(e) != row && (held[row] || held[column_(e)])) value_(e) = 0;
+  diagonal_.resize(owned);
+  diagonal_stiffness_.resize(owned);
+  for (int k = 0; k < owned; ++k) {
+    diagonal_[k] = static_cast<int>(offset(k, k));
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) diagonal_stiffness_[k][dim * i + j] = entry(k, diagonal_[k], i, j);
+  }
+}
+
+/// Where the columns of a node begin in the rows of another.
+template <int dim>
+std::size_t SystemMatrix<dim>::offset(int node, int other) const {
+  const int* first = &column_(start_(dim * node));
+  const int* last = column_.data() + start_(dim * node + 1);
+  const int* it = std::lower_bound(first, last, dim * other);
+  VOUSSOIR_ASSERT(it != last && *it == dim * other);
+  return it - first;
+}
+
+/// Whether a point moves two nodes against each other.
+template <int dim>
+bool SystemMatrix<dim>::couples(int k) const {
+  const auto& p = points_.points()[k];
+  return selected_[k] && space_.cluster()[p.node_i] != space_.cluster()[p.node_j];  // else tied by other points
 }
 
 /// Adds w_ij (d_i, d_j) for the motion d of one node of a point against the other.
@@ -91,18 +152,18 @@ template <class Weight>
 void SystemMatrix<dim>::add_between(int k, const Weight& weight) {
   const auto& p = points_.points()[k];
   const std::array<int, 2> node{space_.cluster()[p.node_i], space_.cluster()[p.node_j]};
-  if (node[0] == node[1]) return;  // tied by other points
   const auto& held = space_.held();
   for (int a = 0; a < 2; ++a) {
     if (node[a] >= space_.owned_clusters()) continue;
-    for (int b = 0; b < 2; ++b)
+    for (int b = 0; b < 2; ++b) {
+      const auto at = a == b ? diagonal_[node[a]] : offset(node[a], node[b]);
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j) {
-          const int row = dim * node[a] + i, column = dim * node[b] + j;
-          if (held[row] || held[column]) continue;
+          if (held[dim * node[a] + i] || held[dim * node[b] + j]) continue;
           const double value = weight(p.axis, i, j);
-          entry(row, column) += a == b ? value : -value;
+          entry(node[a], at, i, j) += a == b ? value : -value;
         }
+    }
   }
 }
 
@@ -122,29 +183,40 @@ bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
     const double c = stiffness[k].coupling;
     if (!selected_[k] || c == 0) continue;
     coupled = true;
-    add_between(k, [c](const auto& axis, int i, int j) { return c * axis[1][i] * axis[0][j]; });
+    if (couples(k)) add_between(k, [c](const auto& axis, int i, int j) { return c * axis[1][i] * axis[0][j]; });
   }
-  coupled = largest_over_ranks(*matrix_->getComm(), coupled) > 0;
-  if (coupled) copy_values();
-  return coupled;
-}
-
-template <int dim>
-void SystemMatrix<dim>::copy_values() {
-  auto values = matrix_->getLocalMatrixHost().values;
-  std::copy(local_.value.begin(), local_.value.end(), values.data());
+  return largest_over_ranks(*matrix_->getComm(), coupled) > 0;
 }
 
 template <int dim>
 void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness,
                                const std::vector<double>& proximal) {
-  local_.value = stiffness_values_;
+  const int owned = space_.owned_clusters();
+  for (int k = 0; k < owned; ++k)
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) entry(k, diagonal_[k], i, j) = diagonal_stiffness_[k][dim * i + j];
+  for (int k = 0; k < points_.size(); ++k) {
+    if (!couples(k)) continue;
+    const int a = space_.cluster()[points_.points()[k].node_i], b = space_.cluster()[points_.points()[k].node_j];
+    for (const auto& [row, column] : {std::array{a, b}, std::array{b, a}}) {
+      if (row >= owned) continue;
+      const auto at = offset(row, column);
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j) entry(row, at, i, j) = 0;
+    }
+  }
   for (int k = 0; k < points_.size(); ++k)
-    if (selected_[k] && (stiffness[k].normal > 0 || stiffness[k].tangential > 0)) add_point(k, stiffness[k]);
+    if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].tangential > 0)) add_point(k, stiffness[k]);
   if (!proximal.empty())
-    for (int i = 0; i < local_.rows(); ++i)
-      if (!space_.held()[i]) local_.value[diagonal_[i]] += proximal[i];
-  copy_values();
+    for (int i = 0; i < dim * owned; ++i)
+      if (!space_.held()[i]) entry(i / dim, diagonal_[i / dim], i % dim, i % dim) += proximal[i];
+}
+
+template <int dim>
+long long SystemMatrix<dim>::bytes() const {
+  const auto size_of = [](const auto& list, std::size_t each) { return static_cast<long long>(list.size() * each); };
+  return size_of(start_, sizeof(std::size_t)) + size_of(column_, sizeof(int)) + size_of(value_, sizeof(double)) +
+         size_of(diagonal_, sizeof(int)) + size_of(diagonal_stiffness_, sizeof(NodeBlock));
 }
 
 template class SystemMatrix<2>;

@@ -4,14 +4,24 @@
 //
 // K never changes; every rank builds the complete rows it owns from its blocks and halo, so neither assembly nor
 // a change of status communicates. Held unknowns are unit rows scaled like the rest.
+// Rows are there once, in arrays that Tpetra uses too. What points and the proximal term add to stands in the blocks
+// of a node and itself, whose stiffness is remembered, and in those of the two nodes of a point, which have none.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "homogenisation/merged_space.hpp"
 #include "joints/contact_law.hpp"
 
 namespace voussoir {
+
+/// Rows of a matrix that a rank owns; columns of the column map, ascending.
+struct OwnedRows {
+  const std::size_t* start;
+  const int* column;
+  const double* value;
+};
 
 template <int dim>
 class SystemMatrix {
@@ -28,28 +38,32 @@ class SystemMatrix {
   bool couple(const std::vector<PointStiffness>& stiffness);
 
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
-  /// Rows this rank owns, columns of the column map.
-  const LocalCsr& local() const { return local_; }
-  /// Of this rank: the rows twice, here and in Tpetra, and their stiffness.
-  long long bytes() const {
-    return 2 * local_.bytes() +
-           static_cast<long long>(stiffness_values_.size() * sizeof(double) + diagonal_.size() * sizeof(std::size_t));
-  }
+  OwnedRows local() const { return {start_.data(), column_.data(), value_.data()}; }
+  /// Of this rank: the rows, and the stiffness at nodes.
+  long long bytes() const;
 
  private:
+  using Csr = TpetraMatrix::local_matrix_device_type;
+  using NodeBlock = std::array<double, dim * dim>;
+
+  void set_pattern();
+  void add_stiffness();
   template <class Weight>
   void add_between(int k, const Weight&);
   void add_point(int k, const PointStiffness&);
-  void copy_values();
-  double& entry(int row, int column);
+  bool couples(int k) const;
+  std::size_t offset(int node, int other) const;
+  double& entry(int node, std::size_t offset, int i, int j) { return value_(start_(dim * node + i) + offset + j); }
 
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
   const std::vector<char>& selected_;
   const MergedSpace<dim>& space_;
-  LocalCsr local_;
-  std::vector<double> stiffness_values_;
-  std::vector<std::size_t> diagonal_;
+  Csr::row_map_type::non_const_type start_;
+  Csr::index_type::non_const_type column_;
+  Csr::values_type::non_const_type value_;
+  std::vector<int> diagonal_;                  ///< per owned node: where its own columns begin in its rows
+  std::vector<NodeBlock> diagonal_stiffness_;  ///< per owned node
   Teuchos::RCP<TpetraMatrix> matrix_;
 };
 

@@ -29,13 +29,15 @@ DirectPreconditioner::DirectPreconditioner(const TpetraMatrix& a) : map_(a.getRo
   std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
     return std::tie(x.row, x.column) < std::tie(y.row, y.column);
   });
-  LocalCsr whole;
+  LocalCsr whole;  // its upper triangle
+  const auto end_row = [&whole] { whole.start.push_back(static_cast<int>(whole.column.size())); };
   for (const auto& e : entries) {
-    while (whole.rows() < e.row) whole.start.push_back(whole.column.size());
+    if (e.column < e.row) continue;
+    while (whole.rows() < e.row) end_row();
     whole.column.push_back(static_cast<int>(e.column));
     whole.value.push_back(e.value);
   }
-  while (whole.rows() < static_cast<int>(map_->getGlobalNumElements())) whole.start.push_back(whole.column.size());
+  while (whole.rows() < static_cast<int>(map_->getGlobalNumElements())) end_row();
   factor_ = std::make_unique<SparseCholesky>(whole);
 }
 

@@ -1,19 +1,17 @@
-// A sparse matrix of one rank in compressed rows: blocks' stiffness, rows of the system, small factors.
+// A sparse matrix of one rank in compressed rows: stiffness of blocks, small factors.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 namespace voussoir {
 
 struct LocalCsr {
-  std::vector<std::size_t> start{0};  ///< [rows + 1]
-  std::vector<int> column;            ///< ascending in each row
+  std::vector<int> start{0};  ///< [rows + 1]
+  std::vector<int> column;    ///< ascending in each row
   std::vector<double> value;
 
   long long bytes() const {
-    return static_cast<long long>(start.size() * sizeof(std::size_t) + column.size() * sizeof(int) +
-                                  value.size() * sizeof(double));
+    return static_cast<long long>((start.size() + column.size()) * sizeof(int) + value.size() * sizeof(double));
   }
   int rows() const { return static_cast<int>(start.size()) - 1; }
 
@@ -21,7 +19,7 @@ struct LocalCsr {
   void multiply(const double* x, double* y) const {
     for (int i = 0; i < rows(); ++i) {
       double sum = 0;
-      for (std::size_t k = start[i]; k < start[i + 1]; ++k) sum += value[k] * x[column[k]];
+      for (int k = start[i]; k < start[i + 1]; ++k) sum += value[k] * x[column[k]];
       y[i] = sum;
     }
   }

@@ -30,27 +30,19 @@ struct SparseCholesky::Data {
 
 namespace {
 
-/// The upper triangle by rows, which CHOLMOD reads as the lower triangle by columns.
-cholmod_sparse* lower_triangle(const LocalCsr& a, std::vector<int>& diagonal, cholmod_common& common) {
-  std::size_t entries = 0;
-  for (int i = 0; i < a.rows(); ++i)
-    for (std::size_t k = a.start[i]; k < a.start[i + 1]; ++k) entries += a.column[k] >= i;
-  cholmod_sparse* lower = cholmod_allocate_sparse(a.rows(), a.rows(), entries, 1, 1, -1, CHOLMOD_REAL, &common);
-  auto* start = static_cast<int*>(lower->p);
-  auto* row = static_cast<int*>(lower->i);
-  auto* value = static_cast<double*>(lower->x);
-  diagonal.assign(a.rows(), 0);
-  int next = 0;
-  for (int i = 0; i < a.rows(); ++i) {
-    start[i] = next;
-    for (std::size_t k = a.start[i]; k < a.start[i + 1]; ++k) {
-      if (a.column[k] < i) continue;
-      if (a.column[k] == i) diagonal[i] = next;
-      row[next] = a.column[k];
-      value[next++] = a.value[k];
-    }
-  }
-  start[a.rows()] = next;
+/// The upper triangle by rows is what CHOLMOD takes for the lower triangle by columns.
+cholmod_sparse lower_triangle(const LocalCsr& a) {
+  cholmod_sparse lower{};
+  lower.nrow = lower.ncol = static_cast<std::size_t>(a.rows());
+  lower.nzmax = a.column.size();
+  lower.p = const_cast<int*>(a.start.data());  // CHOLMOD asks for pointers to what it does not change
+  lower.i = const_cast<int*>(a.column.data());
+  lower.x = const_cast<double*>(a.value.data());
+  lower.stype = -1;
+  lower.itype = CHOLMOD_INT;
+  lower.xtype = CHOLMOD_REAL;
+  lower.dtype = CHOLMOD_DOUBLE;
+  lower.sorted = lower.packed = 1;
   return lower;
 }
 
@@ -64,19 +56,20 @@ SparseCholesky::SparseCholesky(const LocalCsr& a) : data_(std::make_unique<Data>
 void SparseCholesky::refactor(const LocalCsr& a) {
   auto& d = *data_;
   VOUSSOIR_EXPECT(a.rows() == d.size);
-  std::vector<int> diagonal;
-  cholmod_sparse* lower = lower_triangle(a, diagonal, d.common);
-  if (!d.factor) d.factor = cholmod_analyze(lower, &d.common);
-  cholmod_factorize(lower, d.factor, &d.common);
+  if (d.size == 0) return;
+  auto lower = lower_triangle(a);
+  if (!d.factor) d.factor = cholmod_analyze(&lower, &d.common);
+  cholmod_factorize(&lower, d.factor, &d.common);
   if (d.common.status == CHOLMOD_NOT_POSDEF) {
-    auto* value = static_cast<double*>(lower->x);
+    auto raised = a.value;
     double largest = 0;
-    for (int k : diagonal) largest = std::max(largest, value[k]);
+    for (int i = 0; i < d.size; ++i) largest = std::max(largest, a.value[a.start[i]]);
     // 1e-10: above the round-off of a factorisation (1e-16 times growth), far below any stiffness that matters.
-    for (int k : diagonal) value[k] += 1e-10 * (largest > 0 ? largest : 1.0);
-    cholmod_factorize(lower, d.factor, &d.common);
+    for (int i = 0; i < d.size; ++i) raised[a.start[i]] += 1e-10 * (largest > 0 ? largest : 1.0);
+    lower.x = raised.data();
+    cholmod_factorize(&lower, d.factor, &d.common);
   }
-  cholmod_free_sparse(&lower, &d.common);
+  cholmod_free_work(&d.common);
   if (d.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   VOUSSOIR_CHECK(d.common.status == CHOLMOD_OK);
 }

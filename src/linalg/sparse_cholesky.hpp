@@ -8,10 +8,11 @@
 
 namespace voussoir {
 
-/// Supernodal Cholesky factors of a symmetric matrix of one rank.
+/// Cholesky factors of a symmetric matrix of one rank, of which the upper triangle is given: each row begins with its
+/// diagonal entry. CHOLMOD reads it where it stands.
 class SparseCholesky {
  public:
-  /// Factors A (both triangles stored). A pivot that is not positive is repaired by adding
+  /// Factors A. A pivot that is not positive is repaired by adding
   /// 1e-10 of the diagonal: A may be singular by rigid motions, never by more than round-off indefinite.
   explicit SparseCholesky(const LocalCsr& a);
   ~SparseCholesky();

@@ -140,18 +140,18 @@ TEUCHOS_UNIT_TEST(BlockStiffness, PassesThePatchTestOnDistortedMeshesOfBothCells
       std::vector<double> b(count, 0.0);
       for (int r = 0; r < count; ++r) {
         std::map<int, double> entries;
-        for (std::size_t e = k.start[row_of[r]]; e < k.start[row_of[r] + 1]; ++e) {
+        for (int e = k.start[row_of[r]]; e < k.start[row_of[r] + 1]; ++e) {
           const int column = k.column[e];
-          if (free_number[column] >= 0)
+          if (free_number[column] >= r)
             entries[free_number[column]] = k.value[e];
-          else
+          else if (free_number[column] < 0)
             b[r] -= k.value[e] * uniform_strain(block.position[column / 2])[column % 2];
         }
         for (const auto& [column, value] : entries) {
           inner.column.push_back(column);
           inner.value.push_back(value);
         }
-        inner.start.push_back(inner.column.size());
+        inner.start.push_back(static_cast<int>(inner.column.size()));
       }
       std::vector<double> x(count);
       SparseCholesky(inner).solve(b.data(), x.data());

@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(BlockMass, IsSymmetricAndPositiveAndDiagonalWhenLumped) {
     const auto m = block_mass(square(true), density, thickness, kind);
     std::vector<std::vector<double>> full(m.rows(), std::vector<double>(m.rows(), 0.0));
     for (int i = 0; i < m.rows(); ++i)
-      for (std::size_t k = m.start[i]; k < m.start[i + 1]; ++k) full[i][m.column[k]] = m.value[k];
+      for (int k = m.start[i]; k < m.start[i + 1]; ++k) full[i][m.column[k]] = m.value[k];
     for (int i = 0; i < m.rows(); ++i) {
       TEST_COMPARE(full[i][i], >, 0);
       for (int j = 0; j < i; ++j) {

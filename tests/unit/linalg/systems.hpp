@@ -91,7 +91,7 @@ inline LocalCsr local(int size, const Rows& rows) {
       a.column.push_back(static_cast<int>(column));
       a.value.push_back(value);
     }
-    a.start.push_back(a.column.size());
+    a.start.push_back(static_cast<int>(a.column.size()));
   }
   return a;
 }
