@@ -25,6 +25,8 @@ class Borders {
     auto edges = border_edges({block});
     return known_.emplace(b, Entry{std::move(block), std::move(edges)}).first->second;
   }
+  /// Those of lower numbers have met all their neighbours.
+  void forget_before(BlockId b) { known_.erase(known_.begin(), known_.lower_bound(b)); }
 
  private:
   const BlockSource<2>& source_;
@@ -46,6 +48,7 @@ ContactPoints<dim>::ContactPoints(const BlockSource<dim>& source, const Structur
     const auto& bi = blocks[local];
     const BlockId i = bi.mesh.id;
     PointId next = 0;
+    if (local < structure.owned_blocks()) borders.forget_before(i);
     for (int k = graph.start[i]; k < graph.start[i + 1]; ++k) {
       const BlockId j = graph.neighbour[k];
       if (j < i) continue;
@@ -84,6 +87,8 @@ ContactPoints<dim>::ContactPoints(const BlockSource<dim>& source, const Structur
     points_[k].id = first[joints_[points_[k].joint].block_i] + index[k];
     ids.push_back(points_[k].id);
   }
+  points_.shrink_to_fit();
+  joints_.shrink_to_fit();
   exchange_ = std::make_unique<Exchange>(ids, owned_, structure.comm());
 }
 

@@ -19,11 +19,12 @@ class Exchange {
   /// The same for whole numbers up to 2^53.
   void update(std::vector<long long>& values) const;
 
-  const Teuchos::Comm<int>& comm() const { return *owned_map_->getComm(); }
+  const Teuchos::Comm<int>& comm() const { return *comm_; }
   int owned() const { return owned_; }
 
  private:
-  Teuchos::RCP<const TpetraMap> owned_map_, local_map_;
+  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
+  Teuchos::RCP<const TpetraMap> owned_map_, local_map_;  ///< none on one rank, which has nothing to exchange
   Teuchos::RCP<const TpetraImport> import_;
   int owned_;
 };

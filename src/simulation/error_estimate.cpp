@@ -93,7 +93,9 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
                    const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations,
                    const std::vector<double>& load, const std::vector<double>& prescribed) {
   if (violations.largest == 0) return {};
-  ContactState released = state;
+  ContactState released;
+  released.selected = state.selected;
+  released.slip_origin = state.slip_origin;
   release_violating(parts.points, cluster, violations, released.selected);
   ContactProblem<dim> problem(parts, released, law, load, prescribed);
   const auto x = problem.unknowns(state.displacement);
