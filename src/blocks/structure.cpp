@@ -10,6 +10,7 @@
 #include "base/check.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
+#include "blocks/shapes.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -23,10 +24,17 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   total_nodes_ = first.back();
   const auto& graph = source.graph();
   const int me = comm->getRank();
+  StiffnessOfShapes stiffness(model);
+  std::vector<VertexId> vertex;  // per local node
+  const auto add = [&](BlockId b) {
+    auto block = source.block(b);
+    const auto material = material_of(block);
+    add_block(std::move(block), first[b], material, stiffness, vertex);
+  };
   std::vector<BlockId> halo;
   for (BlockId b = 0; b < source.block_count(); ++b) {
     if (owner_[b] == me) {
-      add_block(source, b, first, material_of);
+      add(b);
       for (int k = graph.start[b]; k < graph.start[b + 1]; ++k)
         if (owner_[graph.neighbour[k]] != me) halo.push_back(graph.neighbour[k]);
     }
@@ -35,8 +43,12 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   owned_nodes_ = nodes();
   std::sort(halo.begin(), halo.end());
   halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
-  for (BlockId b : halo) add_block(source, b, first, material_of);
-  group_copies();
+  for (BlockId b : halo) add(b);
+  blocks_.shrink_to_fit();
+  node_id_.shrink_to_fit();
+  position_.shrink_to_fit();
+  block_of_node_.shrink_to_fit();
+  group_copies(vertex);
   node_exchange_ = std::make_shared<Exchange>(node_id_, owned_nodes_, comm);
 
   Vector<dim> low, high, all_low, all_high;
@@ -53,36 +65,38 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
 }
 
 template <int dim>
-void Structure<dim>::add_block(const BlockSource<dim>& source, BlockId id, const std::vector<NodeId>& first,
-                               const std::function<Material(const Block<dim>&)>& material_of) {
+void Structure<dim>::add_block(Block<dim> mesh, NodeId first_node, const Material& material,
+                               StiffnessOfShapes& stiffness, std::vector<VertexId>& vertex) {
+  std::string().swap(mesh.name);
+  vertex.insert(vertex.end(), mesh.vertex.begin(), mesh.vertex.end());
+  std::vector<VertexId>().swap(mesh.vertex);
   LocalBlock<dim> b;
-  b.mesh = source.block(id);
-  b.first_node = first[id];
+  b.mesh = std::move(mesh);
+  b.first_node = first_node;
   b.first_local = nodes();
-  b.material = material_of(b.mesh);
-  b.stiffness = block_stiffness(b.mesh, b.material, model_.plane, model_.thickness);
+  b.material = material;
+  b.stiffness = stiffness.of(b.mesh, material);
   const int local = static_cast<int>(blocks_.size());
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
     node_id_.push_back(b.first_node + static_cast<NodeId>(i));
     position_.push_back(b.mesh.position[i]);
-    vertex_.push_back(b.mesh.vertex[i]);
     block_of_node_.push_back(local);
   }
   blocks_.push_back(std::move(b));
 }
 
 template <int dim>
-void Structure<dim>::group_copies() {
+void Structure<dim>::group_copies(const std::vector<VertexId>& vertex) {
   std::vector<int> order(nodes());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [this](int a, int b) {
-    return std::make_pair(vertex_[a], node_id_[a]) < std::make_pair(vertex_[b], node_id_[b]);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return std::make_pair(vertex[a], node_id_[a]) < std::make_pair(vertex[b], node_id_[b]);
   });
   copies_start_ = {0};
   for (std::size_t i = 0; i < order.size();) {
     std::size_t end = i;
     bool owned = false;
-    while (end < order.size() && vertex_[order[end]] == vertex_[order[i]]) owned |= order[end++] < owned_nodes_;
+    while (end < order.size() && vertex[order[end]] == vertex[order[i]]) owned |= order[end++] < owned_nodes_;
     if (owned) {
       copy_.insert(copy_.end(), order.begin() + static_cast<long>(i), order.begin() + static_cast<long>(end));
       copies_start_.push_back(static_cast<int>(copy_.size()));
@@ -106,7 +120,7 @@ int Structure<dim>::local_block(BlockId id) const {
 template <int dim>
 void Structure<dim>::apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const {
   y.resize(u.size());
-  for (const auto& b : blocks_) b.stiffness.multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
+  for (const auto& b : blocks_) b.stiffness->multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
 }
 
 template <int dim>
@@ -135,7 +149,8 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
     b.mesh.position[i] = position_[node];
     for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = position_[node][c] - drawn_[node][c];
   }
-  b.stiffness = block_stiffness(b.mesh, b.material, model_.plane, model_.thickness);
+  b.stiffness = std::make_shared<const LocalCsr>(
+      block_stiffness(b.mesh, b.material, model_.plane, model_.thickness));
   return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
 }
 
@@ -163,7 +178,8 @@ double Structure<dim>::elastic_energy(const std::vector<double>& u) const {
 template <int dim>
 Structure<dim> Structure<dim>::with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const {
   Structure other = *this;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) other.blocks_[b].stiffness = matrix_of(static_cast<int>(b));
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    other.blocks_[b].stiffness = std::make_shared<const LocalCsr>(matrix_of(static_cast<int>(b)));
   return other;
 }
 

@@ -14,13 +14,16 @@
 
 namespace voussoir {
 
+class StiffnessOfShapes;
+
 template <int dim>
 struct LocalBlock {
-  Block<dim> mesh;
+  Block<dim> mesh;        ///< without its name and its vertices, which the structure has sorted
   NodeId first_node = 0;  ///< number of its first node in the whole structure
   int first_local = 0;    ///< number of its first node on this rank
   Material material;
-  LocalCsr stiffness;     ///< [dim nodes x dim nodes] of the block alone, singular by its rigid motions [N/m]
+  /// [dim nodes x dim nodes] of the block alone, singular by its rigid motions [N/m]; one for all blocks that are alike
+  std::shared_ptr<const LocalCsr> stiffness;
 };
 
 template <int dim>
@@ -78,9 +81,8 @@ class Structure {
   double size() const { return size_; }
 
  private:
-  void add_block(const BlockSource<dim>&, BlockId, const std::vector<NodeId>& first,
-                 const std::function<Material(const Block<dim>&)>&);
-  void group_copies();
+  void add_block(Block<dim>, NodeId first_node, const Material&, StiffnessOfShapes&, std::vector<VertexId>& vertex);
+  void group_copies(const std::vector<VertexId>& vertex);
   double follow_block(int block, const std::vector<double>& u);
 
   std::vector<int> owner_;
@@ -91,7 +93,6 @@ class Structure {
   NodeId total_nodes_ = 0;
   std::vector<NodeId> node_id_;
   std::vector<Vector<dim>> position_;
-  std::vector<VertexId> vertex_;
   std::vector<int> block_of_node_, copies_start_, copy_;
   std::shared_ptr<const Exchange> node_exchange_;
   double size_ = 0;

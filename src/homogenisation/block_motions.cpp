@@ -194,7 +194,7 @@ void BlockMotions<dim>::add_elastic_energy() {
   std::vector<double> kz;
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
     const auto& block = structure_.blocks()[b];
-    const auto& k = block.stiffness;
+    const auto& k = *block.stiffness;
     z.assign(k.rows(), {});
     std::vector<int> around;
     for (int i = 0; i < k.rows(); ++i) {

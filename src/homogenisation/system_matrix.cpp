@@ -71,14 +71,14 @@ void SystemMatrix<dim>::set_pattern() {
   for_all(
       [&](const LocalBlock<dim>& b, int i) {
         neighbours.count(cluster[b.first_local + i],
-                         (b.stiffness.start[dim * i + 1] - b.stiffness.start[dim * i]) / dim);
+                         (b.stiffness->start[dim * i + 1] - b.stiffness->start[dim * i]) / dim);
       },
       [&](int a, int) { neighbours.count(a, 1); });
   neighbours.begin_filling();
   for_all(
       [&](const LocalBlock<dim>& b, int i) {
-        for (int e = b.stiffness.start[dim * i]; e < b.stiffness.start[dim * i + 1]; e += dim)
-          neighbours.add(cluster[b.first_local + i], cluster[b.first_local + b.stiffness.column[e] / dim]);
+        for (int e = b.stiffness->start[dim * i]; e < b.stiffness->start[dim * i + 1]; e += dim)
+          neighbours.add(cluster[b.first_local + i], cluster[b.first_local + b.stiffness->column[e] / dim]);
       },
       [&](int a, int b) { neighbours.add(a, b); });
   neighbours.sort();
@@ -104,7 +104,7 @@ void SystemMatrix<dim>::add_stiffness() {
   value_ = without_values<decltype(value_)>(column_.extent(0));
   Kokkos::deep_copy(value_, 0.0);
   for (const auto& b : structure_.blocks()) {
-    const auto& k = b.stiffness;
+    const auto& k = *b.stiffness;
     for (int n = 0; n < static_cast<int>(b.mesh.position.size()); ++n) {
       const int node = cluster[b.first_local + n];
       if (node >= owned) continue;

@@ -16,7 +16,7 @@ constexpr long long bytes_of_slip = 2 * sizeof(double);
 /// acceleration of each node.
 long long bytes_of_inertia(const Structure<2>& s) {
   long long mine = 2LL * 2 * s.nodes() * static_cast<long long>(sizeof(double)), all = 0;
-  for (const auto& b : s.blocks()) mine += 2 * b.stiffness.bytes();
+  for (const auto& b : s.blocks()) mine += 2 * b.stiffness->bytes();
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   return all;
 }

@@ -85,7 +85,7 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       brittle_(at_rest.brittle_) {
   const auto& rest = *at_rest.structure_;
   structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
-    return sum(rule.stiffness_factor(), rest.blocks()[b].stiffness, rule.mass_factor(), mass.blocks()[b].stiffness);
+    return sum(rule.stiffness_factor(), *rest.blocks()[b].stiffness, rule.mass_factor(), *mass.blocks()[b].stiffness);
   }));
   set_local_stiffness(&mass, rule);
   Phase phase("continuum");

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "blocks/assembly.hpp"
@@ -34,8 +35,10 @@ void assemble_blocks(const Structure<2>& structure) {
 }
 
 long long bytes_of_blocks(const Structure<2>& structure) {
+  std::set<const LocalCsr*> shapes;
+  for (const auto& block : structure.blocks()) shapes.insert(block.stiffness.get());
   long long bytes = 0;
-  for (const auto& block : structure.blocks()) bytes += block.stiffness.bytes();
+  for (const auto* stiffness : shapes) bytes += stiffness->bytes();
   return bytes;
 }
 

@@ -120,8 +120,8 @@ TEUCHOS_UNIT_TEST(Structure, EachBlockIsMadeOfItsOwnMaterialAndAsThickAsTheModel
     const auto m = alternating(b.mesh);
     TEST_EQUALITY(b.material.young_modulus, m.young_modulus);
     const auto k = block_stiffness(b.mesh, m, Plane::stress, 1.0);
-    TEST_EQUALITY(k.value.size(), b.stiffness.value.size());
-    TEST_FLOATING_EQUALITY(b.stiffness.value[0], 0.4 * k.value[0], 1e-14);
+    TEST_EQUALITY(k.value.size(), b.stiffness->value.size());
+    TEST_FLOATING_EQUALITY(b.stiffness->value[0], 0.4 * k.value[0], 1e-14);
   }
 }
 
