@@ -1,8 +1,8 @@
 // The rigid-block operator: what is left of a structure when its stones only move as wholes.
 //
 // Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are
-// tied the motion is the mean of the blocks'. Z is kept as one lever arm per node copy, and Z^T H Z, which is symmetric,
-// as its upper half: what a point adds to it is found again at every update, which is cheaper than to remember where.
+// tied the motion is the mean of the blocks'. Z is kept as one lever arm per node copy, and Z^T H Z, which is
+// symmetric, as its upper half: what a point adds to it is found again at every update, not remembered.
 // Every rank holds and factors the whole coarse matrix.
 #pragma once
 
