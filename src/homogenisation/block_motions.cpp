@@ -22,7 +22,7 @@ class Pairs {
  public:
   using Pair = std::array<int, 2>;
   void add(int i, int j) {
-    pairs_.push_back({std::min(i, j), std::max(i, j)});
+    pairs_.push_back({i, j});
     if (pairs_.size() < full_) return;
     sort_out(pairs_);
     full_ = std::max(full_, 2 * pairs_.size());
@@ -173,18 +173,22 @@ std::size_t BlockMotions<dim>::place(int block, int other) const {
   return k;
 }
 
+/// Adds left^T right to the part of the matrix that a block and another, not before it, have in common.
+template <int dim>
+void BlockMotions<dim>::add_to(int block, int other, const Modes& left, const double* right) {
+  const std::size_t along = place(block, other) - matrix_.start[block * modes];
+  for (int m = 0; m < modes; ++m) {
+    // Each row of a block begins one column later than the one above.
+    double* value = &matrix_.value[matrix_.start[block * modes + m] + along] - m;
+    for (int n = block == other ? m : 0; n < modes; ++n) value[n] += left[m] * right[n];
+  }
+}
+
 /// Adds factor row^T row to the matrix.
 template <int dim>
 void BlockMotions<dim>::add_product(const Row& row, double factor) {
   for (auto i = row.begin(); i != row.end(); ++i)
-    for (auto j = i; j != row.end(); ++j) {
-      const std::size_t along = place(i->block, j->block) - matrix_.start[i->block * modes];
-      for (int m = 0; m < modes; ++m) {
-        // Each row of a block begins one column later than the one above.
-        double* value = &matrix_.value[matrix_.start[i->block * modes + m] + along] - m;
-        for (int n = i == j ? m : 0; n < modes; ++n) value[n] += factor * i->value[m] * j->value[n];
-      }
-    }
+    for (auto j = i; j != row.end(); ++j) add_to(i->block, j->block, factor * i->value, j->value.data());
 }
 
 template <int dim>
@@ -216,15 +220,8 @@ void BlockMotions<dim>::add_elastic_energy() {
           for (int m = 0; m < modes; ++m) kz[i * n + local[term.block] * modes + m] += k.value[e] * term.value[m];
     for (int i = 0; i < k.rows(); ++i)
       for (const auto& term : z[i])
-        for (int other : around) {
-          if (other < term.block) continue;
-          const std::size_t along = place(term.block, other) - matrix_.start[term.block * modes];
-          const double* product = &kz[i * n + local[other] * modes];
-          for (int m = 0; m < modes; ++m) {
-            double* value = &matrix_.value[matrix_.start[term.block * modes + m] + along] - m;
-            for (int c = other == term.block ? m : 0; c < modes; ++c) value[c] += term.value[m] * product[c];
-          }
-        }
+        for (int other : around)
+          if (other >= term.block) add_to(term.block, other, term.value, &kz[i * n + local[other] * modes]);
     for (int other : around) local[other] = -1;
   }
   elastic_ = matrix_.value;

@@ -49,6 +49,7 @@ class BlockMotions {
   void add_elastic_energy();
   void add_motion(int cluster, Vector<dim> direction, double factor, Row&) const;
   std::size_t place(int block, int other) const;
+  void add_to(int block, int other, const Modes& left, const double* right);
   void add_product(const Row&, double factor);
 
   const Structure<dim>& structure_;

@@ -181,7 +181,7 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
   const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
   double best = std::numeric_limits<double>::infinity(), damping = 0;
   for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
-    if (problem_.carry(x, share_of_round_off * tolerance * scale_)) measure(x, lambda, report);
+    if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
     choose(lambda, known_gap && solves == 0 ? *known_gap : gap_);
     aim(lambda);
     const TpetraVector x_before(x, Teuchos::Copy), linear_before(*linear_, Teuchos::Copy);

@@ -252,7 +252,7 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
     s.scale = force_scale(problem_, lambda);
     const bool first = report.outer_iterations == 1;
     if (first && known_gap) predict(s, *known_gap, report);
-    problem_.carry(x, share_of_round_off * tolerance * s.scale);
+    problem_.carry(x, tolerance * s.scale);
     Tpetra::deep_copy(*s.x_old, x);
     if (first) {
       measure(s, report);

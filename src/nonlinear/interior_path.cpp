@@ -240,7 +240,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   augmentation_ = usual;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
-    problem_.carry(x, share_of_round_off * tolerance * scale_);
+    problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     arrived = size <= tolerance;

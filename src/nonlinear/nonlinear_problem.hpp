@@ -49,9 +49,10 @@ class NonlinearProblem {
   virtual double rigid_gaps(const TpetraVector& /*d*/, PointField& /*gap*/) {
     return std::numeric_limits<double>::infinity();
   }
-  /// Where round-off of x makes more than that of forces [N], stones are carried: they stay where x has them, x
-  /// becomes 0, and what they moved as wholes makes no forces any more, nor round-off. Returns whether. Collective.
-  virtual bool carry(TpetraVector& /*x*/, double /*allowed*/) { return false; }
+  /// Where round-off of x makes forces that are not small beside a tolerance [N], stones are carried: they stay where x
+  /// has them, x becomes 0, and what they moved as wholes makes no forces any more, nor round-off. Returns whether.
+  /// Collective.
+  virtual bool carry(TpetraVector& /*x*/, double /*tolerance*/) { return false; }
   /// Sum of all x that were carried; null when there was none.
   virtual const TpetraVector* carried() const { return nullptr; }
   /// r -= B^T lambda.

@@ -8,9 +8,6 @@ namespace voussoir {
 /// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
 constexpr double run_away = 0.2;
 
-/// What round-off of displacements may make of forces, counted for one node, relative to the tolerance.
-constexpr double share_of_round_off = 0.1;
-
 struct Imbalance {
   double equilibrium;  ///< [N] largest of the residual
   double contact;      ///< [N] largest change the contact law wants

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
@@ -19,6 +20,8 @@ constexpr double proximal_strain = 1e-4;
 // Stones stiffer than this many times the pressure below a column of them as high as the structure are next to rigid:
 // how far they move is a matter of geometry then, and a proximal term in proportion to stiffness would hold them.
 constexpr double next_to_rigid = 1e7;
+// What round-off of displacements may make of forces, counted for one node, relative to the tolerance.
+constexpr double share_of_round_off = 0.1;
 
 }  // namespace
 
@@ -43,14 +46,12 @@ ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& stat
 }
 
 /// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.
+/// @param volume  of this rank's own blocks [m3]
 template <int dim>
-double ContactProblem<dim>::stiffest_that_counts() const {
+double ContactProblem<dim>::stiffest_that_counts(double volume) const {
   const auto& s = parts_.structure;
-  double mine[2] = {0, 0}, all[2];
+  double mine[2] = {0, volume}, all[2];
   for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(load_[i]);
-  for (const auto& b : s.blocks())
-    if (b.first_local < s.owned_nodes())
-      for (double v : nodal_volumes(b.mesh, s.model().thickness)) mine[1] += v;
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
   return all[0] > 0 ? next_to_rigid * all[0] * s.size() / all[1] : std::numeric_limits<double>::infinity();
 }
@@ -63,17 +64,20 @@ void ContactProblem<dim>::set_proximal_weights() {
   int any = 0;
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (!any) return;  // the bonded continuum cannot run away
-  const double factor = proximal_strain / (s.size() * s.size());
-  const double mortar = parts_.softest_mortar * s.size(), stiffest = stiffest_that_counts();
+  std::vector<double> volume;  // of local node copies [m3]
   for (const auto& b : s.blocks()) {
-    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
-    const double stone = std::min(b.material.young_modulus, stiffest);
+    const auto more = nodal_volumes(b.mesh, s.model().thickness);
+    volume.insert(volume.end(), more.begin(), more.end());
+  }
+  const double stiffest = stiffest_that_counts(std::accumulate(volume.begin(), volume.begin() + s.owned_nodes(), 0.0));
+  const double factor = proximal_strain / (s.size() * s.size());
+  const double mortar = parts_.softest_mortar * s.size();
+  for (std::size_t i = 0; i < volume.size(); ++i) {
+    const int k = space_->cluster()[i];
+    if (k >= space_->owned_clusters()) continue;
+    const double stone = std::min(s.blocks()[s.block_of_node()[i]].material.young_modulus, stiffest);
     const double modulus = std::isinf(mortar) ? stone : stone / (1 + stone / mortar);
-    for (std::size_t i = 0; i < volume.size(); ++i) {
-      const int k = space_->cluster()[b.first_local + i];
-      if (k < space_->owned_clusters())
-        for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * modulus * volume[i];
-    }
+    for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * modulus * volume[i];
   }
 }
 
@@ -168,19 +172,20 @@ double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
 }
 
 template <int dim>
-bool ContactProblem<dim>::carry(TpetraVector& x, double allowed) {
-  if (parts_.inertia || !(std::numeric_limits<double>::epsilon() * stiffest_ * x.normInf() > allowed)) return false;
+bool ContactProblem<dim>::carry(TpetraVector& x, double tolerance) {
+  if (parts_.inertia) return false;
+  const double round_off = std::numeric_limits<double>::epsilon() * stiffest_ * x.normInf();
+  if (!(round_off > share_of_round_off * tolerance)) return false;
   std::vector<double> moved;
   space_->scatter(x, moved);
   if (carried_.is_null()) {
     carried_ = Teuchos::rcp(new TpetraVector(space_->map()));
     // Where finite rotations have followed stones to is no deformation.
-    deformed_ = parts_.structure.deformation(moved);
-    rigid_ = moved;
+    rigid_.assign(moved.size(), 0.0);
+    deformed_ = parts_.structure.deformation(rigid_);
     for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] -= deformed_[i];
-  } else {
-    for (std::size_t i = 0; i < moved.size(); ++i) deformed_[i] += moved[i];
   }
+  for (std::size_t i = 0; i < moved.size(); ++i) deformed_[i] += moved[i];
   split_rigid_motions(deformed_, moved);
   for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] += moved[i];
   relative_motions(parts_.points, rigid_, rigid_gap_);

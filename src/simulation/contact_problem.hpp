@@ -79,7 +79,7 @@ class ContactProblem : public NonlinearProblem {
   void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) override;
   void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) override;
   double rigid_gaps(const TpetraVector& d, PointField& gap) override;
-  bool carry(TpetraVector& x, double allowed) override;
+  bool carry(TpetraVector& x, double tolerance) override;
   const TpetraVector* carried() const override { return carried_.get(); }
   void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
   const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
@@ -97,7 +97,7 @@ class ContactProblem : public NonlinearProblem {
   void gaps(PointField& gap, bool initial) const;
   void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const;
   void set_proximal_weights();
-  double stiffest_that_counts() const;
+  double stiffest_that_counts(double volume) const;
   void set_movable();
 
   Parts parts_;
