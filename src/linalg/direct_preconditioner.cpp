@@ -18,21 +18,22 @@ struct Entry {
 }  // namespace
 
 DirectPreconditioner::DirectPreconditioner(const TpetraMatrix& a) : map_(a.getRowMap()) {
-  std::vector<Entry> entries;
+  std::vector<Entry> entries;  // of the upper triangle
   const auto local = a.getLocalMatrixHost();
   for (int i = 0; i < static_cast<int>(local.numRows()); ++i) {
     const auto row = local.row(i);
-    for (int k = 0; k < row.length; ++k)
-      entries.push_back({map_->getGlobalElement(i), a.getColMap()->getGlobalElement(row.colidx(k)), row.value(k)});
+    for (int k = 0; k < row.length; ++k) {
+      const Entry e{map_->getGlobalElement(i), a.getColMap()->getGlobalElement(row.colidx(k)), row.value(k)};
+      if (e.column >= e.row) entries.push_back(e);
+    }
   }
   entries = all_gather(entries, *map_->getComm());
   std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
     return std::tie(x.row, x.column) < std::tie(y.row, y.column);
   });
-  LocalCsr whole;  // its upper triangle
+  LocalCsr whole;
   const auto end_row = [&whole] { whole.start.push_back(static_cast<int>(whole.column.size())); };
   for (const auto& e : entries) {
-    if (e.column < e.row) continue;
     while (whole.rows() < e.row) end_row();
     whole.column.push_back(static_cast<int>(e.column));
     whole.value.push_back(e.value);
