@@ -18,7 +18,9 @@ RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096, 10000)
 # Of one iteration of conjugate gradients with the symmetric preconditioner: products with H, solves with block
 # motions (each a sum over ranks of one number per coarse unknown), passages to the continuum and back, scalar products.
 PRODUCTS, MOTIONS, TRANSFERS, SCALARS = 5, 2, 2, 3
-V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, prolongation
+V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, restriction, prolongation
+SMALL_LEVEL = 2      # from here on there are three sweeps for one, down (the first without an exchange) and up
+MORE_SWEEPS = 4
 LEAST_ROWS = 2000    # MueLu moves a level to fewer ranks below so many rows per rank
 COARSEST_ROWS = 1000
 NUMBER = 8           # bytes
@@ -46,6 +48,10 @@ def levels(rows, ranks):
             ranks = 1
         result.append((rows, ranks))
     return result
+
+
+def exchanges_of(level):
+    return V_CYCLE + (MORE_SWEEPS if level >= SMALL_LEVEL else 0)
 
 
 class Widths:
@@ -82,8 +88,8 @@ def v_cycle(r, width):
     found = levels(continuum_rows(r), r["ranks"])
     messages = bytes_sent = 0
     for k, (rows, ranks) in enumerate(found):
-        messages += V_CYCLE * 2 * pairs(ranks)
-        bytes_sent += V_CYCLE * NUMBER * width * border(ranks) * math.sqrt(rows)
+        messages += exchanges_of(k) * 2 * pairs(ranks)
+        bytes_sent += exchanges_of(k) * NUMBER * width * border(ranks) * math.sqrt(rows)
         if k + 1 < len(found) and found[k + 1][1] < ranks:
             messages += 2 * (ranks + found[k + 1][1] - 2)
             bytes_sent += 2 * NUMBER * found[k + 1][0] * (1 - found[k + 1][1] / ranks)
@@ -167,8 +173,8 @@ def seconds(blocks, ranks, machine, widths, iterations):
     multigrid, found = 0.0, levels(unknowns * share, ranks)
     for j, (rows, on) in enumerate(found):
         if on > 1:
-            multigrid += V_CYCLE * machine.exchange(2 * pairs(on) / on,
-                                                    NUMBER * widths.level * border(on) / on * math.sqrt(rows))
+            multigrid += exchanges_of(j) * machine.exchange(2 * pairs(on) / on,
+                                                            NUMBER * widths.level * border(on) / on * math.sqrt(rows))
         if j > 0:  # coarse levels are not divided as far; a row costs an eighth of one of H with its blocks
             multigrid += machine.iteration / 8 * max(0.0, rows / on - rows / ranks)
         if j + 1 < len(found) and found[j + 1][1] < on:

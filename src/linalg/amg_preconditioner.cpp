@@ -1,6 +1,7 @@
 #include "linalg/amg_preconditioner.hpp"
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <algorithm>
 #include <string>
 
 #include "linalg/reduce.hpp"
@@ -23,26 +24,65 @@ LevelMatrix matrix_of(MueLu::Level& level) {
   }
 }
 
-Teuchos::ParameterList parameters_for(int dim, int ranks) {
+constexpr int first_small_level = 2;  // of some 60th part of the unknowns
+constexpr int last_level = 9;         // MueLu makes ten
+
+bool names_smoothers(const Teuchos::ParameterList& list) {
+  for (auto entry = list.begin(); entry != list.end(); ++entry)
+    if (list.name(entry).rfind("smoother:", 0) == 0) return true;
+  return false;
+}
+
+/// Forwards down and backwards up: symmetric, an iteration more than symmetric sweeps take, 0.75 of their time.
+void smooth(Teuchos::ParameterList& list, int sweeps) {
+  for (const auto* way : {"pre", "post"}) {
+    const std::string smoother = std::string("smoother: ") + way;
+    list.set(smoother + " type", "RELAXATION");
+    auto& parameters = list.sublist(smoother + " params");
+    parameters.set("relaxation: type", "Gauss-Seidel");
+    parameters.set("relaxation: sweeps", sweeps);
+  }
+  list.sublist("smoother: post params").set("relaxation: backward mode", true);
+}
+
+/// Parts of ranks have slanting borders, along which aggregates come out uneven, and those of aggregates more so: small
+/// levels grow theirs from one to the next, and sweep three times, which costs little there (README.md, "Decisions").
+void treat_small_levels(Teuchos::ParameterList& list, const Teuchos::ParameterList& overrides) {
+  for (int l = first_small_level; l <= last_level; ++l) {
+    const auto name = "level " + std::to_string(l);
+    auto& level = list.sublist(name);
+    const bool own = overrides.isSublist(name) && names_smoothers(overrides.sublist(name));
+    if (!own && !names_smoothers(overrides)) smooth(level, 3);
+    if (!overrides.isParameter("aggregation: ordering")) level.set("aggregation: ordering", "graph");
+  }
+}
+
+/// Debian's direct coarse solver is wrong on more than one rank, so a level small enough to be the coarsest, also where
+/// the user says how small, must be too small for two.
+void keep_coarsest_on_one_rank(Teuchos::ParameterList& list) {
+  const char* const coarsest = "coarse: max size";
+  const char* const least = "repartition: min rows per proc";
+  if (list.isType<int>(coarsest) && list.isType<int>(least))
+    list.set(least, std::max(list.get<int>(coarsest), list.get<int>(least)));
+}
+
+/// Whoever names smoothers gets those alone: MueLu lets ours go before "smoother: type".
+Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::ParameterList& overrides) {
   Teuchos::ParameterList list("MueLu");
   list.set("verbosity", "none");
   list.set("number of equations", dim);
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
-  // Forwards down and backwards up: symmetric, an iteration more than symmetric sweeps take, 0.75 of their time.
-  for (const auto* way : {"pre", "post"}) {
-    const std::string smoother = std::string("smoother: ") + way;
-    list.set(smoother + " type", "RELAXATION");
-    list.sublist(smoother + " params").set("relaxation: type", "Gauss-Seidel");
-  }
-  list.sublist("smoother: post params").set("relaxation: backward mode", true);
+  if (!names_smoothers(overrides)) smooth(list, 1);
   if (ranks > 1) {
-    // Debian's direct coarse solver is wrong on more than one rank: bring the coarsest level onto one.
     list.set("repartition: enable", true);
     list.set("repartition: partitioner", "zoltan2");
     list.set("repartition: start level", 1);
     list.set("repartition: min rows per proc", 2000);
+    treat_small_levels(list, overrides);
   }
+  list.setParameters(overrides);
+  if (ranks > 1) keep_coarsest_on_one_rank(list);
   return list;
 }
 
@@ -57,8 +97,7 @@ AmgPreconditioner::AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a,
                                      const Teuchos::RCP<TpetraMultiVector>& near_null, int dim,
                                      const Teuchos::ParameterList& overrides)
     : data_(std::make_unique<Data>()) {
-  auto list = parameters_for(dim, a->getComm()->getSize());
-  list.setParameters(overrides);
+  auto list = parameters_for(dim, a->getComm()->getSize(), overrides);
   auto& user = list.sublist("user data");
   user.set("Coordinates", Teuchos::RCP<Coordinates>(coordinates));
   user.set("Nullspace", near_null);

@@ -64,7 +64,8 @@ void check(const SystemRow& row, int iterations_on_one_rank, Teuchos::FancyOStre
   TEST_COMPARE(of(TrafficOf::krylov).messages, <=, 5LL * n * (row.iterations + 1));
   TEST_COMPARE(of(TrafficOf::transfer).messages, <=, 2LL * n * (row.iterations + 1));
   // Of a V-cycle: per level four sweeps of its smoother, a residual, down and up, and as many again where a level moves
-  // to other ranks. Coarse levels may touch more ranks than the finest, but never all but one.
+  // to other ranks; these walls have no third level, which would be swept three times. Coarse levels may touch more
+  // ranks than the finest, but never all but one.
   const long long levels = static_cast<long long>(row.levels.size());
   TEST_COMPARE(of(TrafficOf::continuum).messages, <=, 8 * levels * (row.ranks - 1) * (row.iterations + 1));
   // Scalar products, and twice the sum of the right-hand side of block motions.

@@ -3,6 +3,7 @@
 // Debian's direct solvers of Trilinos give wrong answers on matrices that are spread over ranks, and MueLu calls one
 // on its coarsest level. With them these tests fail on two ranks: iterations do not end.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <memory>
 
 #include "homogenisation/continuum.hpp"
 #include "linalg/amg_preconditioner.hpp"
@@ -26,38 +27,64 @@ TEUCHOS_UNIT_TEST(DirectPreconditioner, IsTheExactInverseOnAnyNumberOfRanks) {
   }
 }
 
+/// A wall in running bond, all joints tied, held at its base.
+class BondedWall {
+ public:
+  BondedWall(int courses, const Comm& comm, const Teuchos::ParameterList& muelu = Teuchos::ParameterList())
+      : source_(make_wall(with(courses))), structure_(structure_of(*source_, comm)), points_(*source_, structure_) {
+    std::vector<char> held(2 * structure_.nodes(), 0);
+    for (int i = 0; i < structure_.nodes(); ++i)
+      if (structure_.position()[i][1] == 0) held[2 * i] = held[2 * i + 1] = 1;
+    continuum_ = std::make_unique<Continuum<2>>(structure_, points_, held, muelu);
+  }
+  const Continuum<2>& continuum() const { return *continuum_; }
+  const Preconditioner& multigrid() const { return *continuum_->preconditioner(); }
+  Teuchos::RCP<TpetraVector> noise() const { return noise_vector(continuum_->space().map()); }
+
+ private:
+  static WallParameters with(int courses) {
+    WallParameters wall;
+    wall.courses = wall.blocks_per_course = courses;
+    return wall;
+  }
+  std::unique_ptr<BlockSource<2>> source_;
+  Structure<2> structure_;
+  ContactPoints<2> points_;
+  std::unique_ptr<Continuum<2>> continuum_;
+};
+
+/// Small walls get as many levels as large ones.
+Teuchos::ParameterList four_levels() {
+  Teuchos::ParameterList muelu("MueLu");
+  muelu.set("coarse: max size", 50);
+  return muelu;
+}
+
 struct Solved {
   int iterations = 0;
   double residual = 1;
-  bool multigrid = false;
+  std::size_t levels = 0;
 };
 
-/// A wall of 16 x 16 blocks, all joints bonded, held at its base, under noise on its free unknowns.
-Solved bonded_wall(const Comm& comm) {
-  WallParameters wall;
-  wall.courses = wall.blocks_per_course = 16;  // 4290 unknowns: two levels and more than one block row per rank
-  const auto source = make_wall(wall);
-  const auto structure = structure_of(*source, comm);
-  const ContactPoints<2> points(*source, structure);
-  std::vector<char> held(2 * structure.nodes(), 0);
-  for (int i = 0; i < structure.nodes(); ++i)
-    if (structure.position()[i][1] == 0) held[2 * i] = held[2 * i + 1] = 1;
-  const Continuum<2> continuum(structure, points, held, {});
-  const auto b = noise_vector(continuum.space().map());
+/// Under noise on its free unknowns.
+Solved solved(const BondedWall& wall) {
+  const auto& continuum = wall.continuum();
+  const auto b = wall.noise();
   for (int i = 0; i < 2 * continuum.space().owned_clusters(); ++i)
     if (continuum.space().held()[i]) local_view_to_write(*b)[i] = 0;
   const auto x = Teuchos::rcp(new TpetraVector(b->getMap()));
   LinearSolver solver({});
   const auto result = solver.solve(continuum.matrix(), continuum.preconditioner(), b, x, 1e-8);
-  return {result.iterations, relative_residual(*continuum.matrix(), *b, *x),
-          std::dynamic_pointer_cast<const AmgPreconditioner>(continuum.preconditioner()) != nullptr};
+  return {result.iterations, relative_residual(*continuum.matrix(), *b, *x), continuum.levels().size()};
 }
 
+// 4290 unknowns: two levels and more than one block row per rank.
 TEUCHOS_UNIT_TEST(AmgPreconditioner, SolvesTheBondedWallInAsManyIterationsAsOneRank) {
-  const auto one = bonded_wall(alone());
-  const auto many = bonded_wall(everyone());
+  const auto one = solved(BondedWall(16, alone()));
+  const auto many = solved(BondedWall(16, everyone()));
   out << "iterations: " << one.iterations << " on one rank, " << many.iterations << " here\n";
-  TEST_ASSERT(one.multigrid && many.multigrid);
+  TEST_EQUALITY(one.levels, 2u);
+  TEST_EQUALITY(many.levels, 2u);
   TEST_COMPARE(one.residual, <=, 1.001e-8);
   TEST_COMPARE(many.residual, <=, 1.001e-8);
   // Ranks change aggregates at their borders and the order of Gauss-Seidel: a few iterations, not a factor.
@@ -66,25 +93,68 @@ TEUCHOS_UNIT_TEST(AmgPreconditioner, SolvesTheBondedWallInAsManyIterationsAsOneR
   TEST_COMPARE(many.iterations, <=, 11);
 }
 
+TEUCHOS_UNIT_TEST(AmgPreconditioner, LosesNothingOnItsSmallLevelsToRanks) {
+  const auto one = solved(BondedWall(32, alone(), four_levels()));
+  const auto many = solved(BondedWall(32, everyone(), four_levels()));
+  out << "iterations: " << one.iterations << " on one rank, " << many.iterations << " here\n";
+  TEST_EQUALITY(one.levels, 4u);
+  TEST_EQUALITY(many.levels, 4u);
+  TEST_COMPARE(many.residual, <=, 1.001e-8);
+  TEST_COMPARE(many.iterations, <=, one.iterations + 1);
+}
+
+// Where the direct solver is right, whatever the user says of levels.
+TEUCHOS_UNIT_TEST(AmgPreconditioner, HasItsCoarsestLevelOnOneRank) {
+  Teuchos::ParameterList muelu("MueLu");
+  muelu.set("coarse: max size", 900);
+  muelu.set("repartition: min rows per proc", 10);
+  const BondedWall wall(16, everyone(), muelu);
+  TEST_EQUALITY(wall.continuum().levels().back().ranks, 1);
+  const auto result = solved(wall);
+  TEST_COMPARE(result.residual, <=, 1.001e-8);
+  TEST_COMPARE(result.iterations, <=, 11);
+}
+
 TEUCHOS_UNIT_TEST(AmgPreconditioner, IsSymmetricSoThatConjugateGradientsStayConjugate) {
-  WallParameters wall;
-  wall.courses = wall.blocks_per_course = 16;
-  const auto source = make_wall(wall);
-  const auto structure = structure_of(*source, everyone());
-  const ContactPoints<2> points(*source, structure);
-  std::vector<char> held(2 * structure.nodes(), 0);
-  for (int i = 0; i < structure.nodes(); ++i)
-    if (structure.position()[i][1] == 0) held[2 * i] = held[2 * i + 1] = 1;
-  const Continuum<2> continuum(structure, points, held, {});
-  const auto v = noise_vector(continuum.space().map());
-  TpetraVector w(v->getMap()), mv(v->getMap()), mw(v->getMap());
-  for (std::size_t i = 0; i < w.getLocalLength(); ++i)
-    local_view_to_write(w)[i] = noise(5 * v->getMap()->getGlobalElement(static_cast<int>(i)) + 3);
-  continuum.preconditioner()->apply(*v, mv);
-  continuum.preconditioner()->apply(w, mw);
-  // Round-off of 4290 terms, relative to the size of the terms.
-  TEST_COMPARE(std::abs(w.dot(mv) - v->dot(mw)), <=, 1e-10 * std::sqrt(v->dot(mv) * w.dot(mw)));
-  TEST_COMPARE(v->dot(mv), >, 0.0);
+  for (const auto& muelu : {Teuchos::ParameterList(), four_levels()}) {
+    const BondedWall wall(16, everyone(), muelu);
+    const auto v = wall.noise();
+    TpetraVector w(v->getMap()), mv(v->getMap()), mw(v->getMap());
+    for (std::size_t i = 0; i < w.getLocalLength(); ++i)
+      local_view_to_write(w)[i] = noise(5 * v->getMap()->getGlobalElement(static_cast<int>(i)) + 3);
+    wall.multigrid().apply(*v, mv);
+    wall.multigrid().apply(w, mw);
+    // Round-off of 4290 terms, relative to the size of the terms.
+    TEST_COMPARE(std::abs(w.dot(mv) - v->dot(mw)), <=, 1e-10 * std::sqrt(v->dot(mv) * w.dot(mw)));
+    TEST_COMPARE(v->dot(mv), >, 0.0);
+  }
+}
+
+/// |a - b| / |b|
+double difference(const TpetraVector& a, const TpetraVector& b) {
+  TpetraVector d(a, Teuchos::Copy);
+  d.update(-1.0, b, 1.0);
+  return d.norm2() / b.norm2();
+}
+
+// MueLu has a key for smoothers on both ways and keys for each, which go before it, also where they are ours.
+TEUCHOS_UNIT_TEST(AmgPreconditioner, SmoothsAsTheUserSaysOnEveryLevel) {
+  const auto cycle = [](const std::vector<std::string>& ways) {
+    auto muelu = four_levels();
+    for (const auto& way : ways) {
+      muelu.set("smoother: " + way + "type", "RELAXATION");
+      muelu.sublist("smoother: " + way + "params").set("relaxation: type", "Jacobi");
+      muelu.sublist("smoother: " + way + "params").set("relaxation: damping factor", 0.5);
+    }
+    const BondedWall wall(16, everyone(), muelu);
+    const auto r = wall.noise();
+    auto z = Teuchos::rcp(new TpetraVector(r->getMap()));
+    wall.multigrid().apply(*r, *z);
+    return z;
+  };
+  const auto ours = cycle({}), for_both = cycle({""}), for_each = cycle({"pre ", "post "});
+  TEST_COMPARE(difference(*for_both, *for_each), <=, 1e-12);  // the same operations
+  TEST_COMPARE(difference(*for_both, *ours), >=, 1e-2);       // another smoother altogether
 }
 
 }  // namespace
