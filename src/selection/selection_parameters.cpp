@@ -16,7 +16,7 @@ void SelectionParameters::declare(ParameterSection& section) {
               "a round that releases nothing makes no progress", "0.9 is usual, 1 releases all that violate.");
   section.add("whole joints", whole_joints, "release all points of the joint of a marked point");
   section.add("largest share", largest_share, "-", above_up_to(0.0, 1.0),
-              "share of selected points above which the others are resolved too: tying so few saves no solves",
+              "share of points, seen one round ahead, above which all are resolved: tying so few saves no solves",
               "0 would select all at once, which is mode all", "0.5 is usual, 1 ties whatever can be tied.");
   section.add("largest rounds", largest_rounds, "-", between(1, 1e6), "rounds of release in one load step",
               "the first round is the solution itself");
