@@ -142,6 +142,16 @@ Imbalance InteriorPath::measure(const TpetraVector& x, const PointField& lambda)
   return {equilibrium / scale_, contact / scale_};
 }
 
+/// Residual of the state measured last once its forces have left the path, relative to the scale: what many open points
+/// give up together can be more than a rough tolerance.
+double InteriorPath::left(const PointField& lambda) {
+  PointField admissible = lambda;
+  leave(admissible);
+  Tpetra::deep_copy(*gradient_, *linear_);
+  const auto [equilibrium, contact] = imbalance(problem_, admissible, gap_, *gradient_);
+  return std::max(equilibrium, contact) / scale_;
+}
+
 /// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
 double InteriorPath::barrier() const {
   double mine[2] = {0, 0}, all[2];
@@ -243,7 +253,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
-    arrived = size <= tolerance;
+    arrived = size <= tolerance && left(lambda) <= tolerance;
     const bool slow = iteration > raised + patience && equilibrium < balanced * contact &&
                       size > gained * sizes[iteration - patience];
     const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;
