@@ -70,7 +70,8 @@ class ContactProblem : public NonlinearProblem {
   int components() const override { return dim; }
   int points() const override { return parts_.points.size(); }
   int owned_points() const override { return parts_.points.owned(); }
-  /// Without points that supports hold on both sides, whose force nothing determines, and those not built yet.
+  /// Without points whose force nothing determines, as supports hold both sides or other joints tie them, and those not
+  /// built yet.
   const std::vector<char>& selected() const override { return movable_; }
   const PointLaws& law() const override { return law_; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
