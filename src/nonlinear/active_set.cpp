@@ -102,6 +102,7 @@ double ActiveSet::measure(const TpetraVector& x, const PointField& lambda, Newto
   problem_.evaluate(x, *linear_, gap_);
   std::vector<double> bound;
   friction_bounds(problem_, lambda, bound);
+  admissible_ = lambda;  // what tied points bear stays
   project(problem_, lambda, bound, admissible_);
   Tpetra::deep_copy(*gradient_, *linear_);
   const auto [equilibrium, contact] = imbalance(problem_, admissible_, gap_, *gradient_);
