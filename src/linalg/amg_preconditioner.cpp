@@ -45,8 +45,8 @@ void smooth(Teuchos::ParameterList& list, int sweeps) {
   list.sublist("smoother: post params").set("relaxation: backward mode", true);
 }
 
-/// Parts of ranks have slanting borders, along which aggregates come out uneven, and those of aggregates more so: small
-/// levels grow theirs from one to the next, and sweep three times, which costs little there (README.md, "Decisions").
+/// Along slanting borders, as those of ranks, aggregates come out uneven, and those of aggregates more so: small levels
+/// grow theirs from one to the next, and sweep three times, which costs little there (README.md, "Decisions").
 void treat_small_levels(Teuchos::ParameterList& list, const Teuchos::ParameterList& overrides) {
   for (int l = first_small_level; l <= last_level; ++l) {
     const auto name = "level " + std::to_string(l);
@@ -74,12 +74,12 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
   if (!names_smoothers(overrides)) smooth(list, 1);
+  treat_small_levels(list, overrides);
   if (ranks > 1) {
     list.set("repartition: enable", true);
     list.set("repartition: partitioner", "zoltan2");
     list.set("repartition: start level", 1);
     list.set("repartition: min rows per proc", 2000);
-    treat_small_levels(list, overrides);
   }
   list.setParameters(overrides);
   if (ranks > 1) keep_coarsest_on_one_rank(list);
