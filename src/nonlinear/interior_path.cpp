@@ -137,6 +137,11 @@ int InteriorPath::solve(NewtonReport& report) {
 /// Residuals of x with the forces of the path, relative to the scale; leaves K x - f in linear_ and the gaps.
 Imbalance InteriorPath::measure(const TpetraVector& x, const PointField& lambda) {
   problem_.evaluate(x, *linear_, gap_);
+  return residuals(lambda);
+}
+
+/// Residuals of forces at the place measured last, relative to the scale.
+Imbalance InteriorPath::residuals(const PointField& lambda) {
   Tpetra::deep_copy(*gradient_, *linear_);
   const auto [equilibrium, contact] = imbalance(problem_, lambda, gap_, *gradient_);
   return {equilibrium / scale_, contact / scale_};
@@ -144,12 +149,10 @@ Imbalance InteriorPath::measure(const TpetraVector& x, const PointField& lambda)
 
 /// Residual of the state measured last once its forces have left the path, relative to the scale: what many open points
 /// give up together can be more than a rough tolerance.
-double InteriorPath::left(const PointField& lambda) {
-  PointField admissible = lambda;
-  leave(admissible);
-  Tpetra::deep_copy(*gradient_, *linear_);
-  const auto [equilibrium, contact] = imbalance(problem_, admissible, gap_, *gradient_);
-  return std::max(equilibrium, contact) / scale_;
+double InteriorPath::after_leaving(PointField lambda) {
+  leave(lambda);
+  const auto [equilibrium, contact] = residuals(lambda);
+  return std::max(equilibrium, contact);
 }
 
 /// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
@@ -253,7 +256,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
-    arrived = size <= tolerance && left(lambda) <= tolerance;
+    arrived = size <= tolerance && after_leaving(lambda) <= tolerance;
     const bool slow = iteration > raised + patience && equilibrium < balanced * contact &&
                       size > gained * sizes[iteration - patience];
     const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;

@@ -58,7 +58,8 @@ class InteriorPath {
   void set_out(PointField& lambda, double shift);
   void resistances(const PointField& lambda, bool predicting);
   Imbalance measure(const TpetraVector& x, const PointField& lambda);
-  double left(const PointField& lambda);
+  Imbalance residuals(const PointField& lambda);
+  double after_leaving(PointField lambda);
   double barrier() const;
   void aim(const PointField& lambda, double target);
   int solve(NewtonReport&);

@@ -182,14 +182,13 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       wanted = tolerance;
     } else if (selection.mode == SelectionMode::adaptive && report.error_estimate > allowed &&
                report.selection_rounds < selection.largest_rounds) {
-      const long long selected = count_selected(model_, state);
-      more = release(model_, law_, cluster, decrease, state);
+      const auto released = release(model_, law_, cluster, decrease, state);
+      more = released > 0;
       if (more) known = 0;
       if (more) wanted = std::clamp(share_of_violation * violations.largest, tolerance, coarsest_tolerance);
       const auto most = selection.largest_share * static_cast<double>(model_.points().total());
-      const long long now = count_selected(model_, state);
       // The next round tends to release as many again: better all at once than a round that is thrown away.
-      if (static_cast<double>(now + (now - selected)) > most && release_all(model_, law_, state)) {
+      if (static_cast<double>(count_selected(model_, state) + released) > most && release_all(model_, law_, state)) {
         more = true;
         wanted = tolerance;
       }

@@ -25,8 +25,8 @@ void admit(const PointLaws& law, ContactState& state) {
 }  // namespace
 
 template <int dim>
-bool release(const Model<dim>& model, const PointLaws& law, const std::vector<int>& cluster,
-             const std::vector<double>& eta, ContactState& state) {
+long long release(const Model<dim>& model, const PointLaws& law, const std::vector<int>& cluster,
+                  const std::vector<double>& eta, ContactState& state) {
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
   const auto& parameters = model.scene().selection;
@@ -56,7 +56,7 @@ bool release(const Model<dim>& model, const PointLaws& law, const std::vector<in
   points.exchange().update(selected, 1);
   for (int k = 0; k < points.size(); ++k) state.selected[k] = selected[k] != 0;
   admit<dim>(law, state);
-  return total_over_ranks(comm, released) > 0;
+  return total_over_ranks(comm, released);
 }
 
 template <int dim>
@@ -84,8 +84,8 @@ long long count_selected(const Model<dim>& model, const ContactState& state) {
   return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
 }
 
-template bool release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
-                         const std::vector<double>&, ContactState&);
+template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
+                              const std::vector<double>&, ContactState&);
 template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
 template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
 template long long count_selected<2>(const Model<2>&, const ContactState&);

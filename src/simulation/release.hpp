@@ -9,10 +9,10 @@ namespace voussoir {
 /// Selects the points whose predicted decrease `eta` [J, per owned point] holds the share the scene asks for, with
 /// their joints where it says so; their forces become admissible. Collective.
 /// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
-/// @return false when nothing new was selected
+/// @return how many were newly selected
 template <int dim>
-bool release(const Model<dim>&, const PointLaws&, const std::vector<int>& cluster,
-             const std::vector<double>& eta, ContactState&);
+long long release(const Model<dim>&, const PointLaws&, const std::vector<int>& cluster,
+                  const std::vector<double>& eta, ContactState&);
 
 /// Selects every point, with admissible forces; false when all were selected already. Collective.
 template <int dim>
@@ -27,8 +27,8 @@ bool release_mortar(const Model<dim>&, const PointLaws&, ContactState&);
 template <int dim>
 long long count_selected(const Model<dim>&, const ContactState&);
 
-extern template bool release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
-                                const std::vector<double>&, ContactState&);
+extern template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
+                                     const std::vector<double>&, ContactState&);
 extern template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
 extern template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
 extern template long long count_selected<2>(const Model<2>&, const ContactState&);
