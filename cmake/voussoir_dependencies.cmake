@@ -1,4 +1,4 @@
-# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod.
+# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod, ::umfpack.
 # Used by the build and, installed, by find_package(Voussoir).
 
 find_package(MPI REQUIRED COMPONENTS CXX)
@@ -28,6 +28,7 @@ voussoir_find_library(hdf5 hdf5.h hdf5_openmpi libhdf5-openmpi-dev HEADER_PATHS 
 voussoir_find_library(metis metis.h metis libmetis-dev)
 voussoir_find_library(gmsh gmsh.h gmsh libgmsh-dev)
 voussoir_find_library(cholmod suitesparse/cholmod.h cholmod libsuitesparse-dev)
+voussoir_find_library(umfpack suitesparse/umfpack.h umfpack libsuitesparse-dev)
 
 # Trilinos' own targets carry no MPI and do not mark their headers as system headers.
 if(NOT TARGET Voussoir::trilinos)

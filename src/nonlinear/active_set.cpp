@@ -26,6 +26,8 @@ constexpr int patience_in_time = 8, patience_at_rest = 4;
 constexpr double gained = 0.5;
 // A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
 constexpr int many_krylov = 50;
+// Later ones may take more, as long as residuals fall.
+constexpr int most_krylov = 80;
 // Right sides larger than this many times the largest force are solved as accurately as if they were not: they are
 // those of stones that flew, and what a solve leaves of them must not push the others.
 constexpr double flown = 3;
@@ -35,6 +37,9 @@ constexpr double descent = 0.2, shortest = 1.0 / 64;
 // A residual that grows by more than this has lost a stone. Points that give way then resist by this share of the local
 // stiffness, ten times as much if that does not help, and a tenth after every step that is taken.
 constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5;
+// Where a step gains less than half, blocks beyond this share of the residual are brought to rest alone, to this share
+// of the tolerance; residuals may rise by so much then, as those beside them have to follow.
+constexpr double stuck = 1e-2, much = 0.1, spoilt = 10;
 
 }  // namespace
 
@@ -150,7 +155,8 @@ double ActiveSet::step_length(const PointField& lambda) const {
 /// One linear solve with the statuses chosen; returns its Krylov iterations. What damping resists is no force: nothing
 /// of it is left once points rest.
 /// @param damping  of points that give way, relative to their local stiffness
-int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance) {
+/// @param most     Krylov iterations
+int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most) {
   auto damped = resistance_;
   for (int k = 0; damping > 0 && k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -158,7 +164,6 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
     damped[k].tangential = std::max(damped[k].tangential, stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
-  const int most = inertia_ ? 0 : many_krylov;
   const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, relative_tolerance, most);
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
@@ -177,10 +182,31 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
   return krylov;
 }
 
+/// Brings the stones that keep residuals up to rest. Returns whether that may be tried again.
+/// @param known  residual that has been reached before
+/// @param size   of the state, written over
+bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start,
+                                double known, double& size, NewtonReport& report) {
+  const TpetraVector x_before(x, Teuchos::Copy);
+  const PointField lambda_before = lambda;
+  const double size_before = size;
+  lambda = admissible_;
+  const int solves = problem_.correct_locally(
+      x, lambda, {std::max(tolerance, stuck * known) * scale_, much * tolerance, scale_, resistance_, start});
+  report.local_solves += solves;
+  if (solves > 0) size = measure(x, lambda, report);
+  if (solves > 0 && size != size_before && size <= spoilt * size_before) return true;
+  Tpetra::deep_copy(x, x_before);
+  lambda = lambda_before;
+  if (solves > 0) size = measure(x, lambda, report);
+  return solves == 0;
+}
+
 bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
                       const PointField* known_gap, NewtonReport& report) {
   const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
   double best = std::numeric_limits<double>::infinity(), damping = 0;
+  bool local = true;
   for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
     choose(lambda, known_gap && solves == 0 ? *known_gap : gap_);
@@ -192,18 +218,22 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
       problem_.subtract_contact_forces(target_, *gradient_);
       gradient_->scale(-1.0);
       const double share = inertia_ ? 1.0 : std::min(1.0, flown * largest_force / gradient_->normInf());
-      const int krylov = step(x, lambda, damping, std::max(accuracy * share, std::numeric_limits<double>::epsilon()));
+      const int most = inertia_ ? 0 : std::isinf(best) ? many_krylov : most_krylov;
+      const int krylov =
+          step(x, lambda, damping, std::max(accuracy * share, std::numeric_limits<double>::epsilon()), most);
       report.count(krylov);
       ++solves;
       size = measure(x, lambda, report);
       tell(report, krylov);
+      if (!inertia_ && local && size > std::max(tolerance, gained * best))
+        local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
       if (size <= tolerance) {
         lambda = admissible_;
         report.outcome = NewtonOutcome::converged;
         return true;
       }
       if (inertia_) break;  // nothing flies
-      if (krylov >= many_krylov) return false;
+      if (krylov >= many_krylov && size > gained * best) return false;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
       if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;

@@ -35,7 +35,9 @@ class ActiveSet {
  private:
   void choose(const PointField& lambda, const PointField& gap);
   void aim(const PointField& lambda);
-  int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance);
+  int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
+  bool correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start, double known,
+                       double& size, NewtonReport&);
   double step_length(const PointField& lambda) const;
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
   void tell(const NewtonReport&, int krylov) const;

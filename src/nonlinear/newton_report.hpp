@@ -24,6 +24,7 @@ struct NewtonReport {
   int newton_iterations = 0;   ///< linear solves
   long long krylov_iterations = 0;
   int largest_krylov = 0;      ///< of one solve
+  int local_solves = 0;        ///< linear solves of patches
   double residual = 0;         ///< [-] equilibrium, relative to the largest force
   double complementarity = 0;  ///< [-] contact law, relative to the largest force
   double penetration = 0;      ///< [m]
@@ -40,6 +41,7 @@ struct NewtonReport {
     newton_iterations += other.newton_iterations;
     krylov_iterations += other.krylov_iterations;
     largest_krylov = largest_krylov > other.largest_krylov ? largest_krylov : other.largest_krylov;
+    local_solves += other.local_solves;
     outcome = other.outcome;
     residual = other.residual;
     complementarity = other.complementarity;

@@ -18,6 +18,15 @@ inline const std::vector<PointCompliance>& no_mortar() {
   return none;
 }
 
+/// What a local correction is asked for.
+struct LocalRequest {
+  double threshold = 0;  ///< [N] blocks out of balance or against the law by more are brought to rest
+  double tolerance = 0;  ///< relative to the largest force
+  double scale = 0;      ///< [N] that force
+  const std::vector<PointStiffness>& resistance;  ///< of the last linear solve
+  const TpetraVector& start;  ///< where stones of patches begin: before that solve, which they may have fled from
+};
+
 /// Equilibrium K u - f = B^T lambda of one load step with the contact law at its selected points.
 ///
 /// Point fields cover this rank's points and ghosts; each owner and its ghosts compute the same bits,
@@ -63,6 +72,9 @@ class NonlinearProblem {
   /// @param largest_krylov  0 = as many as the scene allows
   virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
                     const Teuchos::RCP<TpetraVector>& d, double relative_tolerance, int largest_krylov = 0) = 0;
+  /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
+  /// still. Returns linear solves of patches, 0 where there was nothing to do or a patch would be too large. Collective.
+  virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }
   /// Largest force in play [N]: what residuals are measured against.
   virtual double force_scale() const = 0;
   /// Size of the structure [m]: what run-away displacements are measured against.

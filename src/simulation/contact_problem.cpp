@@ -10,6 +10,7 @@
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/traffic.hpp"
+#include "simulation/local_correction.hpp"
 
 namespace voussoir {
 namespace {
@@ -220,6 +221,12 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   coarse_->set_symmetry(symmetry);
   return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance, symmetry, largest_krylov)
       .iterations;
+}
+
+template <int dim>
+int ContactProblem<dim>::correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest& request) {
+  const typename LocalCorrection<dim>::Parts parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this};
+  return LocalCorrection<dim>(parts).apply(x, lambda, request);
 }
 
 template class ContactProblem<2>;

@@ -1,0 +1,61 @@
+#include "linalg/sparse_lu.hpp"
+
+#include <suitesparse/umfpack.h>
+
+#include <new>
+
+#include "base/check.hpp"
+
+namespace voussoir {
+
+struct SparseLu::Data {
+  void* order = nullptr;
+  void* factor = nullptr;
+  int rows = 0;
+
+  Data() = default;
+  ~Data() {
+    umfpack_di_free_numeric(&factor);
+    umfpack_di_free_symbolic(&order);
+  }
+  Data(const Data&) = delete;
+  Data& operator=(const Data&) = delete;
+};
+
+namespace {
+
+void expect_memory(int status) {
+  if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+  VOUSSOIR_EXPECT(status == UMFPACK_OK || status == UMFPACK_WARNING_singular_matrix);
+}
+
+}  // namespace
+
+SparseLu::SparseLu() : data_(std::make_unique<Data>()) {}
+SparseLu::~SparseLu() = default;
+SparseLu::SparseLu(SparseLu&&) noexcept = default;
+SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
+
+// UMFPACK reads columns: rows of A are the columns of its transpose.
+void SparseLu::factor(const LocalCsr& a) {
+  auto& d = *data_;
+  if (!d.order) {
+    d.rows = a.rows();
+    expect_memory(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), a.value.data(), &d.order,
+                                      nullptr, nullptr));
+  }
+  VOUSSOIR_EXPECT(a.rows() == d.rows);
+  umfpack_di_free_numeric(&d.factor);
+  expect_memory(
+      umfpack_di_numeric(a.start.data(), a.column.data(), a.value.data(), d.order, &d.factor, nullptr, nullptr));
+}
+
+bool SparseLu::solve(const LocalCsr& a, const double* b, double* x) const {
+  VOUSSOIR_EXPECT(data_->factor != nullptr);
+  const int status = umfpack_di_solve(UMFPACK_At, a.start.data(), a.column.data(), a.value.data(), x, b, data_->factor,
+                                      nullptr, nullptr);
+  expect_memory(status);
+  return status == UMFPACK_OK;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,30 @@
+// Direct solution of unsymmetric systems on one rank: UMFPACK behind a wall.
+#pragma once
+
+#include <memory>
+
+#include "linalg/local_csr.hpp"
+
+namespace voussoir {
+
+/// LU factors of a sparse square matrix of one rank. The pattern is ordered once for all matrices that have it.
+class SparseLu {
+ public:
+  SparseLu();
+  ~SparseLu();
+  SparseLu(SparseLu&&) noexcept;
+  SparseLu& operator=(SparseLu&&) noexcept;
+
+  /// Factors a matrix, of the pattern of the first one given.
+  void factor(const LocalCsr& a);
+  /// x = A^-1 b, both [rows]; x must not be b.
+  /// @param a  what was factored last
+  /// @return false, and x anything, where A is singular
+  bool solve(const LocalCsr& a, const double* b, double* x) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,150 @@
+#include "nonlinear/patch.hpp"
+
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "base/check.hpp"
+#include "linalg/local_view.hpp"
+#include "nonlinear/interior_path.hpp"
+
+namespace voussoir {
+namespace {
+
+// Steps of the path: those that arrive on walls and arches took up to 60.
+constexpr int largest_path = 80;
+
+/// Which way an unknown of a point (of i, of i, of j, of j) moves its gap along an axis.
+double share(const PatchPoint& p, int unknown, int axis) {
+  return (unknown < 2 ? -1 : 1) * p.axis[axis][unknown % 2];
+}
+
+}  // namespace
+
+std::array<double, 2> PatchPoint::motion(const double* displacement) const {
+  std::array<double, 2> sum{};
+  for (int a = 0; a < 2; ++a)
+    for (int i = 0; i < 4; ++i)
+      if (unknown[i] >= 0) sum[a] += share(*this, i, a) * displacement[unknown[i]];
+  return sum;
+}
+
+Patch::Patch(PatchParts parts)
+    : parts_(std::move(parts)), selected_(parts_.points.size(), 1), law_(parts_.points.size()) {
+  const int n = static_cast<int>(parts_.imbalance.size());
+  map_ = Teuchos::rcp(new TpetraMap(n, n, 0, Teuchos::rcp(new Teuchos::SerialComm<int>())));
+  for (std::size_t k = 0; k < parts_.points.size(); ++k) {
+    const auto& p = parts_.points[k];
+    law_.set(k, p.law);
+    local_stiffness_.push_back(p.local_stiffness);
+    compliance_.push_back(p.compliance);
+    slip_origin_.insert(slip_origin_.end(), p.slip_origin.begin(), p.slip_origin.end());
+  }
+  set_pattern();
+  for (const auto& e : parts_.stiffness) entry(stiffness_, e.row, e.column) += e.value;
+  for (const auto& p : parts_.border) {
+    add(p, p.resistance, stiffness_);
+    for (int i = 0; i < 4; ++i)
+      if (p.unknown[i] >= 0)
+        parts_.imbalance[p.unknown[i]] -= share(p, i, 0) * p.force[0] + share(p, i, 1) * p.force[1];
+  }
+}
+
+void Patch::set_pattern() {
+  std::vector<std::pair<int, int>> places;
+  for (const auto& e : parts_.stiffness) places.emplace_back(e.row, e.column);
+  for (int i = 0; i < static_cast<int>(parts_.imbalance.size()); ++i) places.emplace_back(i, i);
+  for (const auto* points : {&parts_.points, &parts_.border})
+    for (const auto& p : *points)
+      for (int row : p.unknown)
+        for (int column : p.unknown)
+          if (row >= 0 && column >= 0) places.emplace_back(row, column);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  stiffness_.start.assign(parts_.imbalance.size() + 1, 0);
+  for (const auto& [row, column] : places) {
+    ++stiffness_.start[row + 1];
+    stiffness_.column.push_back(column);
+  }
+  for (std::size_t i = 0; i < parts_.imbalance.size(); ++i) stiffness_.start[i + 1] += stiffness_.start[i];
+  stiffness_.value.assign(places.size(), 0.0);
+}
+
+double& Patch::entry(LocalCsr& a, int row, int column) const {
+  const auto first = a.column.begin() + a.start[row], last = a.column.begin() + a.start[row + 1];
+  const auto found = std::lower_bound(first, last, column);
+  VOUSSOIR_EXPECT(found != last && *found == column);
+  return a.value[found - a.column.begin()];
+}
+
+/// B^T D B of one point.
+void Patch::add(const PatchPoint& p, const PointStiffness& d, LocalCsr& to) const {
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      if (p.unknown[i] < 0 || p.unknown[j] < 0) continue;
+      const double normal = share(p, j, 0), tangential = share(p, j, 1);
+      entry(to, p.unknown[i], p.unknown[j]) +=
+          share(p, i, 0) * d.normal * normal + share(p, i, 1) * (d.tangential * tangential + d.coupling * normal);
+    }
+}
+
+void Patch::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
+  evaluate_direction(x, r, gap);
+  double* imbalance = local_view_to_write(r);
+  for (std::size_t i = 0; i < parts_.imbalance.size(); ++i) imbalance[i] += parts_.imbalance[i];
+  for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += parts_.points[i / 2].gap[i % 2];
+}
+
+void Patch::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) {
+  const double* displacement = local_view(d);
+  stiffness_.multiply(displacement, local_view_to_write(y));
+  gap.clear();
+  for (const auto& p : parts_.points) {
+    const auto motion = p.motion(displacement);
+    gap.insert(gap.end(), motion.begin(), motion.end());
+  }
+}
+
+void Patch::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
+  double* value = local_view_to_write(r);
+  for (std::size_t k = 0; k < parts_.points.size(); ++k) {
+    const auto& p = parts_.points[k];
+    for (int i = 0; i < 4; ++i)
+      if (p.unknown[i] >= 0)
+        value[p.unknown[i]] -= share(p, i, 0) * lambda[2 * k] + share(p, i, 1) * lambda[2 * k + 1];
+  }
+}
+
+int Patch::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
+                 const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d, double, int) {
+  LocalCsr h = stiffness_;
+  for (int i = 0; i < h.rows(); ++i) entry(h, i, i) += proximal_scale * parts_.proximal_weight[i];
+  for (std::size_t k = 0; k < parts_.points.size(); ++k) add(parts_.points[k], stiffness[k], h);
+  factor_.factor(h);
+  if (!factor_.solve(h, local_view(*b), local_view_to_write(*d))) d->putScalar(0);
+  return 1;
+}
+
+bool Patch::solve(double tolerance, NewtonReport& report) {
+  TpetraVector x(map_);
+  std::copy(parts_.start.begin(), parts_.start.end(), local_view_to_write(x));
+  PointField lambda;
+  for (const auto& p : parts_.points) lambda.insert(lambda.end(), p.force.begin(), p.force.end());
+  InteriorPath path(*this);
+  if (path.follow(x, lambda, tolerance, largest_path, nullptr, report) != PathEnd::arrived) return false;
+  const double* moved = local_view(x);
+  displacement_.assign(moved, moved + parts_.imbalance.size());
+  for (std::size_t i = 0; i < lambda.size(); ++i) parts_.points[i / 2].force[i % 2] = lambda[i];
+  yield_at_the_border();
+  return true;
+}
+
+void Patch::yield_at_the_border() {
+  for (auto& p : parts_.border) {
+    const auto motion = p.motion(displacement_.data());
+    p.force[0] -= p.resistance.normal * motion[0];
+    p.force[1] -= p.resistance.tangential * motion[1] + p.resistance.coupling * motion[0];
+  }
+}
+
+}  // namespace voussoir

@@ -1,0 +1,348 @@
+#include "simulation/local_correction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "linalg/gather.hpp"
+#include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
+#include "linalg/traffic.hpp"
+#include "nonlinear/patch.hpp"
+#include "nonlinear/point_update.hpp"
+#include "nonlinear/residuals.hpp"
+
+namespace voussoir {
+namespace {
+
+// A patch may have this share of all unknowns: its path of some 40 direct solutions then costs as much as three to
+// seven linear solves of the whole.
+constexpr double largest_share = 0.125;
+
+template <class T>
+void sort_unique(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
+// What ranks tell each other; numbers of unknowns and points are those of the whole structure, -1 where none.
+template <int dim>
+struct LocalCorrection<dim>::Unknown {
+  GlobalOrdinal id;
+  int patch;
+  double imbalance, start, proximal;
+};
+template <int dim>
+struct LocalCorrection<dim>::Entry {
+  GlobalOrdinal row, column;
+  double value;
+};
+template <int dim>
+struct LocalCorrection<dim>::Point {
+  PointId id;
+  int patch;
+  bool border;
+  GlobalOrdinal unknown[2 * dim];
+  PatchPoint point;
+};
+template <int dim>
+struct LocalCorrection<dim>::Motion {
+  GlobalOrdinal id;
+  double by;  // [m]
+};
+template <int dim>
+struct LocalCorrection<dim>::Force {
+  PointId id;
+  double change[dim];  // [N]
+};
+
+/// Blocks that a threshold [N] says are stuck.
+template <int dim>
+void LocalCorrection<dim>::find_blocks(const PointField& lambda, double threshold) {
+  const auto& s = parts_.structure;
+  const auto& cluster = parts_.space.cluster();
+  auto& problem = parts_.problem;
+  const auto id_of = [&](int node) { return s.blocks()[s.block_of_node()[node]].mesh.id; };
+  std::vector<BlockId> mine;
+  TpetraVector residual(*linear_, Teuchos::Copy);
+  problem.subtract_contact_forces(lambda, residual);
+  const double* off = local_view(residual);
+  for (int i = 0; i < s.nodes(); ++i) {
+    if (cluster[i] >= parts_.space.owned_clusters()) continue;
+    for (int c = 0; c < dim; ++c)
+      if (std::abs(off[dim * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
+  }
+  PointField lawful;
+  lawful_forces(problem, lambda, gap_, lawful);
+  for (int k = 0; k < problem.owned_points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    const auto& p = parts_.points.points()[k];
+    for (int c = dim * k; c < dim * (k + 1); ++c)
+      if (std::abs(lawful[c] - lambda[c]) > threshold) {
+        mine.push_back(id_of(p.node_i));
+        mine.push_back(id_of(p.node_j));
+      }
+  }
+  sort_unique(mine);
+  stuck_ = all_gather(mine, *s.comm());
+  sort_unique(stuck_);
+}
+
+/// Adds the neighbours and groups what meets.
+template <int dim>
+void LocalCorrection<dim>::find_patches() {
+  const auto& s = parts_.structure;
+  const auto stuck = [&](BlockId b) { return std::binary_search(stuck_.begin(), stuck_.end(), b); };
+  std::vector<BlockId> mine = stuck_;
+  for (const auto& j : parts_.points.joints())
+    if (stuck(j.block_i) || stuck(j.block_j)) mine.insert(mine.end(), {j.block_i, j.block_j});
+  sort_unique(mine);
+  block_ = all_gather(mine, *s.comm());
+  sort_unique(block_);
+
+  // Blocks of one joint, or that share unknowns, belong together.
+  struct Pair {
+    BlockId a, b;
+  };
+  std::vector<Pair> pairs;
+  const auto within = [&](BlockId b) { return std::binary_search(block_.begin(), block_.end(), b); };
+  for (const auto& j : parts_.points.joints())
+    if (within(j.block_i) && within(j.block_j)) pairs.push_back({j.block_i, j.block_j});
+  std::vector<BlockId> first(parts_.space.clusters(), -1);
+  for (int i = 0; i < s.nodes(); ++i) {
+    const BlockId b = s.blocks()[s.block_of_node()[i]].mesh.id;
+    if (!within(b)) continue;
+    auto& other = first[parts_.space.cluster()[i]];
+    if (other >= 0 && other != b) pairs.push_back({other, b});
+    other = b;
+  }
+  pairs = all_gather(pairs, *s.comm());
+  std::vector<int> root(block_.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  const auto place = [&](BlockId b) {
+    return static_cast<int>(std::lower_bound(block_.begin(), block_.end(), b) - block_.begin());
+  };
+  for (const auto& p : pairs) {
+    const int a = find(place(p.a)), b = find(place(p.b));
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  patch_.assign(block_.size(), -1);
+  patches_ = 0;
+  for (int i = 0; i < static_cast<int>(block_.size()); ++i) patch_[i] = find(i) == i ? patches_++ : patch_[find(i)];
+}
+
+template <int dim>
+int LocalCorrection<dim>::patch_of_block(BlockId b) const {
+  const auto found = std::lower_bound(block_.begin(), block_.end(), b);
+  return found != block_.end() && *found == b ? patch_[found - block_.begin()] : -1;
+}
+
+template <int dim>
+std::vector<int> LocalCorrection<dim>::patch_of_clusters() const {
+  const auto& s = parts_.structure;
+  std::vector<int> patch(parts_.space.clusters(), -1);
+  for (int i = 0; i < s.nodes(); ++i) {
+    const int mine = patch_of_block(s.blocks()[s.block_of_node()[i]].mesh.id);
+    if (mine >= 0) patch[parts_.space.cluster()[i]] = mine;
+  }
+  return patch;
+}
+
+template <int dim>
+bool LocalCorrection<dim>::too_large() const {
+  const auto& s = parts_.structure;
+  std::vector<double> mine(patches_, 0.0), all(patches_);
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b].mesh;
+    const int patch = patch_of_block(block.id);
+    if (patch >= 0) mine[patch] += dim * static_cast<double>(block.position.size());
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, patches_, mine.data(), all.data());
+  const double most = largest_share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
+  return *std::max_element(all.begin(), all.end()) > most;
+}
+
+template <int dim>
+std::vector<typename LocalCorrection<dim>::Unknown> LocalCorrection<dim>::unknowns(const TpetraVector& x,
+                                                                                    const TpetraVector& start) const {
+  const auto& space = parts_.space;
+  const double *at = local_view(x), *from = local_view(start), *linear = local_view(*linear_);
+  std::vector<Unknown> list;
+  for (int i = 0; i < dim * space.owned_clusters(); ++i) {
+    const int patch = cluster_patch_[i / dim];
+    if (patch < 0 || space.held()[i]) continue;
+    list.push_back(
+        {space.map()->getGlobalElement(i), patch, linear[i], from[i] - at[i], parts_.proximal_weight[i]});
+  }
+  return list;
+}
+
+/// Stiffness of the blocks in rows of patches that this rank owns.
+template <int dim>
+std::vector<typename LocalCorrection<dim>::Entry> LocalCorrection<dim>::entries() const {
+  const auto& space = parts_.space;
+  const auto& columns = *space.column_map();
+  std::vector<Entry> list;
+  for (const auto& block : parts_.structure.blocks()) {
+    const auto& k = *block.stiffness;
+    const auto unknown = [&](int i) { return dim * space.cluster()[block.first_local + i / dim] + i % dim; };
+    for (int i = 0; i < k.rows(); ++i) {
+      const int row = unknown(i);
+      if (row >= dim * space.owned_clusters() || cluster_patch_[row / dim] < 0 || space.held()[row]) continue;
+      for (int e = k.start[i]; e < k.start[i + 1]; ++e)
+        list.push_back(
+            {columns.getGlobalElement(row), columns.getGlobalElement(unknown(k.column[e])), k.value[e]});
+    }
+  }
+  return list;
+}
+
+/// Points that touch patches, of those this rank owns; one that touches two patches is at the border of both.
+template <int dim>
+std::vector<typename LocalCorrection<dim>::Point> LocalCorrection<dim>::points(
+    const PointField& lambda, const std::vector<PointStiffness>& resistance) const {
+  const auto& s = parts_.structure;
+  const auto& space = parts_.space;
+  const auto& problem = parts_.problem;
+  std::vector<Point> list;
+  for (int k = 0; k < problem.owned_points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    const auto& p = parts_.points.points()[k];
+    const int node[] = {p.node_i, p.node_j};
+    const int touched[] = {cluster_patch_[space.cluster()[p.node_i]], cluster_patch_[space.cluster()[p.node_j]]};
+    if (touched[0] < 0 && touched[1] < 0) continue;
+    Point one{p.id, touched[0], false, {}, {}};
+    const auto block_patch = [&](int n) { return patch_of_block(s.blocks()[s.block_of_node()[n]].mesh.id); };
+    one.border = block_patch(p.node_i) < 0 || block_patch(p.node_i) != block_patch(p.node_j);
+    for (int i = 0; i < 2 * dim; ++i) {
+      const int unknown = dim * space.cluster()[node[i / dim]] + i % dim;
+      one.unknown[i] = space.held()[unknown] ? -1 : space.column_map()->getGlobalElement(unknown);
+    }
+    auto& q = one.point;
+    q.axis = p.axis;
+    q.law = problem.law()[k];
+    q.local_stiffness = problem.local_stiffness()[k];
+    if (!problem.compliance().empty()) q.compliance = problem.compliance()[k];
+    for (int c = 0; c < dim; ++c) {
+      if (!problem.slip_origin().empty()) q.slip_origin[c] = problem.slip_origin()[dim * k + c];
+      q.gap[c] = gap_[dim * k + c];
+      q.force[c] = lambda[dim * k + c];
+    }
+    q.resistance = resistance[k];
+    // Points that slip on what holds still would let the neighbours of stuck blocks go without end.
+    if (q.resistance.tangential == 0 && q.resistance.normal > 0)
+      q.resistance = {q.resistance.normal, stiffness_of(problem, k, 1, 1.0), 0};
+    if (one.patch >= 0) list.push_back(one);
+    if (touched[1] >= 0 && touched[1] != touched[0]) {
+      one.patch = touched[1];
+      list.push_back(one);
+    }
+  }
+  return list;
+}
+
+/// Solves the patches that are this rank's; returns linear solves.
+template <int dim>
+int LocalCorrection<dim>::solve(const LocalRequest& request, const std::vector<Unknown>& unknown,
+                                const std::vector<Entry>& entry, const std::vector<Point>& point,
+                                std::vector<Motion>& motion, std::vector<Force>& force) const {
+  const auto& comm = *parts_.structure.comm();
+  const auto is_mine = [&](int patch) { return patch % comm.getSize() == comm.getRank(); };
+  std::vector<PatchParts> parts(patches_);
+  std::vector<std::vector<GlobalOrdinal>> ids(patches_);
+  std::unordered_map<GlobalOrdinal, std::pair<int, int>> place;  // patch, number there
+  for (const auto& u : unknown) {
+    if (!is_mine(u.patch)) continue;
+    auto& p = parts[u.patch];
+    place[u.id] = {u.patch, static_cast<int>(ids[u.patch].size())};
+    ids[u.patch].push_back(u.id);
+    p.imbalance.push_back(u.imbalance);
+    p.start.push_back(u.start);
+    p.proximal_weight.push_back(u.proximal);
+  }
+  for (const auto& e : entry) {
+    const auto row = place.find(e.row), column = place.find(e.column);
+    if (row == place.end() || column == place.end() || row->second.first != column->second.first) continue;
+    parts[row->second.first].stiffness.push_back({row->second.second, column->second.second, e.value});
+  }
+  std::vector<std::vector<PointId>> law_ids(patches_), border_ids(patches_);
+  for (const auto& p : point) {
+    if (!is_mine(p.patch)) continue;
+    PatchPoint local = p.point;
+    for (int i = 0; i < 2 * dim; ++i) {
+      const auto found = place.find(p.unknown[i]);
+      local.unknown[i] = found == place.end() || found->second.first != p.patch ? -1 : found->second.second;
+    }
+    (p.border ? parts[p.patch].border : parts[p.patch].points).push_back(local);
+    (p.border ? border_ids : law_ids)[p.patch].push_back(p.id);
+  }
+  NewtonReport report;
+  for (int i = 0; i < patches_; ++i) {
+    if (!is_mine(i) || parts[i].points.empty()) continue;
+    parts[i].force_scale = request.scale;
+    parts[i].length_scale = parts_.structure.size();
+    const auto points_before = parts[i].points, border_before = parts[i].border;
+    Patch patch(std::move(parts[i]));
+    if (!patch.solve(request.tolerance, report)) continue;
+    for (std::size_t u = 0; u < ids[i].size(); ++u) motion.push_back({ids[i][u], patch.displacement()[u]});
+    const auto tell = [&](const auto& id, const auto& before, const auto& after) {
+      for (std::size_t k = 0; k < id.size(); ++k) {
+        force.push_back({id[k], {}});
+        for (int c = 0; c < dim; ++c) force.back().change[c] = after[k].force[c] - before[k].force[c];
+      }
+    };
+    tell(law_ids[i], points_before, patch.solved_points());
+    tell(border_ids[i], border_before, patch.solved_border());
+  }
+  return report.newton_iterations;
+}
+
+template <int dim>
+void LocalCorrection<dim>::put_back(const std::vector<Motion>& motion, const std::vector<Force>& force,
+                                    TpetraVector& x, PointField& lambda) const {
+  double* value = local_view_to_write(x);
+  for (const auto& m : motion) {
+    const auto local = x.getMap()->getLocalElement(m.id);
+    if (local != Teuchos::OrdinalTraits<LocalOrdinal>::invalid()) value[local] += m.by;
+  }
+  std::unordered_map<PointId, std::array<double, dim>> change;
+  for (const auto& f : force)
+    for (int c = 0; c < dim; ++c) change[f.id][c] += f.change[c];
+  for (int k = 0; k < parts_.points.size(); ++k) {
+    const auto found = change.find(parts_.points.points()[k].id);
+    if (found == change.end()) continue;
+    for (int c = 0; c < dim; ++c) lambda[dim * k + c] += found->second[c];
+  }
+}
+
+template <int dim>
+int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const LocalRequest& request) {
+  const auto& comm = *parts_.structure.comm();
+  const TrafficScope sent_for(TrafficOf::set_up);
+  linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
+  parts_.problem.evaluate(x, *linear_, gap_);
+  find_blocks(lambda, request.threshold);
+  if (stuck_.empty()) return 0;
+  find_patches();
+  if (too_large()) return 0;
+  cluster_patch_ = patch_of_clusters();
+  std::vector<Motion> motion;
+  std::vector<Force> force;
+  const int solves = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
+                           all_gather(points(lambda, request.resistance), comm), motion, force);
+  put_back(all_gather(motion, comm), all_gather(force, comm), x, lambda);
+  return total_over_ranks(comm, solves);
+}
+
+template class LocalCorrection<2>;
+
+}  // namespace voussoir

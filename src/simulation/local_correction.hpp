@@ -1,0 +1,60 @@
+// Stones that keep a structure from closing, brought to rest alone.
+//
+// Blocks that are out of balance, or have a point that violates its law, by more than a threshold are cut out together
+// with their neighbours; those that meet make a patch. Each patch is solved by one rank, and all get what came out.
+// Which blocks those are does not depend on ranks.
+#pragma once
+
+#include "homogenisation/merged_space.hpp"
+#include "nonlinear/nonlinear_problem.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class LocalCorrection {
+ public:
+  /// The problem that patches are cut from; must outlive the correction.
+  struct Parts {
+    const Structure<dim>& structure;
+    const ContactPoints<dim>& points;
+    const MergedSpace<dim>& space;
+    const std::vector<double>& proximal_weight;
+    NonlinearProblem& problem;
+  };
+  explicit LocalCorrection(const Parts& parts) : parts_(parts) {}
+
+  /// As NonlinearProblem::correct_locally.
+  int apply(TpetraVector& x, PointField& lambda, const LocalRequest&);
+
+ private:
+  struct Unknown;
+  struct Entry;
+  struct Point;
+  struct Motion;
+  struct Force;
+
+  void find_blocks(const PointField& lambda, double threshold);
+  void find_patches();
+  int patch_of_block(BlockId) const;
+  std::vector<int> patch_of_clusters() const;
+  bool too_large() const;
+  std::vector<Unknown> unknowns(const TpetraVector& x, const TpetraVector& start) const;
+  std::vector<Entry> entries() const;
+  std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
+  int solve(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&, const std::vector<Point>&,
+            std::vector<Motion>&, std::vector<Force>&) const;
+  void put_back(const std::vector<Motion>&, const std::vector<Force>&, TpetraVector& x, PointField& lambda) const;
+
+  Parts parts_;
+  Teuchos::RCP<TpetraVector> linear_;  ///< K x - f
+  PointField gap_;
+  std::vector<BlockId> stuck_;   ///< ascending, the same on every rank
+  std::vector<BlockId> block_;   ///< of patches, ascending, the same on every rank
+  std::vector<int> patch_;       ///< of each of them
+  int patches_ = 0;
+  std::vector<int> cluster_patch_;  ///< per local cluster, -1 outside
+};
+
+extern template class LocalCorrection<2>;
+
+}  // namespace voussoir

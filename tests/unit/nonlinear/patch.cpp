@@ -1,0 +1,80 @@
+// A node of weight 100 N on the ground, held by a spring of 1000 N/m along it, pushed by 50 N. Its weight shares are
+// known by heart: friction of 0.3 bears 30 N, the spring the rest.
+#include "nonlinear/patch.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+namespace {
+
+using namespace voussoir;
+
+constexpr double weight = 100, push = 50, spring = 1000, stone = 1e6;
+
+PatchPoint on_the_ground(double friction) {
+  PatchPoint p;
+  p.unknown = {-1, -1, 0, 1};
+  p.axis = {{{0, 1}, {-1, 0}}};
+  p.law.friction = friction;
+  p.local_stiffness = stone;
+  return p;
+}
+
+PatchParts slider() {
+  PatchParts parts;
+  parts.imbalance = {-push, weight};
+  parts.start = {0, 0};
+  parts.proximal_weight = {1e-6, 1e-6};
+  parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}};
+  parts.force_scale = weight;
+  parts.length_scale = 1;
+  return parts;
+}
+
+TEUCHOS_UNIT_TEST(Patch, SlidesUntilTheSpringBearsWhatFrictionCannot) {
+  auto parts = slider();
+  parts.points = {on_the_ground(0.3)};
+  Patch patch(parts);
+  NewtonReport report;
+  TEST_ASSERT(patch.solve(1e-9, report));
+  TEST_FLOATING_EQUALITY(patch.displacement()[0], (push - 0.3 * weight) / spring, 1e-6);
+  TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[0], weight, 1e-6);
+  TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], 0.3 * weight, 1e-6);
+  TEST_COMPARE(report.newton_iterations, >, 0);
+}
+
+TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
+  auto parts = slider();
+  parts.points = {on_the_ground(0.6)};
+  Patch patch(parts);
+  NewtonReport report;
+  TEST_ASSERT(patch.solve(1e-9, report));
+  TEST_COMPARE(std::abs(patch.displacement()[0]), <, 1e-9);
+  TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], push, 1e-6);
+}
+
+// Two nodes, one upon the other; below the lower one the border resists as a spring, whatever friction would say.
+TEUCHOS_UNIT_TEST(Patch, KeepsTheStatusesOfItsBorder) {
+  PatchParts parts;
+  parts.imbalance = {-push, weight, 0, weight};
+  parts.start.assign(4, 0.0);
+  parts.proximal_weight.assign(4, 1e-6);
+  parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}, {2, 2, spring}, {3, 3, 1e-6}};
+  parts.force_scale = weight;
+  parts.length_scale = 1;
+  auto between = on_the_ground(0.3);
+  between.unknown = {2, 3, 0, 1};
+  parts.points = {between};
+  auto below = on_the_ground(0.0);
+  below.unknown = {-1, -1, 2, 3};
+  below.resistance = {stone, 2 * spring, 0};
+  parts.border = {below};
+  Patch patch(parts);
+  NewtonReport report;
+  TEST_ASSERT(patch.solve(1e-9, report));
+  // 30 N arrive at the lower node, which its spring and the border share.
+  TEST_FLOATING_EQUALITY(patch.displacement()[2], 30 / (3 * spring), 1e-6);
+  TEST_FLOATING_EQUALITY(patch.solved_border()[0].force[1], 20.0, 1e-6);
+  TEST_FLOATING_EQUALITY(patch.solved_border()[0].force[0], 2 * weight, 1e-6);
+}
+
+}  // namespace
