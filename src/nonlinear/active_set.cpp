@@ -21,13 +21,15 @@ constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100;
 // Of linear solves. What one leaves open looks like points that change: with 1e-2 near the end the first 0.9 s of the
 // bridge in its earthquake took 2028 solves and 14416 Krylov iterations, with 1e-4 911 and 5366.
 constexpr double accuracy = 1e-4;
-// So many solves that gain less than half: it circles. In load steps another way is cheaper than to find out.
-constexpr int patience_in_time = 8, patience_at_rest = 4;
+// So many solves that gain less than half: it circles. In load steps where stones cannot be brought to rest alone
+// another way is cheaper than to find out.
+constexpr int patience_in_time = 8, patience_at_rest = 8, patience_alone = 4;
 constexpr double gained = 0.5;
 // A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
 constexpr int many_krylov = 50;
-// Later ones may take more, as long as residuals fall.
+// Later ones may take more, as long as residuals fall or are as near as this: blocks that flew make right sides large.
 constexpr int most_krylov = 80;
+constexpr double near = 1e-2;
 // Right sides larger than this many times the largest force are solved as accurately as if they were not: they are
 // those of stones that flew, and what a solve leaves of them must not push the others.
 constexpr double flown = 3;
@@ -194,7 +196,10 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   const int solves = problem_.correct_locally(
       x, lambda, {std::max(tolerance, stuck * known) * scale_, much * tolerance, scale_, resistance_, start});
   report.local_solves += solves;
-  if (solves > 0) size = measure(x, lambda, report);
+  if (solves > 0) {
+    size = measure(x, lambda, report);
+    tell(report, 0, solves);
+  }
   if (solves > 0 && size != size_before && size <= spoilt * size_before) return true;
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
@@ -225,15 +230,17 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
       ++solves;
       size = measure(x, lambda, report);
       tell(report, krylov);
-      if (!inertia_ && local && size > std::max(tolerance, gained * best))
+      if (!inertia_ && local && size > std::max(tolerance, gained * best)) {
         local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
+        patience_ = local ? patience_at_rest : patience_alone;
+      }
       if (size <= tolerance) {
         lambda = admissible_;
         report.outcome = NewtonOutcome::converged;
         return true;
       }
       if (inertia_) break;  // nothing flies
-      if (krylov >= many_krylov && size > gained * best) return false;
+      if (krylov >= many_krylov && best > near && size > gained * best) return false;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
       if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;
@@ -249,7 +256,7 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
   return false;
 }
 
-void ActiveSet::tell(const NewtonReport& report, int krylov) const {
+void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) const {
   long long mine[2] = {0, 0}, all[2];
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -259,7 +266,7 @@ void ActiveSet::tell(const NewtonReport& report, int krylov) const {
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;
   narrate({report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0], all[1], krylov,
-           length_, augmentation_});
+           length_, augmentation_, local_solves});
 }
 
 }  // namespace voussoir

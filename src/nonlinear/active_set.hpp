@@ -40,7 +40,7 @@ class ActiveSet {
                        double& size, NewtonReport&);
   double step_length(const PointField& lambda) const;
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
-  void tell(const NewtonReport&, int krylov) const;
+  void tell(const NewtonReport&, int krylov, int local_solves = 0) const;
 
   NonlinearProblem& problem_;
   bool inertia_;

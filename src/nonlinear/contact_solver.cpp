@@ -9,8 +9,8 @@
 namespace voussoir {
 namespace {
 
-// Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 13.
-constexpr int solves_in_time = 30, solves_at_rest = 15;
+// Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 15.
+constexpr int solves_in_time = 30, solves_at_rest = 20;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
 // many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.
 constexpr int closing_solves = 80;

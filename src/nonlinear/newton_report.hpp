@@ -16,6 +16,7 @@ struct NewtonProgress {
   int krylov = 0;
   double damping = 1;
   double augmentation = 1;  ///< relative to the local stiffness
+  int local_solves = 0;     ///< of patches; 0 unless this is a local correction, after the linear solve of that number
 };
 
 struct NewtonReport {

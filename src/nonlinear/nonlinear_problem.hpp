@@ -73,7 +73,7 @@ class NonlinearProblem {
   virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
                     const Teuchos::RCP<TpetraVector>& d, double relative_tolerance, int largest_krylov = 0) = 0;
   /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
-  /// still. Returns linear solves of patches, 0 where there was nothing to do or a patch would be too large. Collective.
+  /// still. Returns linear solves of patches, 0 where nothing is stuck or a patch would be too large. Collective.
   virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }
   /// Largest force in play [N]: what residuals are measured against.
   virtual double force_scale() const = 0;

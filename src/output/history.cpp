@@ -81,6 +81,7 @@ constexpr Column columns[] = {
     column<&HistoryRow::newton_iterations>("newton_iterations"),
     column<&HistoryRow::linear_solves>("linear_solves"),
     column<&HistoryRow::krylov_iterations>("krylov_iterations"),
+    column<&HistoryRow::patch_solves>("patch_solves"),
     column<&HistoryRow::complementarity_residual>("complementarity_residual"),
     column<&HistoryRow::largest_penetration>("largest_penetration_m"),
     column<&HistoryRow::error_estimate>("error_estimate"),

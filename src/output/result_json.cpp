@@ -92,6 +92,7 @@ std::string result_json(const RunSummary& run) {
   json["newton_iterations"] = run.newton_iterations;
   json["linear_solves"] = run.linear_solves;
   json["krylov_iterations"] = run.krylov_iterations;
+  json["patch_solves"] = run.patch_solves;
   json["largest_penetration_m"] = run.largest_penetration;
   json["complementarity_residual"] = run.complementarity_residual;
   json["error_estimate"] = run.error_estimate;

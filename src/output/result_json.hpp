@@ -87,6 +87,7 @@ struct RunSummary {
   int steps = 0;
   double time = 0.0;  ///< [s] of stages with duration
   long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
+  long long patch_solves = 0;  ///< linear solves of patches of blocks
   double largest_penetration = 0.0;       ///< [m] largest of all steps
   double complementarity_residual = 0.0;  ///< [-] largest of all steps
   double error_estimate = 0.0;            ///< [-] relative, energy norm, the largest of all steps

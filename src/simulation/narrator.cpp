@@ -31,8 +31,13 @@ void Narrator::begin(int step, const std::string& stage, double target, double p
 }
 
 void Narrator::solve(const NewtonProgress& p) {
-  ++solves_;
+  if (p.local_solves == 0) ++solves_;
   if (!verbose_) return;
+  if (p.local_solves > 0) {
+    print(say_, "        it %3d  |R| %9.2e N  with stuck blocks brought to rest in %d linear solves of patches\n",
+          p.iteration, p.residual, p.local_solves);
+    return;
+  }
   print(say_, "        it %3d  |R| %9.2e N  closed %8lld  slipping %7lld  krylov %4d  damping %5.3f  augmentation %g\n",
         p.iteration, p.residual, p.closed, p.slipping, p.krylov, p.damping, p.augmentation);
 }

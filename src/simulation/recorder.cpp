@@ -236,6 +236,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   row.newton_iterations = report.newton.newton_iterations;
   row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
   row.krylov_iterations = static_cast<int>(report.newton.krylov_iterations);
+  row.patch_solves = report.newton.local_solves;
   row.complementarity_residual = report.newton.complementarity;
   row.largest_penetration = report.newton.penetration;
   row.error_estimate = report.error_estimate;
@@ -261,6 +262,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   sum.newton_iterations += report.newton.newton_iterations;
   sum.linear_solves += row.linear_solves;
   sum.krylov_iterations += report.newton.krylov_iterations;
+  sum.patch_solves += row.patch_solves;
   sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);

@@ -18,7 +18,7 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 4;  // of the file; raised when a value changes its meaning
+constexpr int format = 5;  // of the file; raised when a value changes its meaning
 
 /// One number for all nodes of the structure and their places; a sum, so that ranks do not matter.
 long long geometry_digest(const Structure<dim>& s) {

@@ -79,6 +79,7 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"in_continua", r.in_continua()},
           {"linear_solves", r.linear_solves},
           {"krylov_iterations", r.krylov_iterations},
+          {"patch_solves", r.patch_solves},
           {"krylov_in_continua", r.krylov_in_continua()},
           {"mean_krylov", r.mean_krylov()},
           {"largest_krylov", r.largest_krylov},
@@ -185,6 +186,7 @@ void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
     row.seconds = clock.seconds();
     row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
     row.krylov_iterations = report.newton.krylov_iterations;
+    row.patch_solves = report.newton.local_solves;
     row.largest_krylov = report.newton.largest_krylov;
     row.selection_rounds = report.selection_rounds;
     row.unknowns = 2 * report.largest_clusters;

@@ -41,7 +41,7 @@ struct ScalingRow {
   long long blocks = 0, unknowns = 0, candidate_points = 0, selected_points = 0;
   ContinuumPrice price;
   double seconds = 0;  ///< of the processor, this load step
-  long long linear_solves = 0, krylov_iterations = 0;
+  long long linear_solves = 0, krylov_iterations = 0, patch_solves = 0;
   int largest_krylov = 0, selection_rounds = 0;
   SystemCost cost;
   double stiffness_bytes = 0, matrix_bytes = 0, block_bytes = 0, motion_bytes = 0;  ///< per unknown, all ranks
