@@ -240,7 +240,7 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
         return true;
       }
       if (inertia_) break;  // nothing flies
-      if (krylov >= many_krylov && best > near && size > gained * best) return false;
+      if (krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best))) return false;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
       if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;

@@ -18,9 +18,9 @@
 namespace voussoir {
 namespace {
 
-// A patch may have this share of all unknowns: its path of some 40 direct solutions then costs as much as three to
-// seven linear solves of the whole.
-constexpr double largest_share = 0.125;
+// A patch may have this share of all unknowns: its path of some 40 direct solutions then costs as much as two or
+// three linear solves of the whole.
+constexpr double largest_share = 0.0625;
 
 template <class T>
 void sort_unique(std::vector<T>& list) {
