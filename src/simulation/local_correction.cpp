@@ -18,8 +18,8 @@
 namespace voussoir {
 namespace {
 
-// A patch may have this share of all unknowns: its path of some 40 direct solutions then costs as much as two or
-// three linear solves of the whole.
+// Patches may have this share of all unknowns together: their paths of some 40 direct solutions then cost as much as
+// two or three linear solves of the whole.
 constexpr double largest_share = 0.0625;
 
 template <class T>
@@ -160,15 +160,13 @@ std::vector<int> LocalCorrection<dim>::patch_of_clusters() const {
 template <int dim>
 bool LocalCorrection<dim>::too_large() const {
   const auto& s = parts_.structure;
-  std::vector<double> mine(patches_, 0.0), all(patches_);
+  double mine = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b].mesh;
-    const int patch = patch_of_block(block.id);
-    if (patch >= 0) mine[patch] += dim * static_cast<double>(block.position.size());
+    if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.position.size());
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, patches_, mine.data(), all.data());
   const double most = largest_share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
-  return *std::max_element(all.begin(), all.end()) > most;
+  return total_over_ranks(*s.comm(), mine) > most;
 }
 
 template <int dim>
