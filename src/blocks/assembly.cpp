@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/check.hpp"
+#include "base/sort_unique.hpp"
 #include "blocks/element_matrices.hpp"
 
 namespace voussoir {
@@ -25,8 +26,7 @@ LocalCsr coupled_nodes(const Block<2>& block) {
 
   LocalCsr k;
   for (auto& row : neighbours) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
+    sort_unique(row);
     for (int component = 0; component < 2; ++component) {
       for (int j : row) k.column.insert(k.column.end(), {2 * j, 2 * j + 1});
       k.start.push_back(static_cast<int>(k.column.size()));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/sort_unique.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "blocks/shapes.hpp"
@@ -41,8 +42,7 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   }
   owned_blocks_ = static_cast<int>(blocks_.size());
   owned_nodes_ = nodes();
-  std::sort(halo.begin(), halo.end());
-  halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
+  sort_unique(halo);
   for (BlockId b : halo) add(b);
   blocks_.shrink_to_fit();
   node_id_.shrink_to_fit();

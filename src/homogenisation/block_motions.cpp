@@ -4,18 +4,13 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/sort_unique.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
-
-template <class T>
-void sort_out(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// Pairs of blocks, most of them met many times: doubles are dropped before they take more room than the pairs.
 class Pairs {
@@ -24,11 +19,11 @@ class Pairs {
   void add(int i, int j) {
     pairs_.push_back({i, j});
     if (pairs_.size() < full_) return;
-    sort_out(pairs_);
+    sort_unique(pairs_);
     full_ = std::max(full_, 2 * pairs_.size());
   }
   std::vector<Pair> all() && {
-    sort_out(pairs_);
+    sort_unique(pairs_);
     return std::move(pairs_);
   }
 
@@ -121,7 +116,7 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
     for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) around.push_back(copies_[k].block);
   };
   const auto couple = [&] {
-    sort_out(around);
+    sort_unique(around);
     for (int i : around)
       for (int j : around)
         if (i <= j) met.add(i, j);
@@ -144,7 +139,7 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
   }
   for (int b = 0; b < blocks_; ++b) met.add(b, b);
   auto pairs = all_gather(std::move(met).all(), *structure_.comm());
-  sort_out(pairs);
+  sort_unique(pairs);
 
   std::size_t entries = 0;
   for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_unique.hpp"
 #include "linalg/local_view.hpp"
 
 namespace voussoir {
@@ -21,8 +22,7 @@ BlockSolves<dim>::BlockSolves(const Structure<dim>& s, const MergedSpace<dim>& s
       for (int c = 0; c < dim; ++c)
         if (!space.held()[dim * k + c]) rows.push_back(dim * k + c);
     }
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    sort_unique(rows);
     for (int row : rows) ++count[row];
     unknown_.insert(unknown_.end(), rows.begin(), rows.end());
     block_start_.push_back(static_cast<int>(unknown_.size()));

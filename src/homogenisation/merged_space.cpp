@@ -3,9 +3,10 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_OrdinalTraits.hpp>
 #include <algorithm>
-#include <numeric>
 
 #include "base/check.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/sort_unique.hpp"
 #include "linalg/local_view.hpp"
 
 namespace voussoir {
@@ -15,20 +16,16 @@ namespace {
 /// the one with the lowest node number.
 template <int dim>
 std::vector<int> roots(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<char>& selected) {
-  std::vector<int> parent(s.nodes());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets sets(s.nodes());
   for (int k = 0; k < points.size(); ++k) {
     if (selected[k]) continue;
-    int a = root(points.points()[k].node_i), b = root(points.points()[k].node_j);
+    int a = sets.root(points.points()[k].node_i), b = sets.root(points.points()[k].node_j);
     if (s.node_id()[a] > s.node_id()[b]) std::swap(a, b);
-    parent[b] = a;
+    sets.join(b, a);
   }
-  for (int i = 0; i < s.nodes(); ++i) parent[i] = root(i);
-  return parent;
+  std::vector<int> root(s.nodes());
+  for (int i = 0; i < s.nodes(); ++i) root[i] = sets.root(i);
+  return root;
 }
 
 }  // namespace
@@ -58,8 +55,7 @@ MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints<dim>&
   const auto owned = [&](long long n) { return n >= first && n < until; };
   for (long long n : number)
     if (!owned(n)) ghosts.push_back(n);
-  std::sort(ghosts.begin(), ghosts.end());
-  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  sort_unique(ghosts);
   cluster_.resize(nodes_);
   for (int i = 0; i < nodes_; ++i)
     cluster_[i] = owned(number[i]) ? static_cast<int>(number[i] - first)

@@ -1,10 +1,10 @@
 // Faults a block has by itself.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "base/check.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "mesh/border.hpp"
 #include "mesh/lattice.hpp"
@@ -79,12 +79,7 @@ void check_pieces(const Block<2>& block) {
     }
   std::sort(sides.begin(), sides.end());
 
-  std::vector<int> parent(block.cells.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
+  DisjointSets pieces(block.cells.size());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     if (sides[i].node != sides[i + 1].node) continue;
     if (sides[i].forward == sides[i + 1].forward || (i + 2 < sides.size() && sides[i].node == sides[i + 2].node))
@@ -94,10 +89,10 @@ void check_pieces(const Block<2>& block) {
              "(cells " + std::to_string(sides[i].cell) + " and " + std::to_string(sides[i + 1].cell) +
                  " there, or a third one, lie on each other).",
              "Remove doubled surfaces or elements and mesh again.");
-    parent[root(sides[i].cell)] = root(sides[i + 1].cell);
+    pieces.join(pieces.root(sides[i].cell), pieces.root(sides[i + 1].cell));
   }
-  for (std::size_t c = 0; c < parent.size(); ++c)
-    if (root(static_cast<int>(c)) != root(0))
+  for (std::size_t c = 0; c < pieces.size(); ++c)
+    if (pieces.root(static_cast<int>(c)) != pieces.root(0))
       refuse(block,
              " is in pieces: cell 0 at " + at(block.position[block.cells[0].node[0]]) + " and cell " +
                  std::to_string(c) + " at " + at(block.position[block.cells[c].node[0]]) +

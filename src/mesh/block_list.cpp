@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/sort_unique.hpp"
 #include "mesh/on_rank_zero.hpp"
 
 namespace voussoir {
@@ -111,8 +112,7 @@ BlockGraph graph_of_shared_vertices(const std::vector<std::vector<VertexId>>& ve
   std::vector<std::pair<VertexId, BlockId>> touched;
   for (std::size_t b = 0; b < vertices_of_block.size(); ++b)
     for (const VertexId v : vertices_of_block[b]) touched.emplace_back(v, static_cast<BlockId>(b));
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sort_unique(touched);
 
   std::vector<std::pair<BlockId, BlockId>> meetings;  // one entry per ordered pair of blocks and vertex they share
   for (std::size_t from = 0, to = 0; from < touched.size(); from = to) {

@@ -15,6 +15,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/sort_unique.hpp"
 #include "mesh/gmsh_numbers.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/on_rank_zero.hpp"
@@ -139,8 +140,7 @@ Groups read_groups(const std::string& file, int dimension) {
     for (const int entity : entities) groups.of_entity[std::abs(entity)].push_back(set);
   }
   for (auto& [entity, sets] : groups.of_entity) {
-    std::sort(sets.begin(), sets.end());
-    sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+    sort_unique(sets);
   }
   return groups;
 }

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/sort_unique.hpp"
 #include "mesh/border.hpp"
 
 namespace voussoir {
@@ -16,8 +17,7 @@ namespace {
 /// Classes of nodes that are one vertex; a class never holds two nodes of the same surface.
 class Classes {
  public:
-  explicit Classes(const SurfaceMesh& mesh) : parent_(mesh.position.size()), surfaces_(mesh.position.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+  explicit Classes(const SurfaceMesh& mesh) : sets_(mesh.position.size()), surfaces_(mesh.position.size()) {
     for (std::size_t s = 0; s < mesh.surfaces.size(); ++s)
       for (const Cell& cell : mesh.surfaces[s].cells)
         for (int k = 0; k < cell.count; ++k) {
@@ -26,10 +26,7 @@ class Classes {
         }
   }
   bool is_used(int node) const { return !surfaces_[node].empty(); }
-  int find(int node) {
-    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-    return node;
-  }
+  int find(int node) { return sets_.root(node); }
   void unite(int a, int b) {
     a = find(a);
     b = find(b);
@@ -40,11 +37,11 @@ class Classes {
                std::back_inserter(both));
     if (std::adjacent_find(both.begin(), both.end()) != both.end()) return;
     surfaces_[a] = std::move(both);
-    parent_[b] = a;
+    sets_.join(b, a);
   }
 
  private:
-  std::vector<int> parent_;
+  DisjointSets sets_;
   std::vector<std::vector<int>> surfaces_;  ///< per node, of a root those of its class; ascending
 };
 
@@ -88,8 +85,7 @@ Block<2> block_of(const SurfaceMesh& mesh, const SurfaceMesh::Surface& surface, 
     nodes.insert(nodes.end(), cell.node.begin(), cell.node.begin() + cell.count);
     area += doubled_area(mesh, cell);
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   for (const int node : nodes) {
     block.vertex.push_back(vertex[node]);
     block.position.push_back(vertex_position[vertex[node]]);

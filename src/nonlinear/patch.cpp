@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/sort_unique.hpp"
 #include "linalg/local_view.hpp"
 #include "nonlinear/interior_path.hpp"
 
@@ -59,8 +60,7 @@ void Patch::set_pattern() {
       for (int row : p.unknown)
         for (int column : p.unknown)
           if (row >= 0 && column >= 0) places.emplace_back(row, column);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sort_unique(places);
   stiffness_.start.assign(parts_.imbalance.size() + 1, 0);
   for (const auto& [row, column] : places) {
     ++stiffness_.start[row + 1];

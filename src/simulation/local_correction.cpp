@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
+#include "base/sort_unique.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
@@ -21,12 +22,6 @@ namespace {
 // Patches may have this share of all unknowns together: their paths of some 40 direct solutions then cost as much as
 // two or three linear solves of the whole.
 constexpr double largest_share = 0.0625;
-
-template <class T>
-void sort_unique(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 }  // namespace
 
@@ -122,22 +117,18 @@ void LocalCorrection<dim>::find_patches() {
     other = b;
   }
   pairs = all_gather(pairs, *s.comm());
-  std::vector<int> root(block_.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  DisjointSets sets(block_.size());
   const auto place = [&](BlockId b) {
     return static_cast<int>(std::lower_bound(block_.begin(), block_.end(), b) - block_.begin());
   };
   for (const auto& p : pairs) {
-    const int a = find(place(p.a)), b = find(place(p.b));
-    root[std::max(a, b)] = std::min(a, b);
+    const int a = sets.root(place(p.a)), b = sets.root(place(p.b));
+    sets.join(std::max(a, b), std::min(a, b));
   }
   patch_.assign(block_.size(), -1);
   patches_ = 0;
-  for (int i = 0; i < static_cast<int>(block_.size()); ++i) patch_[i] = find(i) == i ? patches_++ : patch_[find(i)];
+  for (int i = 0; i < static_cast<int>(block_.size()); ++i)
+    patch_[i] = sets.root(i) == i ? patches_++ : patch_[sets.root(i)];
 }
 
 template <int dim>
