@@ -33,8 +33,6 @@ void expect_memory(int status) {
 
 SparseLu::SparseLu() : data_(std::make_unique<Data>()) {}
 SparseLu::~SparseLu() = default;
-SparseLu::SparseLu(SparseLu&&) noexcept = default;
-SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
 
 // UMFPACK reads columns: rows of A are the columns of its transpose.
 void SparseLu::factor(const LocalCsr& a) {

@@ -12,8 +12,6 @@ class SparseLu {
  public:
   SparseLu();
   ~SparseLu();
-  SparseLu(SparseLu&&) noexcept;
-  SparseLu& operator=(SparseLu&&) noexcept;
 
   /// Factors a matrix, of the pattern of the first one given.
   void factor(const LocalCsr& a);

@@ -195,16 +195,18 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   lambda = admissible_;
   const int solves = problem_.correct_locally(
       x, lambda, {std::max(tolerance, stuck * known) * scale_, much * tolerance, scale_, resistance_, start});
-  report.local_solves += solves;
-  if (solves > 0) {
-    size = measure(x, lambda, report);
-    tell(report, 0, solves);
+  if (solves == 0) {
+    lambda = lambda_before;
+    return true;
   }
-  if (solves > 0 && size != size_before && size <= spoilt * size_before) return true;
+  report.local_solves += solves;
+  size = measure(x, lambda, report);
+  tell(report, 0, solves);
+  if (size != size_before && size <= spoilt * size_before) return true;
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
-  if (solves > 0) size = measure(x, lambda, report);
-  return solves == 0;
+  size = measure(x, lambda, report);
+  return false;
 }
 
 bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,

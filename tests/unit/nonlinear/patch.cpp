@@ -30,10 +30,14 @@ PatchParts slider() {
   return parts;
 }
 
-TEUCHOS_UNIT_TEST(Patch, SlidesUntilTheSpringBearsWhatFrictionCannot) {
+Patch slider_on_the_ground(double friction) {
   auto parts = slider();
-  parts.points = {on_the_ground(0.3)};
-  Patch patch(parts);
+  parts.points = {on_the_ground(friction)};
+  return Patch(parts);
+}
+
+TEUCHOS_UNIT_TEST(Patch, SlidesUntilTheSpringBearsWhatFrictionCannot) {
+  Patch patch = slider_on_the_ground(0.3);
   NewtonReport report;
   TEST_ASSERT(patch.solve(1e-9, report));
   TEST_FLOATING_EQUALITY(patch.displacement()[0], (push - 0.3 * weight) / spring, 1e-6);
@@ -43,9 +47,7 @@ TEUCHOS_UNIT_TEST(Patch, SlidesUntilTheSpringBearsWhatFrictionCannot) {
 }
 
 TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
-  auto parts = slider();
-  parts.points = {on_the_ground(0.6)};
-  Patch patch(parts);
+  Patch patch = slider_on_the_ground(0.6);
   NewtonReport report;
   TEST_ASSERT(patch.solve(1e-9, report));
   TEST_COMPARE(std::abs(patch.displacement()[0]), <, 1e-9);
