@@ -1,4 +1,5 @@
-# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod, ::umfpack.
+# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod, ::umfpack,
+# ::openmp.
 # Used by the build and, installed, by find_package(Voussoir).
 
 find_package(MPI REQUIRED COMPONENTS CXX)
@@ -29,6 +30,13 @@ voussoir_find_library(metis metis.h metis libmetis-dev)
 voussoir_find_library(gmsh gmsh.h gmsh libgmsh-dev)
 voussoir_find_library(cholmod suitesparse/cholmod.h cholmod libsuitesparse-dev)
 voussoir_find_library(umfpack suitesparse/umfpack.h umfpack libsuitesparse-dev)
+
+# CHOLMOD's threads are told to stay away: only the library, no pragmas.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+if(NOT TARGET Voussoir::openmp)
+  add_library(Voussoir::openmp INTERFACE IMPORTED)
+  target_link_libraries(Voussoir::openmp INTERFACE ${OpenMP_CXX_LIBRARIES})
+endif()
 
 # Trilinos' own targets carry no MPI and do not mark their headers as system headers.
 if(NOT TARGET Voussoir::trilinos)

@@ -1,5 +1,6 @@
 #include "linalg/sparse_cholesky.hpp"
 
+#include <omp.h>
 #include <suitesparse/cholmod.h>
 
 #include <algorithm>
@@ -30,6 +31,19 @@ struct SparseCholesky::Data {
 
 namespace {
 
+/// While it lives OpenMP starts no threads. CHOLMOD asks for four in every factorisation, whatever OMP_NUM_THREADS says:
+/// a rank has one core, and W(64) took a fifth longer.
+class OneThread {
+ public:
+  OneThread() { omp_set_max_active_levels(0); }
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  const int levels_ = omp_get_max_active_levels();
+};
+
 /// The upper triangle by rows is what CHOLMOD takes for the lower triangle by columns.
 cholmod_sparse lower_triangle(const LocalCsr& a) {
   cholmod_sparse lower{};
@@ -57,6 +71,7 @@ void SparseCholesky::refactor(const LocalCsr& a) {
   auto& d = *data_;
   VOUSSOIR_EXPECT(a.rows() == d.size);
   if (d.size == 0) return;
+  const OneThread alone;
   auto lower = lower_triangle(a);
   if (!d.factor) d.factor = cholmod_analyze(&lower, &d.common);
   cholmod_factorize(&lower, d.factor, &d.common);

@@ -2,6 +2,8 @@
 #include "linalg/sparse_cholesky.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <filesystem>
+#include <iterator>
 
 #include "unit/blocks/lattice_block.hpp"
 #include "unit/linalg/systems.hpp"
@@ -66,6 +68,25 @@ TEUCHOS_UNIT_TEST(SparseCholesky, TheSolutionMayOverwriteTheRightHandSide) {
   auto x = b;
   SparseCholesky(upper(a)).solve(x.data(), x.data());
   TEST_COMPARE(residual(a, x, b), <=, round_off);
+}
+
+long threads() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/task"), std::filesystem::directory_iterator());
+}
+
+TEUCHOS_UNIT_TEST(SparseCholesky, NoFactorisationStartsThreads) {
+  LocalCsr dense;  // as one part of many columns, which CHOLMOD likes to share among threads
+  constexpr int size = 300;
+  for (int i = 0; i < size; ++i) {
+    for (int j = i; j < size; ++j) {
+      dense.column.push_back(j);
+      dense.value.push_back(i == j ? 2.0 * size : 1.0);
+    }
+    dense.start.push_back(static_cast<int>(dense.column.size()));
+  }
+  const long before = threads();
+  const SparseCholesky factor(dense);
+  TEST_EQUALITY(threads(), before);
 }
 
 TEUCHOS_UNIT_TEST(SparseCholesky, ASystemOfNoUnknownsIsSolved) {
