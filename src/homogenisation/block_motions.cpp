@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
@@ -37,19 +38,29 @@ class Pairs {
 template <int dim>
 BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim>& points,
                                 const std::vector<char>& selected, const MergedSpace<dim>& space,
-                                const std::vector<int>& active)
+                                const std::vector<int>& active, const std::vector<int>& sheared)
     : structure_(s), points_(points), space_(space) {
-  find_copies(active);
+  find_copies(number_unknowns(active, sheared));
   set_pattern(selected);
   add_elastic_energy();
 }
 
+/// Returns the number of each block among those that are active, else -1.
+template <int dim>
+std::vector<int> BlockMotions<dim>::number_unknowns(const std::vector<int>& active, const std::vector<int>& sheared) {
+  std::vector<int> number(active.size(), -1);
+  first_ = {0};
+  for (std::size_t b = 0; b < active.size(); ++b) {
+    if (!active[b]) continue;
+    number[b] = blocks();
+    first_.push_back(first_.back() + (!sheared.empty() && sheared[b] ? most : rigid));
+  }
+  return number;
+}
+
 /// Sorts the copies at owned vertices by clusters.
 template <int dim>
-void BlockMotions<dim>::find_copies(const std::vector<int>& active) {
-  std::vector<int> number(active.size(), -1);
-  for (std::size_t b = 0; b < active.size(); ++b)
-    if (active[b]) number[b] = blocks_++;
+void BlockMotions<dim>::find_copies(const std::vector<int>& number) {
   const auto& s = structure_;
   const auto number_of = [&](int node) { return number[s.blocks()[s.block_of_node()[node]].mesh.id]; };
   const auto& cluster = space_.cluster();
@@ -67,27 +78,30 @@ void BlockMotions<dim>::find_copies(const std::vector<int>& active) {
   }
 }
 
-/// How far each rigid motion of a block moves a place in it along a direction.
+/// How far each motion of a block moves a place in it along a direction.
 template <int dim>
 typename BlockMotions<dim>::Modes BlockMotions<dim>::motion(const Vector<dim>& arm, const Vector<dim>& direction) {
   Modes m;
   std::copy(direction.begin(), direction.end(), m.begin());
-  int rotation = dim;
+  int turn = dim;
   for (int a = 0; a < dim; ++a)
-    for (int b = a + 1; b < dim; ++b) m[rotation++] = direction[b] * arm[a] - direction[a] * arm[b];
+    for (int b = a + 1; b < dim; ++b, ++turn) {
+      m[turn] = direction[b] * arm[a] - direction[a] * arm[b];
+      m[turn + turns] = direction[b] * arm[a] + direction[a] * arm[b];
+    }
   return m;
 }
 
-/// How a place in a block moves by its rigid motions.
+/// How a place in a block moves by its motions.
 template <int dim>
-Vector<dim> BlockMotions<dim>::displacement(const Vector<dim>& arm, const double* motions) {
+Vector<dim> BlockMotions<dim>::displacement(const Vector<dim>& arm, const Modes& motions) {
   Vector<dim> u;
-  std::copy_n(motions, dim, u.begin());
-  const double* rotation = motions + dim;
+  std::copy_n(motions.begin(), dim, u.begin());
+  int turn = dim;
   for (int a = 0; a < dim; ++a)
-    for (int b = a + 1; b < dim; ++b, ++rotation) {
-      u[a] -= *rotation * arm[b];
-      u[b] += *rotation * arm[a];
+    for (int b = a + 1; b < dim; ++b, ++turn) {
+      u[a] += (motions[turn + turns] - motions[turn]) * arm[b];
+      u[b] += (motions[turn + turns] + motions[turn]) * arm[a];
     }
   return u;
 }
@@ -137,20 +151,21 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
     meet_at(cluster[p.node_j]);
     couple();
   }
-  for (int b = 0; b < blocks_; ++b) met.add(b, b);
+  for (int b = 0; b < blocks(); ++b) met.add(b, b);
   auto pairs = all_gather(std::move(met).all(), *structure_.comm());
   sort_unique(pairs);
 
   std::size_t entries = 0;
-  for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;
+  for (const auto& [i, j] : pairs) entries += i == j ? modes(i) * (modes(i) + 1) / 2 : modes(i) * modes(j);
   matrix_.start.reserve(size() + 1);
   matrix_.column.reserve(entries);
   for (auto first = pairs.begin(); first != pairs.end();) {
     auto last = first;
     while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
-    for (int m = 0; m < modes; ++m) {
+    for (int m = 0; m < modes((*first)[0]); ++m) {
       for (auto pair = first; pair != last; ++pair)
-        for (int n = pair == first ? m : 0; n < modes; ++n) matrix_.column.push_back((*pair)[1] * modes + n);
+        for (int n = pair == first ? m : 0; n < modes((*pair)[1]); ++n)
+          matrix_.column.push_back(first_[(*pair)[1]] + n);
       matrix_.start.push_back(static_cast<int>(matrix_.column.size()));
     }
     first = last;
@@ -159,23 +174,22 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
   matrix_.value.assign(matrix_.column.size(), 0.0);
 }
 
-/// Where the columns of another block begin in the first row of a block.
+/// Where in the first row of a block the columns of another begin.
 template <int dim>
 std::size_t BlockMotions<dim>::place(int block, int other) const {
-  const int* row = matrix_.column.data();
-  int k = matrix_.start[block * modes];
-  while (row[k] != other * modes) k += modes;
-  return k;
+  const auto row = matrix_.column.begin() + matrix_.start[first_[block]];
+  const auto end = matrix_.column.begin() + matrix_.start[first_[block] + 1];
+  return std::lower_bound(row, end, first_[other]) - row;
 }
 
 /// Adds left^T right to the part of the matrix that a block and another, not before it, have in common.
 template <int dim>
 void BlockMotions<dim>::add_to(int block, int other, const Modes& left, const double* right) {
-  const std::size_t along = place(block, other) - matrix_.start[block * modes];
-  for (int m = 0; m < modes; ++m) {
+  const std::size_t along = place(block, other);
+  for (int m = 0; m < modes(block); ++m) {
     // Each row of a block begins one column later than the one above.
-    double* value = &matrix_.value[matrix_.start[block * modes + m] + along] - m;
-    for (int n = block == other ? m : 0; n < modes; ++n) value[n] += left[m] * right[n];
+    double* value = &matrix_.value[matrix_.start[first_[block] + m] + along] - m;
+    for (int n = block == other ? m : 0; n < modes(other); ++n) value[n] += left[m] * right[n];
   }
 }
 
@@ -188,7 +202,7 @@ void BlockMotions<dim>::add_product(const Row& row, double factor) {
 
 template <int dim>
 void BlockMotions<dim>::add_elastic_energy() {
-  std::vector<int> local(blocks_, -1);  // place of a block among those around another
+  std::vector<int> local(blocks(), -1);  // place of a block among those around another
   std::vector<Row> z;
   std::vector<double> kz;
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
@@ -207,19 +221,19 @@ void BlockMotions<dim>::add_elastic_energy() {
       }
     }
     // First K Z, then Z^T (K Z).
-    const std::size_t n = around.size() * modes;
+    const std::size_t n = around.size() * most;
     kz.assign(k.rows() * n, 0.0);
     for (int i = 0; i < k.rows(); ++i)
       for (int e = k.start[i]; e < k.start[i + 1]; ++e)
         for (const auto& term : z[k.column[e]])
-          for (int m = 0; m < modes; ++m) kz[i * n + local[term.block] * modes + m] += k.value[e] * term.value[m];
+          for (int m = 0; m < most; ++m) kz[i * n + local[term.block] * most + m] += k.value[e] * term.value[m];
     for (int i = 0; i < k.rows(); ++i)
       for (const auto& term : z[i])
         for (int other : around)
-          if (other >= term.block) add_to(term.block, other, term.value, &kz[i * n + local[other] * modes]);
+          if (other >= term.block) add_to(term.block, other, term.value, &kz[i * n + local[other] * most]);
     for (int other : around) local[other] = -1;
   }
-  elastic_ = matrix_.value;
+  elastic_ = std::move(matrix_.value);
 }
 
 template <int dim>
@@ -253,6 +267,7 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
     factor_->refactor(matrix_);
   else
     factor_ = std::make_unique<SparseCholesky>(matrix_);
+  matrix_.value = std::vector<double>();  // a factor needs no matrix, and Krylov vectors may need its room
 }
 
 template <int dim>
@@ -265,7 +280,9 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
       if (!space_.held()[dim * cluster + c]) force[c] = fine[dim * cluster + c] / space_.multiplicity()[cluster];
     for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
       const auto moments = motion(copies_[k].arm, force);
-      for (int m = 0; m < modes; ++m) mine[copies_[k].block * modes + m] += moments[m];
+      const int block = copies_[k].block;
+      for (int m = 0; m < rigid; ++m) mine[first_[block] + m] += moments[m];
+      for (int m = rigid; m < modes(block); ++m) mine[first_[block] + m] += moments[m];
     }
   }
   {
@@ -276,8 +293,13 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
   double* value = local_view_to_write(z);
   for (int cluster = 0; cluster < space_.owned_clusters(); ++cluster) {
     Vector<dim> moved{};
-    for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k)
-      moved = moved + displacement(copies_[k].arm, &coarse[copies_[k].block * modes]);
+    for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
+      const int block = copies_[k].block;
+      Modes motions{};
+      std::copy_n(&coarse[first_[block]], rigid, motions.begin());
+      for (int m = rigid; m < modes(block); ++m) motions[m] = coarse[first_[block] + m];
+      moved = moved + displacement(copies_[k].arm, motions);
+    }
     for (int c = 0; c < dim; ++c)
       if (!space_.held()[dim * cluster + c]) value[dim * cluster + c] += moved[c] / space_.multiplicity()[cluster];
   }
@@ -287,7 +309,7 @@ template <int dim>
 long long BlockMotions<dim>::bytes() const {
   return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
          static_cast<long long>(copies_.size() * sizeof(Copy) + elastic_.size() * sizeof(double) +
-                                (copy_start_.size() + couplings_.size()) * sizeof(int));
+                                (copy_start_.size() + couplings_.size() + first_.size()) * sizeof(int));
 }
 
 template class BlockMotions<2>;

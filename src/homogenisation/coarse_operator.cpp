@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linalg/reduce.hpp"
 
@@ -12,6 +13,9 @@ namespace {
 constexpr double block_weight = 0.5;  // see the head of the header
 // Factors of resistances off by this share are as good: eigenvalues of S H and Q H move by no more than that.
 constexpr double same = 0.1;
+// A block shears where more than so many of its points give way: resist by less than this share of what the stiffest
+// does. Figures in README.md.
+constexpr double many = 0.125, giving_way = 0.1;
 
 bool differ(double a, double b) { return std::abs(a - b) > same * std::min(a, b); }
 
@@ -35,26 +39,29 @@ template <int dim>
 CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints<dim>& points,
                                     const std::vector<char>& selected, const MergedSpace<dim>& space,
                                     const Continuum<dim>& continuum, const PreconditionerParameters& parameters)
-    : selected_(selected),
+    : structure_(s),
+      points_(points),
+      space_(space),
+      selected_(selected),
       residual_(space.map()),
       product_(space.map()),
       inner_(space.map()),
       inner_residual_(space.map()) {
-  const auto active = active_blocks(s, points, selected);
+  auto active = active_blocks(s, points, selected);
   const bool any = std::find(active.begin(), active.end(), 1) != active.end();
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
-  if (parameters.rigid_blocks && any)
-    motions_ = std::make_unique<BlockMotions<dim>>(s, points, selected, space, active);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves<dim>>(s, space, active);
+  if (parameters.rigid_blocks && any) active_ = std::move(active);
 }
 
 template <int dim>
 void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>& stiffness,
-                                 const std::vector<double>& proximal) {
+                                 const std::vector<double>& proximal, bool stiff_joints) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
-  if (!motions_ && !blocks_) return;
-  if (!changed(stiffness, proximal)) {
+  if (active_.empty() && !blocks_) return;
+  const bool others = choose_motions(stiffness, stiff_joints);
+  if (!others && !changed(stiffness, proximal)) {
     ++cost_.reused;
     return;
   }
@@ -63,6 +70,50 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   factored_proximal_ = proximal;
   if (motions_) motions_->update(stiffness, proximal);
   if (blocks_) blocks_->update(h.local());
+}
+
+/// Per block of the whole structure: 1 where many points give way.
+template <int dim>
+std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffness>& stiffness) const {
+  const std::size_t blocks = active_.size();
+  const auto for_sides = [&](const auto& of_side) {
+    for (int k = 0; k < points_.owned(); ++k) {
+      if (!selected_[k]) continue;
+      const auto& joint = points_.joints()[points_.points()[k].joint];
+      for (const BlockId b : {joint.block_i, joint.block_j}) of_side(b, stiffness[k].normal);
+    }
+  };
+  const auto over_ranks = [&](Teuchos::EReductionType how, const auto& mine) {
+    auto all = mine;
+    Teuchos::reduceAll(*structure_.comm(), how, static_cast<int>(mine.size()), mine.data(), all.data());
+    return all;
+  };
+  std::vector<double> stiffest(blocks, 0.0);
+  for_sides([&](BlockId b, double k) { stiffest[b] = std::max(stiffest[b], k); });
+  stiffest = over_ranks(Teuchos::REDUCE_MAX, stiffest);
+  std::vector<int> count(2 * blocks, 0);  // of points, and of those that give way
+  for_sides([&](BlockId b, double k) {
+    ++count[b];
+    count[blocks + b] += k < giving_way * stiffest[b];
+  });
+  count = over_ranks(Teuchos::REDUCE_SUM, count);
+  std::vector<int> loose(blocks);
+  for (std::size_t b = 0; b < blocks; ++b) loose[b] = count[blocks + b] > many * count[b];
+  return loose;
+}
+
+/// Returns whether motions are others than before.
+template <int dim>
+bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stiffness, bool stiff_joints) {
+  if (active_.empty()) return false;
+  auto wanted = stiff_joints ? loose_blocks(stiffness) : std::vector<int>();
+  bool enough = motions_ && wanted.empty() == sheared_.empty();
+  for (std::size_t b = 0; b < wanted.size() && enough; ++b) enough = wanted[b] <= sheared_[b];
+  if (enough) return false;
+  sheared_ = std::move(wanted);
+  motions_.reset();  // others need its room
+  motions_ = std::make_unique<BlockMotions<dim>>(structure_, points_, selected_, space_, active_, sheared_);
+  return true;
 }
 
 template <int dim>

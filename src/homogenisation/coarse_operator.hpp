@@ -27,7 +27,9 @@ class CoarseOperator : public Preconditioner {
 
   /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
   /// a tenth. Collective.
-  void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
+  /// @param stiff_joints  closed points resist far more than stones: stones that many points let go may shear then
+  void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal,
+              bool stiff_joints = false);
   /// Of the method that will apply it.
   void set_symmetry(Symmetry symmetry) { symmetry_ = symmetry; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
@@ -38,8 +40,14 @@ class CoarseOperator : public Preconditioner {
 
  private:
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
+  std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
+  bool choose_motions(const std::vector<PointStiffness>&, bool stiff_joints);
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
 
+  const Structure<dim>& structure_;
+  const ContactPoints<dim>& points_;
+  const MergedSpace<dim>& space_;
+  std::vector<int> active_, sheared_;  ///< per block of the whole structure; empty where none is
   std::unique_ptr<BlockMotions<dim>> motions_;
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;

@@ -166,7 +166,7 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
     damped[k].tangential = std::max(damped[k].tangential, stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
-  const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, relative_tolerance, most);
+  const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !inertia_});
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
   for (int k = 0; k < problem_.points(); ++k) {

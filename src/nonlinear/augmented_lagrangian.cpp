@@ -64,7 +64,7 @@ AugmentedLagrangian::AugmentedLagrangian(NonlinearProblem& problem, const Newton
 void AugmentedLagrangian::solve_direction(State& s, double relative_tolerance, NewtonReport& report) {
   s.gradient->scale(-1.0);
   s.direction->putScalar(0);
-  s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, relative_tolerance);
+  s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, {relative_tolerance});
   report.count(s.krylov_last);
 }
 

@@ -129,7 +129,7 @@ void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField
 int InteriorPath::solve(NewtonReport& report) {
   gradient_->scale(-1.0);
   direction_->putScalar(0);
-  const int krylov = problem_.solve(resistance_, proximal, gradient_, direction_, solve_accuracy);
+  const int krylov = problem_.solve(resistance_, proximal, gradient_, direction_, {solve_accuracy});
   report.count(krylov);
   return krylov;
 }

@@ -27,6 +27,13 @@ struct LocalRequest {
   const TpetraVector& start;  ///< where stones of patches begin: before that solve, which they may have fled from
 };
 
+/// How a linear system is to be solved.
+struct SolveRequest {
+  double tolerance;           ///< relative to the right-hand side
+  int largest_krylov = 0;     ///< 0 = as many iterations as the scene allows
+  bool stiff_joints = false;  ///< closed points resist far more than the stones beside them
+};
+
 /// Equilibrium K u - f = B^T lambda of one load step with the contact law at its selected points.
 ///
 /// Point fields cover this rank's points and ghosts; each owner and its ghosts compute the same bits,
@@ -69,9 +76,8 @@ class NonlinearProblem {
   /// Proximal weight of each owned unknown [N/m], the size at which it matters as much as the structure's stiffness.
   virtual const std::vector<double>& proximal_weight() const = 0;
   /// Solves (K + resistance + scale x proximal) d = b; returns Krylov iterations. Collective.
-  /// @param largest_krylov  0 = as many as the scene allows
   virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-                    const Teuchos::RCP<TpetraVector>& d, double relative_tolerance, int largest_krylov = 0) = 0;
+                    const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
   /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
   /// still. Returns linear solves of patches, 0 where nothing is stuck or a patch would be too large. Collective.
   virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }

@@ -116,7 +116,7 @@ void Patch::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
 }
 
 int Patch::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
-                 const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d, double, int) {
+                 const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) {
   LocalCsr h = stiffness_;
   for (int i = 0; i < h.rows(); ++i) entry(h, i, i) += proximal_scale * parts_.proximal_weight[i];
   for (std::size_t k = 0; k < parts_.points.size(); ++k) add(parts_.points[k], stiffness[k], h);

@@ -74,7 +74,7 @@ class Patch : public NonlinearProblem {
   const std::vector<double>& proximal_weight() const override { return parts_.proximal_weight; }
   /// Directly, whatever the tolerance.
   int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-            const Teuchos::RCP<TpetraVector>& d, double relative_tolerance, int largest_krylov = 0) override;
+            const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override;
   double force_scale() const override { return parts_.force_scale; }
   double length_scale() const override { return parts_.length_scale; }
 

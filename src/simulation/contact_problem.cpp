@@ -211,16 +211,17 @@ void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, Tpet
 template <int dim>
 int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
                                const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
-                               double relative_tolerance, int largest_krylov) {
+                               const SolveRequest& request) {
   std::vector<double> proximal(proximal_weight_.size());
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
   const TrafficScope sent_for(TrafficOf::set_up);
   matrix_->update(stiffness, proximal);
-  coarse_->update(*matrix_, stiffness, proximal);
+  coarse_->update(*matrix_, stiffness, proximal, request.stiff_joints);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
   coarse_->set_symmetry(symmetry);
-  return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, relative_tolerance, symmetry, largest_krylov)
-      .iterations;
+  const auto result =
+      parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, request.largest_krylov);
+  return result.iterations;
 }
 
 template <int dim>

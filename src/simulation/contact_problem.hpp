@@ -85,7 +85,7 @@ class ContactProblem : public NonlinearProblem {
   void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
   const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
   int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-            const Teuchos::RCP<TpetraVector>& d, double relative_tolerance, int largest_krylov = 0) override;
+            const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override;
   int correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest&) override;
   const SystemMatrix<dim>& system() const { return *matrix_; }
   const CoarseOperator<dim>& preconditioner() const { return *coarse_; }

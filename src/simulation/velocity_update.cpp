@@ -127,7 +127,7 @@ std::vector<double> VelocityUpdate<dim>::spread(const PointField& lambda, const 
   for (std::size_t i = 0; i < closed.size(); i += dim)
     if (closed[i] && (!any || std::abs(speed[i]) > resting)) impulse[i] = -lambda[i];
   problem.subtract_contact_forces(impulse, *b);
-  problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d, solve_tolerance);
+  problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d, {solve_tolerance});
   std::vector<double> way;
   problem.space().scatter(*d, way);
   return way;

@@ -49,7 +49,7 @@ int iterations_at_solution(Scene scene) {
   for (const auto& nodal : {experiment.load(), patternless}) {
     const auto b = Teuchos::rcp(new TpetraVector(problem.map())), x = Teuchos::rcp(new TpetraVector(problem.map()));
     problem.space().sum(nodal, *b);
-    most = std::max(most, problem.solve(stiffness, 1.0, b, x, 1e-8));
+    most = std::max(most, problem.solve(stiffness, 1.0, b, x, {1e-8}));
   }
   return most;
 }

@@ -27,7 +27,7 @@ class Points : public NonlinearProblem {
   void subtract_contact_forces(const PointField&, TpetraVector&) override { absent(); }
   const std::vector<double>& proximal_weight() const override { return stiffness_; }
   int solve(const std::vector<PointStiffness>&, double, const Teuchos::RCP<TpetraVector>&,
-            const Teuchos::RCP<TpetraVector>&, double, int) override {
+            const Teuchos::RCP<TpetraVector>&, const SolveRequest&) override {
     absent();
     return 0;
   }
