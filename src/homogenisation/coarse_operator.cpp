@@ -1,5 +1,7 @@
 #include "homogenisation/coarse_operator.hpp"
 
+#include <malloc.h>
+
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
@@ -56,11 +58,11 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
 
 template <int dim>
 void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>& stiffness,
-                                 const std::vector<double>& proximal, bool stiff_joints) {
+                                 const std::vector<double>& proximal, bool shear) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
   if (active_.empty() && !blocks_) return;
-  const bool others = choose_motions(stiffness, stiff_joints);
+  const bool others = choose_motions(stiffness, shear);
   if (!others && !changed(stiffness, proximal)) {
     ++cost_.reused;
     return;
@@ -72,15 +74,14 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   if (blocks_) blocks_->update(h.local());
 }
 
-/// Per block of the whole structure: 1 where many points give way.
+/// Per block of the whole structure: 1 where many points give way. Tied ones do not.
 template <int dim>
 std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffness>& stiffness) const {
   const std::size_t blocks = active_.size();
   const auto for_sides = [&](const auto& of_side) {
     for (int k = 0; k < points_.owned(); ++k) {
-      if (!selected_[k]) continue;
       const auto& joint = points_.joints()[points_.points()[k].joint];
-      for (const BlockId b : {joint.block_i, joint.block_j}) of_side(b, stiffness[k].normal);
+      for (const BlockId b : {joint.block_i, joint.block_j}) of_side(b, k);
     }
   };
   const auto over_ranks = [&](Teuchos::EReductionType how, const auto& mine) {
@@ -89,12 +90,12 @@ std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffn
     return all;
   };
   std::vector<double> stiffest(blocks, 0.0);
-  for_sides([&](BlockId b, double k) { stiffest[b] = std::max(stiffest[b], k); });
+  for_sides([&](BlockId b, int k) { stiffest[b] = std::max(stiffest[b], stiffness[k].normal); });
   stiffest = over_ranks(Teuchos::REDUCE_MAX, stiffest);
   std::vector<int> count(2 * blocks, 0);  // of points, and of those that give way
-  for_sides([&](BlockId b, double k) {
+  for_sides([&](BlockId b, int k) {
     ++count[b];
-    count[blocks + b] += k < giving_way * stiffest[b];
+    count[blocks + b] += selected_[k] && stiffness[k].normal < giving_way * stiffest[b];
   });
   count = over_ranks(Teuchos::REDUCE_SUM, count);
   std::vector<int> loose(blocks);
@@ -104,14 +105,16 @@ std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffn
 
 /// Returns whether motions are others than before.
 template <int dim>
-bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stiffness, bool stiff_joints) {
+bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stiffness, bool shear) {
   if (active_.empty()) return false;
-  auto wanted = stiff_joints ? loose_blocks(stiffness) : std::vector<int>();
+  auto wanted = shear ? loose_blocks(stiffness) : std::vector<int>();
   bool enough = motions_ && wanted.empty() == sheared_.empty();
   for (std::size_t b = 0; b < wanted.size() && enough; ++b) enough = wanted[b] <= sheared_[b];
   if (enough) return false;
   sheared_ = std::move(wanted);
-  motions_.reset();  // others need its room
+  // Others need the room, which the heap keeps in pieces too small for them: 1.3 kB per block of a wall.
+  motions_.reset();
+  malloc_trim(0);
   motions_ = std::make_unique<BlockMotions<dim>>(structure_, points_, selected_, space_, active_, sheared_);
   return true;
 }

@@ -27,9 +27,9 @@ class CoarseOperator : public Preconditioner {
 
   /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
   /// a tenth. Collective.
-  /// @param stiff_joints  closed points resist far more than stones: stones that many points let go may shear then
+  /// @param shear  stones that many points let go shear: where closed points resist far more than stones
   void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal,
-              bool stiff_joints = false);
+              bool shear = false);
   /// Of the method that will apply it.
   void set_symmetry(Symmetry symmetry) { symmetry_ = symmetry; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
@@ -41,7 +41,7 @@ class CoarseOperator : public Preconditioner {
  private:
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
   std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
-  bool choose_motions(const std::vector<PointStiffness>&, bool stiff_joints);
+  bool choose_motions(const std::vector<PointStiffness>&, bool shear);
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
 
   const Structure<dim>& structure_;

@@ -155,8 +155,8 @@ TEUCHOS_UNIT_TEST(CoarseOperator, LetsBlocksShearWhereManyPointsGiveWay) {
   const int rigid = m.motions();
   // All points alike, then some joints open; a block shears where more than an eighth of its points are.
   std::vector<PointStiffness> stiffness(w.points.size(), {1e9, 1e9});
-  const auto motions_with = [&](bool stiff_joints) {
-    m.update(whole.system.h, stiffness, w.proximal(), stiff_joints);
+  const auto motions_with = [&](bool shear) {
+    m.update(whole.system.h, stiffness, w.proximal(), shear);
     return m.motions();
   };
   TEST_EQUALITY(motions_with(true), rigid);
