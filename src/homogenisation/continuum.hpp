@@ -1,5 +1,5 @@
 // The bonded continuum: the structure with every joint tied, preconditioned once by MueLu
-// (factored where it is too small for more than one level).
+// (factored where it is too small for more than one level, or stones differ too much in stiffness).
 //
 // For joints that are infinitely stiff while closed, the homogenised structure is the structure without joints.
 #pragma once

@@ -19,7 +19,9 @@ void SolverParameters::declare(ParameterSection& section) {
               "none would solve nothing");
   section.add_list("Belos", belos, "parameters for Belos, going before those Voussoir sets; its manual applies");
   section.add_list("Belos unsymmetric", belos_unsymmetric, "the same for the unsymmetric method");
-  section.add_list("MueLu", muelu, "parameters for MueLu, going before those Voussoir sets; its manual applies");
+  section.add_list("MueLu", muelu,
+                   "parameters for MueLu, going before those Voussoir sets; its manual applies. With any, a continuum "
+                   "of unequal stones is not factored either");
 }
 
 }  // namespace voussoir

@@ -88,15 +88,28 @@ class Study(unittest.TestCase):
 class Systems(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        done = study(FOLDER / "systems", "--systems=contrast,open", "--largest=10")
+        done = study(FOLDER / "systems", "--systems=open", "--largest=10")
         assert done.returncode == 0, done.stderr
         cls.rows = json.loads((FOLDER / "systems/systems.json").read_text(encoding="utf-8"))
 
-    def test_iterations_do_not_see_stiffness_where_the_continuum_is_factored(self):
-        # 7, 11, 11, 13 when this was written; the other way round in contrast would be a wrong scaling somewhere.
-        iterations = [row["iterations"] for row in self.rows if row["family"] == "contrast"]
-        self.assertEqual(len(iterations), 4)
-        self.assertLessEqual(max(iterations), 16)
+    def contrast(self, *options):
+        """Levels of multigrid and iterations of a wall of 32 courses, stones alike first, then up to 1e6 times as stiff."""
+        folder = FOLDER / f"contrast-{len(options)}"
+        done = study(folder, "--systems=contrast", "--largest=32", *options)
+        assert done.returncode == 0, done.stderr
+        rows = json.loads((folder / "systems.json").read_text(encoding="utf-8"))
+        self.assertEqual([row["contrast"] for row in rows], [1, 1e2, 1e4, 1e6])
+        return [len(row["level_rows"].split()) for row in rows], [row["iterations"] for row in rows]
+
+    def test_iterations_do_not_see_how_stiff_stones_are(self):
+        levels, iterations = self.contrast()
+        self.assertGreater(levels[0], 1)
+        self.assertEqual(levels[1:], [0, 0, 0])  # the continuum is factored
+        self.assertLessEqual(max(iterations), 16)  # 11, 11, 13, 13 when this was written; 11, 28, 38, 41 by multigrid
+
+    def test_a_scene_that_has_wishes_for_multigrid_gets_one(self):
+        levels, _ = self.contrast("--set", "solver/MueLu/coarse: max size=1000")
+        self.assertGreater(min(levels), 1)
 
     def test_iterations_stay_bounded_with_open_joints(self):
         shares = {row["open"]: row["iterations"] for row in self.rows if row["family"] == "open"}
