@@ -4,6 +4,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -21,18 +22,28 @@ constexpr double many = 0.125, giving_way = 0.1;
 
 bool differ(double a, double b) { return std::abs(a - b) > same * std::min(a, b); }
 
+template <int dim>
+std::array<BlockId, 2> blocks_beside(const ContactPoints<dim>& points, int k) {
+  const auto& joint = points.joints()[points.points()[k].joint];
+  return {joint.block_i, joint.block_j};
+}
+
+template <class T>
+std::vector<T> over_ranks(const Teuchos::Comm<int>& comm, Teuchos::EReductionType how, const std::vector<T>& mine) {
+  std::vector<T> all(mine.size());
+  Teuchos::reduceAll(comm, how, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
 /// Blocks with a selected point, over the whole structure.
 template <int dim>
 std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints<dim>& points,
                                const std::vector<char>& selected) {
-  std::vector<int> mine(s.owner_of_block().size(), 0), all(mine.size(), 0);
+  std::vector<int> mine(s.owner_of_block().size(), 0);
   for (int k = 0; k < points.owned(); ++k)
-    if (selected[k]) {
-      const auto& joint = points.joints()[points.points()[k].joint];
-      mine[joint.block_i] = mine[joint.block_j] = 1;
-    }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
+    if (selected[k])
+      for (const BlockId b : blocks_beside(points, k)) mine[b] = 1;
+  return over_ranks(*s.comm(), Teuchos::REDUCE_MAX, mine);
 }
 
 }  // namespace
@@ -78,26 +89,17 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
 template <int dim>
 std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffness>& stiffness) const {
   const std::size_t blocks = active_.size();
-  const auto for_sides = [&](const auto& of_side) {
-    for (int k = 0; k < points_.owned(); ++k) {
-      const auto& joint = points_.joints()[points_.points()[k].joint];
-      for (const BlockId b : {joint.block_i, joint.block_j}) of_side(b, k);
-    }
-  };
-  const auto over_ranks = [&](Teuchos::EReductionType how, const auto& mine) {
-    auto all = mine;
-    Teuchos::reduceAll(*structure_.comm(), how, static_cast<int>(mine.size()), mine.data(), all.data());
-    return all;
-  };
   std::vector<double> stiffest(blocks, 0.0);
-  for_sides([&](BlockId b, int k) { stiffest[b] = std::max(stiffest[b], stiffness[k].normal); });
-  stiffest = over_ranks(Teuchos::REDUCE_MAX, stiffest);
+  for (int k = 0; k < points_.owned(); ++k)
+    for (const BlockId b : blocks_beside(points_, k)) stiffest[b] = std::max(stiffest[b], stiffness[k].normal);
+  stiffest = over_ranks(*structure_.comm(), Teuchos::REDUCE_MAX, stiffest);
   std::vector<int> count(2 * blocks, 0);  // of points, and of those that give way
-  for_sides([&](BlockId b, int k) {
-    ++count[b];
-    count[blocks + b] += selected_[k] && stiffness[k].normal < giving_way * stiffest[b];
-  });
-  count = over_ranks(Teuchos::REDUCE_SUM, count);
+  for (int k = 0; k < points_.owned(); ++k)
+    for (const BlockId b : blocks_beside(points_, k)) {
+      ++count[b];
+      count[blocks + b] += selected_[k] && stiffness[k].normal < giving_way * stiffest[b];
+    }
+  count = over_ranks(*structure_.comm(), Teuchos::REDUCE_SUM, count);
   std::vector<int> loose(blocks);
   for (std::size_t b = 0; b < blocks; ++b) loose[b] = count[blocks + b] > many * count[b];
   return loose;

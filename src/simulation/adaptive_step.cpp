@@ -21,7 +21,7 @@ constexpr double share_of_violation = 0.1, coarsest_tolerance = 1e-2;
 // The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md); once it
 // was computed for a selection it follows the root within this margin.
 constexpr double decreases_in_error = 5, margin = 1.5;
-// A root of decreases so many times what is allowed is too large: errors are 0.7 (brittle joints) to 6 times the root.
+// A root of decreases so many times what is allowed is too large: errors are 0.7 (brittle joints) to 5 times the root.
 constexpr double too_large = 2;
 // An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
 // the shaken wall of tests/analytic/rest_in_time was up to 2.2 % beside the solution with all points.
@@ -141,9 +141,6 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   // With nothing selected yet, a first look needs no more than the violations it is to show.
   if (selected_before == 0 && selection.mode != SelectionMode::bonded && !in_time) wanted = 1e-4;
   const ContactState before = state;
-  const auto may_release = [&](int rounds) {
-    return selection.mode == SelectionMode::adaptive && rounds < selection.largest_rounds;
-  };
   bool from_before = true;
   const PointField known_gap = gaps(state.displacement);
   double estimate_before = std::numeric_limits<double>::infinity(), root_before = estimate_before;
@@ -170,26 +167,32 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     const bool release_rest = selection.mode == SelectionMode::all && selected_before == 0 && first_look;
     // Where the decreases alone tell that the error is too large, no system is solved to know it; nor, as time steps
     // are many, where they tell that it is small.
-    const double root = root_of_decreases(decrease, energy_of(state), *model_.structure().comm());
+    const bool may_release =
+        selection.mode == SelectionMode::adaptive && report.selection_rounds < selection.largest_rounds;
+    const double root = in_time || may_release
+                            ? root_of_decreases(decrease, energy_of(state), *model_.structure().comm())
+                            : 0.0;
     auto& known = state.rest.error_by_decreases;
     report.error_estimate = root * (known > 0 ? margin * known : decreases_in_error);
     const bool small = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);
     const double rough = root / std::hypot(1, root);  // relative to the energy that will be there
-    const bool large =
-        !in_time && (release_rest || (may_release(report.selection_rounds) && rough > too_large * allowed));
+    const bool large = !in_time && (release_rest || rough > too_large * allowed);
     const auto estimate = [&] {
       const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
       report.estimate_solves += error.linear_solves;
       report.newton.krylov_iterations += error.krylov_iterations;
       report.cost.add(error.cost);
       report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
-      known = root > 0 ? report.error_estimate / root : 0.0;
+      known = in_time && root > 0 ? report.error_estimate / root : 0.0;
     };
     if (large)
       report.error_estimate = rough;
     else if (!small)
       estimate();
-    if (narrate_round) narrate_round(report.selection_rounds, count_selected(model_, state), report.error_estimate);
+    if (narrate_round) {
+      const double told = large ? std::numeric_limits<double>::quiet_NaN() : report.error_estimate;
+      narrate_round(report.selection_rounds, count_selected(model_, state), told);
+    }
     // Where forces differ by orders of magnitude, as from the foot to the top of a tall wall, a rough round may be far
     // from any solution where they are small. Releasing points lowers the error: one that grows is not believed.
     const bool grown = large ? root > root_before : report.error_estimate > estimate_before;
@@ -203,7 +206,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     if ((release_rest && release_all(model_, law_, state)) || (first_look && release_mortar(model_, law_, state))) {
       more = true;
       wanted = tolerance;
-    } else if (report.error_estimate > allowed && may_release(report.selection_rounds)) {
+    } else if (report.error_estimate > allowed && may_release) {
       const auto released = release(model_, law_, cluster, decrease, state);
       more = released > 0;
       if (more) known = 0;

@@ -35,6 +35,7 @@ class AdaptiveStep {
   explicit AdaptiveStep(const Model<dim>&);
 
   std::function<void(const NewtonProgress&)> narrate;
+  /// The estimate is no number where none was needed to go on.
   std::function<void(int round, long long selected, double error_estimate)> narrate_round;
   /// Energy of the structure that the estimate may refer to [J], where displacement does not tell: in time steps.
   double known_energy = 0;

@@ -24,7 +24,7 @@ constexpr double next_to_rigid = 1e7;
 // What round-off of displacements may make of forces, counted for one node, relative to the tolerance.
 constexpr double share_of_round_off = 0.1;
 // Stones shear in the preconditioner once a system with stiff joints has taken more Krylov iterations. Own weight of
-// walls takes 5 to 11 with and without, pushed sideways they take 20 to 40 without.
+// W(64), adaptive, takes 5 to 11 with and without, pushed sideways it takes 20 to 40 without.
 constexpr int many_krylov = 12;
 
 }  // namespace

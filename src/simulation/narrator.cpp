@@ -44,8 +44,11 @@ void Narrator::solve(const NewtonProgress& p) {
 
 void Narrator::round(int round, long long selected, double error_estimate) {
   if (!verbose_) return;
-  print(say_, "        round %d: %lld points selected, error estimate %.2e of what is bonded\n", round, selected,
-        error_estimate);
+  if (std::isnan(error_estimate))
+    print(say_, "        round %d: %lld points selected, too few: error not estimated\n", round, selected);
+  else
+    print(say_, "        round %d: %lld points selected, error estimate %.2e of what is bonded\n", round, selected,
+          error_estimate);
 }
 
 void Narrator::end(const StepReport& report, const StatusCount& count, double seconds, const RunSummary& summary,
