@@ -17,7 +17,7 @@ struct Limit {
   long long krylov;
 };
 
-// Bytes per unknown of H, of the factors of blocks and of their motions: 198 + 127 + 77 on W(16), less on arches.
+// Bytes per unknown of H, of the factors of blocks and of their motions: 198 + 127 + 84 on W(16), less on arches.
 constexpr double most_bytes = 440;
 
 void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream& out, bool& success) {
