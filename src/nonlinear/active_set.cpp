@@ -194,7 +194,9 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   const double size_before = size;
   lambda = admissible_;
   const int solves = problem_.correct_locally(
-      x, lambda, {std::max(tolerance, stuck * known) * scale_, much * tolerance, scale_, resistance_, start});
+      x, lambda,
+      {std::max(tolerance, stuck * known) * scale_, much * tolerance, scale_, known * scale_, spoilt * known * scale_,
+       resistance_, start});
   if (solves == 0) {
     lambda = lambda_before;
     return true;
@@ -202,7 +204,7 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   report.local_solves += solves;
   size = measure(x, lambda, report);
   tell(report, 0, solves);
-  if (size != size_before && size <= spoilt * size_before) return true;
+  if (size <= spoilt * size_before) return true;
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
   size = measure(x, lambda, report);
@@ -254,6 +256,7 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
     if (size > gained * best) continue;
     best = size;
     last_gain = solves;
+    local = true;
   }
   return false;
 }

@@ -23,6 +23,8 @@ struct LocalRequest {
   double threshold = 0;  ///< [N] blocks out of balance or against the law by more are brought to rest
   double tolerance = 0;  ///< relative to the largest force
   double scale = 0;      ///< [N] that force
+  double bearable = 0;   ///< [N] patches that pass more on to their surroundings are tried with more neighbours
+  double most = 0;       ///< [N] and, if that does not help, left as they were when it is more than this
   const std::vector<PointStiffness>& resistance;  ///< of the last linear solve
   const TpetraVector& start;  ///< where stones of patches begin: before that solve, which they may have fled from
 };

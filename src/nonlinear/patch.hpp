@@ -53,6 +53,8 @@ class Patch : public NonlinearProblem {
   /// Brings the stones to rest; false when they find none.
   /// @param tolerance  relative to the largest force of the structure
   bool solve(double tolerance, NewtonReport&);
+  /// Largest change of a force at the border [N]: what the surroundings have to bear instead.
+  double passed_on() const { return passed_on_; }
   /// How far each unknown was moved [m].
   const std::vector<double>& displacement() const { return displacement_; }
   /// What became of the points, forces alone.
@@ -93,6 +95,7 @@ class Patch : public NonlinearProblem {
   PointField slip_origin_;
   LocalCsr stiffness_;  ///< of blocks and border; with places for the points
   SparseLu factor_;
+  double passed_on_ = 0;
 };
 
 }  // namespace voussoir

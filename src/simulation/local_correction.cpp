@@ -22,6 +22,8 @@ namespace {
 // Patches may have this share of all unknowns together: their paths of some 40 direct solutions then cost as much as
 // two or three linear solves of the whole.
 constexpr double largest_share = 0.0625;
+// So many more rings of neighbours where what a patch passes on is more than its surroundings should bear.
+constexpr int more_rings = 3;
 
 }  // namespace
 
@@ -54,6 +56,14 @@ template <int dim>
 struct LocalCorrection<dim>::Force {
   PointId id;
   double change[dim];  // [N]
+};
+/// What became of the patches of this rank.
+template <int dim>
+struct LocalCorrection<dim>::Outcome {
+  std::vector<Motion> motion;
+  std::vector<Force> force;
+  std::vector<int> too_narrow;  // patches
+  int solves = 0;
 };
 
 /// Blocks that a threshold [N] says are stuck.
@@ -129,6 +139,15 @@ void LocalCorrection<dim>::find_patches() {
   patches_ = 0;
   for (int i = 0; i < static_cast<int>(block_.size()); ++i)
     patch_[i] = sets.root(i) == i ? patches_++ : patch_[sets.root(i)];
+}
+
+/// Blocks of some patches, ascending.
+template <int dim>
+std::vector<BlockId> LocalCorrection<dim>::blocks_of(const std::vector<int>& patches) const {
+  std::vector<BlockId> list;
+  for (std::size_t b = 0; b < block_.size(); ++b)
+    if (std::find(patches.begin(), patches.end(), patch_[b]) != patches.end()) list.push_back(block_[b]);
+  return list;
 }
 
 template <int dim>
@@ -239,11 +258,13 @@ std::vector<typename LocalCorrection<dim>::Point> LocalCorrection<dim>::points(
   return list;
 }
 
-/// Solves the patches that are this rank's; returns linear solves.
+/// Solves the patches that are this rank's.
 template <int dim>
-int LocalCorrection<dim>::solve(const LocalRequest& request, const std::vector<Unknown>& unknown,
-                                const std::vector<Entry>& entry, const std::vector<Point>& point,
-                                std::vector<Motion>& motion, std::vector<Force>& force) const {
+typename LocalCorrection<dim>::Outcome LocalCorrection<dim>::solve(const LocalRequest& request,
+                                                                   const std::vector<Unknown>& unknown,
+                                                                   const std::vector<Entry>& entry,
+                                                                   const std::vector<Point>& point,
+                                                                   double bearable) const {
   const auto& comm = *parts_.structure.comm();
   const auto is_mine = [&](int patch) { return patch % comm.getSize() == comm.getRank(); };
   std::vector<PatchParts> parts(patches_);
@@ -274,6 +295,7 @@ int LocalCorrection<dim>::solve(const LocalRequest& request, const std::vector<U
     (p.border ? parts[p.patch].border : parts[p.patch].points).push_back(local);
     (p.border ? border_ids : law_ids)[p.patch].push_back(p.id);
   }
+  Outcome out;
   NewtonReport report;
   for (int i = 0; i < patches_; ++i) {
     if (!is_mine(i) || parts[i].points.empty()) continue;
@@ -282,17 +304,22 @@ int LocalCorrection<dim>::solve(const LocalRequest& request, const std::vector<U
     const auto points_before = parts[i].points, border_before = parts[i].border;
     Patch patch(std::move(parts[i]));
     if (!patch.solve(request.tolerance, report)) continue;
-    for (std::size_t u = 0; u < ids[i].size(); ++u) motion.push_back({ids[i][u], patch.displacement()[u]});
+    if (patch.passed_on() > bearable) {
+      out.too_narrow.push_back(i);
+      continue;
+    }
+    for (std::size_t u = 0; u < ids[i].size(); ++u) out.motion.push_back({ids[i][u], patch.displacement()[u]});
     const auto tell = [&](const auto& id, const auto& before, const auto& after) {
       for (std::size_t k = 0; k < id.size(); ++k) {
-        force.push_back({id[k], {}});
-        for (int c = 0; c < dim; ++c) force.back().change[c] = after[k].force[c] - before[k].force[c];
+        out.force.push_back({id[k], {}});
+        for (int c = 0; c < dim; ++c) out.force.back().change[c] = after[k].force[c] - before[k].force[c];
       }
     };
     tell(law_ids[i], points_before, patch.solved_points());
     tell(border_ids[i], border_before, patch.solved_border());
   }
-  return report.newton_iterations;
+  out.solves = report.newton_iterations;
+  return out;
 }
 
 template <int dim>
@@ -320,16 +347,21 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
   parts_.problem.evaluate(x, *linear_, gap_);
   find_blocks(lambda, request.threshold);
-  if (stuck_.empty()) return 0;
-  find_patches();
-  if (too_large()) return 0;
-  cluster_patch_ = patch_of_clusters();
-  std::vector<Motion> motion;
-  std::vector<Force> force;
-  const int solves = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
-                           all_gather(points(lambda, request.resistance), comm), motion, force);
-  put_back(all_gather(motion, comm), all_gather(force, comm), x, lambda);
-  return total_over_ranks(comm, solves);
+  int solves = 0;
+  for (int ring = 0; !stuck_.empty(); ++ring) {
+    find_patches();
+    if (too_large()) break;
+    cluster_patch_ = patch_of_clusters();
+    const auto out = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
+                           all_gather(points(lambda, request.resistance), comm),
+                           ring < more_rings ? request.bearable : request.most);
+    put_back(all_gather(out.motion, comm), all_gather(out.force, comm), x, lambda);
+    solves += static_cast<int>(total_over_ranks(comm, out.solves));
+    if (ring == more_rings) break;
+    stuck_ = blocks_of(all_gather(out.too_narrow, comm));
+    if (!stuck_.empty()) parts_.problem.evaluate(x, *linear_, gap_);
+  }
+  return solves;
 }
 
 template class LocalCorrection<2>;

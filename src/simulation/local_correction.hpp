@@ -2,6 +2,7 @@
 //
 // Blocks that are out of balance, or have a point that violates its law, by more than a threshold are cut out together
 // with their neighbours; those that meet make a patch. Each patch is solved by one rank, and all get what came out.
+// One that leaves more to its surroundings than they should bear is left as it was and tried with more neighbours.
 // Which blocks those are does not depend on ranks.
 #pragma once
 
@@ -32,17 +33,19 @@ class LocalCorrection {
   struct Point;
   struct Motion;
   struct Force;
+  struct Outcome;
 
   void find_blocks(const PointField& lambda, double threshold);
   void find_patches();
+  std::vector<BlockId> blocks_of(const std::vector<int>& patches) const;
   int patch_of_block(BlockId) const;
   std::vector<int> patch_of_clusters() const;
   bool too_large() const;
   std::vector<Unknown> unknowns(const TpetraVector& x, const TpetraVector& start) const;
   std::vector<Entry> entries() const;
   std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
-  int solve(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&, const std::vector<Point>&,
-            std::vector<Motion>&, std::vector<Force>&) const;
+  Outcome solve(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&,
+                const std::vector<Point>&, double bearable) const;
   void put_back(const std::vector<Motion>&, const std::vector<Force>&, TpetraVector& x, PointField& lambda) const;
 
   Parts parts_;

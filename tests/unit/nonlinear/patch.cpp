@@ -77,6 +77,7 @@ TEUCHOS_UNIT_TEST(Patch, KeepsTheStatusesOfItsBorder) {
   TEST_FLOATING_EQUALITY(patch.displacement()[2], 30 / (3 * spring), 1e-6);
   TEST_FLOATING_EQUALITY(patch.solved_border()[0].force[1], 20.0, 1e-6);
   TEST_FLOATING_EQUALITY(patch.solved_border()[0].force[0], 2 * weight, 1e-6);
+  TEST_FLOATING_EQUALITY(patch.passed_on(), 2 * weight, 1e-6);
 }
 
 }  // namespace
