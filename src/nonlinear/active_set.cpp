@@ -244,7 +244,8 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
         return true;
       }
       if (inertia_) break;  // nothing flies
-      if (krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best))) return false;
+      loose_ = krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best));
+      if (loose_) return false;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
       if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;

@@ -32,6 +32,9 @@ class ActiveSet {
   bool solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves, const PointField* known_gap,
              NewtonReport& report);
 
+  /// Was the last solve given up because next to nothing holds some stones?
+  bool found_loose_stones() const { return loose_; }
+
  private:
   void choose(const PointField& lambda, const PointField& gap);
   void aim(const PointField& lambda);
@@ -46,6 +49,7 @@ class ActiveSet {
   bool inertia_;
   double augmentation_, proximal_;
   int patience_;
+  bool loose_ = false;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
   PointField target_, force_, gap_, gap_direction_, admissible_;

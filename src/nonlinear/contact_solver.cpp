@@ -9,8 +9,9 @@
 namespace voussoir {
 namespace {
 
-// Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 15.
-constexpr int solves_in_time = 30, solves_at_rest = 20;
+// Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 15. From near the end of
+// the path they may take longer: W(512) took 20 down to the last stone, and what comes after is slower.
+constexpr int solves_in_time = 30, solves_at_rest = 20, solves_from_near = 40;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
 // many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.
 constexpr int closing_solves = 80;
@@ -38,35 +39,42 @@ bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lamb
   return out_of_balance(x, lambda) <= tolerance * force_scale(problem_, lambda);
 }
 
-bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                                   NewtonReport& report) {
-  const bool inertia = parameters_.has_inertia;
+bool ContactSolver::may_be_fast() {
   if (parameters_.time_follows) return false;
-  if (!inertia && fast_.wait > 0) {
+  if (!parameters_.has_inertia && fast_.wait > 0) {
     --fast_.wait;
     return false;
   }
+  fast_.wait = fast_.next_wait;  // unless they arrive
+  fast_.next_wait = std::min(2 * fast_.next_wait + 1, FastWay::longest);
+  return true;
+}
+
+bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                                   int largest_solves, NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
-  ActiveSet active(problem_, inertia);
+  ActiveSet active(problem_, parameters_.has_inertia);
   active.narrate = narrate;
-  const int most = std::min(inertia ? solves_in_time : solves_at_rest, parameters_.largest_iterations);
-  if (active.solve(x, lambda, tolerance, most, known_gap, report)) {
+  if (active.solve(x, lambda, tolerance, std::min(largest_solves, parameters_.largest_iterations), known_gap, report)) {
     fast_ = {};
     return true;
   }
-  fast_.wait = fast_.next_wait;
-  fast_.next_wait = std::min(2 * fast_.next_wait + 1, FastWay::longest);
+  loose_stones_ = active.found_loose_stones();
   before.restore(x);
   lambda = lambda_before;
   return false;
 }
 
 const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
-                                                const PointField* known_gap, NewtonReport& report) {
+                                                const PointField* known_gap, bool shortcut, NewtonReport& report) {
   if (!path_) return known_gap;
   InteriorPath interior(problem_);
   interior.narrate = narrate;
+  if (shortcut)
+    interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
+      return try_active_set(near_x, near_lambda, tolerance, nullptr, solves_from_near, report);
+    };
   const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
@@ -88,11 +96,13 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
   if (in_equilibrium(x, lambda, tolerance)) {
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {
-    if (try_active_set(x, lambda, tolerance, known_gap, report)) return report;
-    known_gap = along_the_path(x, lambda, tolerance, known_gap, report);
+    const bool fast = may_be_fast();
+    const int most = parameters_.has_inertia ? solves_in_time : solves_at_rest;
+    if (fast && try_active_set(x, lambda, tolerance, known_gap, most, report)) return report;
+    known_gap = along_the_path(x, lambda, tolerance, known_gap, fast && !loose_stones_, report);
   }
   // Where closing labours, another path from the state it has reached is shorter.
-  for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, report)) {
+  for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, false, report)) {
     const int left = parameters_.largest_iterations - report.newton_iterations;
     const int most = closing_solves << std::min(led_nowhere_, most_doublings);
     last = left <= most;

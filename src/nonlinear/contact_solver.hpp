@@ -1,8 +1,8 @@
 // Closing the contact conditions of one load step or time step: the fast way first, the sure way after it.
 //
-//   1  where few points change since a known state: active sets in time steps, a few solves of the augmented Lagrangian
-//      in load steps
-//   2  interior path, whatever changes
+//   1  active sets, where they have not failed of late
+//   2  interior path, whatever changes; near its end active sets again, which then have the statuses,
+//      unless loose stones stopped them
 //   3  augmented Lagrangian from where the path ends, when it ends early; it also tells a collapse from slow progress
 #pragma once
 
@@ -32,15 +32,20 @@ class ContactSolver {
   double out_of_balance(const TpetraVector& x, const PointField& lambda) const;  ///< [N] largest
   bool in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const;
   /// Returns the known gaps when the path led nowhere, which leaves the state as it was, else null.
+  /// @param shortcut  whether active sets may take over near the end
   const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                                   NewtonReport&);
+                                   bool shortcut, NewtonReport&);
+  /// Are active sets to be tried now? Counts what they wait for.
+  bool may_be_fast();
+  /// False when they do not arrive, which leaves the state as it was.
   bool try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                      NewtonReport&);
+                      int largest_solves, NewtonReport&);
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
   FastWay& fast_;
   bool path_ = false;
+  bool loose_stones_ = false;  ///< what active sets failed for last
   int led_nowhere_ = 0;  ///< paths that ran away, or stuck farther from equilibrium than they began
   Teuchos::RCP<TpetraVector> mechanism_;
 };

@@ -46,6 +46,8 @@ constexpr double balanced = 0.1, gained = 0.9;
 // none.
 constexpr int halting_steps = 5;
 constexpr double halting = 1e-6;
+// Residuals at which statuses are as good as known; figures in README.md.
+constexpr double near = 1e-4;
 
 }  // namespace
 
@@ -155,6 +157,18 @@ double InteriorPath::after_leaving(PointField lambda) {
   return std::max(equilibrium, contact);
 }
 
+/// False when it leads nowhere.
+bool InteriorPath::take_shortcut(TpetraVector& x, PointField& lambda) {
+  PointField forces = lambda;
+  leave(forces);
+  if (shortcut(x, forces)) {
+    lambda = forces;
+    return true;
+  }
+  measure(x, lambda);
+  return false;
+}
+
 /// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
 double InteriorPath::barrier() const {
   double mine[2] = {0, 0}, all[2];
@@ -251,7 +265,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   double step = 0;
   int waits = 0, raised = 0, halts = 0;
   augmentation_ = usual;
-  bool arrived = false;
+  bool arrived = false, offered = !shortcut;
   for (int iteration = 0;; ++iteration) {
     problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
@@ -261,6 +275,10 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
                       size > gained * sizes[iteration - patience];
     const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;
     if (arrived || stuck || iteration >= largest_iterations) break;
+    if (!offered && size <= near) {
+      offered = true;
+      if (take_shortcut(x, lambda)) return PathEnd::arrived;
+    }
     sizes.push_back(size);
     if (before.distance(x) > run_away * problem_.length_scale()) {
       before.restore(x);

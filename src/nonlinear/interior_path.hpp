@@ -33,6 +33,9 @@ class InteriorPath {
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
+  /// A shorter way to the end, tried once when a solution is near; false when it leads nowhere, which leaves x and
+  /// lambda as they were. May be empty.
+  std::function<bool(TpetraVector& x, PointField& lambda)> shortcut;
 
   /// Moves x and lambda [N] to a state whose residuals are below tolerance x the largest force; held unknowns of x
   /// must have their prescribed values. Contact forces end admissible.
@@ -60,6 +63,7 @@ class InteriorPath {
   Imbalance measure(const TpetraVector& x, const PointField& lambda);
   Imbalance residuals(const PointField& lambda);
   double after_leaving(PointField lambda);
+  bool take_shortcut(TpetraVector& x, PointField& lambda);
   double barrier() const;
   void aim(const PointField& lambda, double target);
   int solve(NewtonReport&);

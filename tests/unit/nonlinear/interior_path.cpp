@@ -1,0 +1,95 @@
+// A node of weight 100 N on the ground, held by a spring of 1000 N/m along it, pushed by 50 N; friction bears 30 N.
+// Near the end of the path another way may take over.
+#include "nonlinear/interior_path.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+
+#include "linalg/local_view.hpp"
+#include "nonlinear/patch.hpp"
+
+namespace {
+
+using namespace voussoir;
+
+constexpr double weight = 100, push = 50, spring = 1000, friction = 0.3;
+constexpr double at_rest = (push - friction * weight) / spring;  // [m]
+constexpr double tolerance = 1e-9, near = 1e-4;
+
+Patch slider() {
+  PatchParts parts;
+  parts.imbalance = {-push, weight};
+  parts.start = {0, 0};
+  parts.proximal_weight = {1e-6, 1e-6};
+  parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}};
+  parts.force_scale = weight;
+  parts.length_scale = 1;
+  PatchPoint ground;
+  ground.unknown = {-1, -1, 0, 1};
+  ground.axis = {{{0, 1}, {-1, 0}}};
+  ground.law.friction = friction;
+  ground.local_stiffness = 1e6;
+  parts.points = {ground};
+  return Patch(parts);
+}
+
+struct Walk {
+  PathEnd end;
+  double slip;  ///< [m]
+  PointField lambda;
+  int solves;
+};
+
+Walk follow(const std::function<bool(TpetraVector&, PointField&)>& shortcut) {
+  Patch problem = slider();
+  TpetraVector x(problem.map());
+  PointField lambda(2, 0.0);
+  NewtonReport report;
+  InteriorPath path(problem);
+  path.shortcut = shortcut;
+  const auto end = path.follow(x, lambda, tolerance, 100, nullptr, report);
+  return {end, local_view(x)[0], lambda, report.newton_iterations};
+}
+
+TEUCHOS_UNIT_TEST(InteriorPath, OffersAShortcutOnceWhereASolutionIsNear) {
+  int offers = 0;
+  double off = 1;  // [m] of the slip offered
+  PointField forces;
+  const auto walk = follow([&](TpetraVector& x, PointField& lambda) {
+    ++offers;
+    off = std::abs(local_view(x)[0] - at_rest);
+    forces = lambda;
+    return false;
+  });
+  TEST_EQUALITY_CONST(offers, 1);
+  TEST_COMPARE(off, <=, near * weight / spring);
+  TEST_COMPARE(std::abs(forces[1]), <=, friction * forces[0] * (1 + 1e-12));
+  TEST_ASSERT(walk.end == PathEnd::arrived);
+  TEST_FLOATING_EQUALITY(walk.slip, at_rest, 1e-6);
+}
+
+TEUCHOS_UNIT_TEST(InteriorPath, GoesOnAsIfNothingHadBeenOfferedWhereAShortcutLeadsNowhere) {
+  const auto alone = follow({});
+  const auto offered = follow([](TpetraVector&, PointField& lambda) {
+    lambda.assign(2, -1.0);  // what it leaves of the forces is its own affair
+    return false;
+  });
+  TEST_EQUALITY(offered.solves, alone.solves);
+  TEST_EQUALITY(offered.slip, alone.slip);
+  TEST_COMPARE_ARRAYS(offered.lambda, alone.lambda);
+}
+
+TEUCHOS_UNIT_TEST(InteriorPath, EndsWhereAShortcutArrives) {
+  const auto alone = follow({});
+  const auto walk = follow([](TpetraVector& x, PointField& lambda) {
+    local_view_to_write(x)[0] = at_rest;
+    lambda = {weight, friction * weight};
+    return true;
+  });
+  TEST_ASSERT(walk.end == PathEnd::arrived);
+  TEST_EQUALITY(walk.slip, at_rest);
+  TEST_EQUALITY(walk.lambda[1], friction * weight);
+  TEST_COMPARE(walk.solves, <, alone.solves);
+}
+
+}  // namespace
