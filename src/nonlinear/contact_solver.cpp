@@ -10,7 +10,7 @@ namespace voussoir {
 namespace {
 
 // Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 15. From near the end of
-// the path they may take longer: W(512) took 20 down to the last stone, and what comes after is slower.
+// the path they may take longer: after 20 W(512) stopped just short of its tolerance, and what follows is slower.
 constexpr int solves_in_time = 30, solves_at_rest = 20, solves_from_near = 40;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
 // many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.

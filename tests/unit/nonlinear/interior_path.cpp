@@ -1,37 +1,19 @@
-// A node of weight 100 N on the ground, held by a spring of 1000 N/m along it, pushed by 50 N; friction bears 30 N.
-// Near the end of the path another way may take over.
+// Near the end of the path another way may take over: a slider, of whose push friction bears 30 N.
 #include "nonlinear/interior_path.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
 #include "linalg/local_view.hpp"
-#include "nonlinear/patch.hpp"
+#include "slider.hpp"
 
 namespace {
 
 using namespace voussoir;
+using namespace voussoir::test;
 
-constexpr double weight = 100, push = 50, spring = 1000, friction = 0.3;
-constexpr double at_rest = (push - friction * weight) / spring;  // [m]
+constexpr double friction = 0.3, at_rest = (push - friction * weight) / spring;  // [m]
 constexpr double tolerance = 1e-9, near = 1e-4;
-
-Patch slider() {
-  PatchParts parts;
-  parts.imbalance = {-push, weight};
-  parts.start = {0, 0};
-  parts.proximal_weight = {1e-6, 1e-6};
-  parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}};
-  parts.force_scale = weight;
-  parts.length_scale = 1;
-  PatchPoint ground;
-  ground.unknown = {-1, -1, 0, 1};
-  ground.axis = {{{0, 1}, {-1, 0}}};
-  ground.law.friction = friction;
-  ground.local_stiffness = 1e6;
-  parts.points = {ground};
-  return Patch(parts);
-}
 
 struct Walk {
   PathEnd end;
@@ -41,7 +23,7 @@ struct Walk {
 };
 
 Walk follow(const std::function<bool(TpetraVector&, PointField&)>& shortcut) {
-  Patch problem = slider();
+  Patch problem = slider_on_the_ground(friction);
   TpetraVector x(problem.map());
   PointField lambda(2, 0.0);
   NewtonReport report;

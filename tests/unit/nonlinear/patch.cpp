@@ -1,40 +1,14 @@
-// A node of weight 100 N on the ground, held by a spring of 1000 N/m along it, pushed by 50 N. Its weight shares are
-// known by heart: friction of 0.3 bears 30 N, the spring the rest.
+// The slider's shares are known by heart: friction of 0.3 bears 30 N, the spring the rest.
 #include "nonlinear/patch.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "slider.hpp"
+
 namespace {
 
 using namespace voussoir;
-
-constexpr double weight = 100, push = 50, spring = 1000, stone = 1e6;
-
-PatchPoint on_the_ground(double friction) {
-  PatchPoint p;
-  p.unknown = {-1, -1, 0, 1};
-  p.axis = {{{0, 1}, {-1, 0}}};
-  p.law.friction = friction;
-  p.local_stiffness = stone;
-  return p;
-}
-
-PatchParts slider() {
-  PatchParts parts;
-  parts.imbalance = {-push, weight};
-  parts.start = {0, 0};
-  parts.proximal_weight = {1e-6, 1e-6};
-  parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}};
-  parts.force_scale = weight;
-  parts.length_scale = 1;
-  return parts;
-}
-
-Patch slider_on_the_ground(double friction) {
-  auto parts = slider();
-  parts.points = {on_the_ground(friction)};
-  return Patch(parts);
-}
+using namespace voussoir::test;
 
 TEUCHOS_UNIT_TEST(Patch, SlidesUntilTheSpringBearsWhatFrictionCannot) {
   Patch patch = slider_on_the_ground(0.3);
