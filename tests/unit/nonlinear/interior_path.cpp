@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "linalg/local_view.hpp"
-#include "slider.hpp"
+#include "unit/nonlinear/slider.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "slider.hpp"
+#include "unit/nonlinear/slider.hpp"
 
 namespace {
 
