@@ -211,8 +211,8 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   return false;
 }
 
-bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
-                      const PointField* known_gap, NewtonReport& report) {
+ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
+                              const PointField* known_gap, NewtonReport& report) {
   const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
   double best = std::numeric_limits<double>::infinity(), damping = 0;
   bool local = true;
@@ -241,25 +241,25 @@ bool ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int
       if (size <= tolerance) {
         lambda = admissible_;
         report.outcome = NewtonOutcome::converged;
-        return true;
+        return ActiveSetEnd::arrived;
       }
       if (inertia_) break;  // nothing flies
-      loose_ = krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best));
-      if (loose_) return false;
+      if (krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best)))
+        return ActiveSetEnd::loose_stones;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
       if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;
       damping = std::max(10 * damping, first_damping);
       Tpetra::deep_copy(x, x_before);
     }
-    if (!std::isfinite(size)) return false;
+    if (!std::isfinite(size)) return ActiveSetEnd::circled;
     damping = damping > no_damping ? damping / 10 : 0;
     if (size > gained * best) continue;
     best = size;
     last_gain = solves;
     local = true;
   }
-  return false;
+  return ActiveSetEnd::circled;
 }
 
 void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) const {

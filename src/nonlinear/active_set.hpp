@@ -17,6 +17,10 @@
 
 namespace voussoir {
 
+/// Where active sets ended: at a solution, nowhere since they circle or take too long, or before stones that next to
+/// nothing holds.
+enum class ActiveSetEnd { arrived, circled, loose_stones };
+
 class ActiveSet {
  public:
   /// @param problem  with two components
@@ -26,14 +30,11 @@ class ActiveSet {
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
 
-  /// Solves from x and contact forces lambda [N]; false when it circles or takes too long: then they are somewhere.
+  /// Solves from x and contact forces lambda [N], which are somewhere unless it arrives.
   /// @param known_gap  gaps that tell the first statuses, of a state that supports and loads have left; may be null
   /// @param report     gains what is done
-  bool solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves, const PointField* known_gap,
-             NewtonReport& report);
-
-  /// Was the last solve given up because next to nothing holds some stones?
-  bool found_loose_stones() const { return loose_; }
+  ActiveSetEnd solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
+                     const PointField* known_gap, NewtonReport& report);
 
  private:
   void choose(const PointField& lambda, const PointField& gap);
@@ -49,7 +50,6 @@ class ActiveSet {
   bool inertia_;
   double augmentation_, proximal_;
   int patience_;
-  bool loose_ = false;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
   PointField target_, force_, gap_, gap_direction_, admissible_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "nonlinear/active_set.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/saved_position.hpp"
 
@@ -50,20 +49,21 @@ bool ContactSolver::may_be_fast() {
   return true;
 }
 
-bool ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                                   int largest_solves, NewtonReport& report) {
+ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance,
+                                           const PointField* known_gap, int largest_solves, NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   ActiveSet active(problem_, parameters_.has_inertia);
   active.narrate = narrate;
-  if (active.solve(x, lambda, tolerance, std::min(largest_solves, parameters_.largest_iterations), known_gap, report)) {
+  const int most = std::min(largest_solves, parameters_.largest_iterations);
+  const auto end = active.solve(x, lambda, tolerance, most, known_gap, report);
+  if (end == ActiveSetEnd::arrived) {
     fast_ = {};
-    return true;
+  } else {
+    before.restore(x);
+    lambda = lambda_before;
   }
-  loose_stones_ = active.found_loose_stones();
-  before.restore(x);
-  lambda = lambda_before;
-  return false;
+  return end;
 }
 
 const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
@@ -73,7 +73,7 @@ const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lam
   interior.narrate = narrate;
   if (shortcut)
     interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
-      return try_active_set(near_x, near_lambda, tolerance, nullptr, solves_from_near, report);
+      return try_active_set(near_x, near_lambda, tolerance, nullptr, solves_from_near, report) == ActiveSetEnd::arrived;
     };
   const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
   const SavedPosition before(problem_, x);
@@ -96,10 +96,14 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
   if (in_equilibrium(x, lambda, tolerance)) {
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {
-    const bool fast = may_be_fast();
-    const int most = parameters_.has_inertia ? solves_in_time : solves_at_rest;
-    if (fast && try_active_set(x, lambda, tolerance, known_gap, most, report)) return report;
-    known_gap = along_the_path(x, lambda, tolerance, known_gap, fast && !loose_stones_, report);
+    bool shortcut = false;
+    if (may_be_fast()) {
+      const int most = parameters_.has_inertia ? solves_in_time : solves_at_rest;
+      const auto end = try_active_set(x, lambda, tolerance, known_gap, most, report);
+      if (end == ActiveSetEnd::arrived) return report;
+      shortcut = end == ActiveSetEnd::circled;
+    }
+    known_gap = along_the_path(x, lambda, tolerance, known_gap, shortcut, report);
   }
   // Where closing labours, another path from the state it has reached is shorter.
   for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, false, report)) {

@@ -6,6 +6,7 @@
 //   3  augmented Lagrangian from where the path ends, when it ends early; it also tells a collapse from slow progress
 #pragma once
 
+#include "nonlinear/active_set.hpp"
 #include "nonlinear/augmented_lagrangian.hpp"
 #include "nonlinear/fast_way.hpp"
 #include "nonlinear/interior_path.hpp"
@@ -37,15 +38,14 @@ class ContactSolver {
                                    bool shortcut, NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.
   bool may_be_fast();
-  /// False when they do not arrive, which leaves the state as it was.
-  bool try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                      int largest_solves, NewtonReport&);
+  /// Where they do not arrive the state stays as it was.
+  ActiveSetEnd try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                              int largest_solves, NewtonReport&);
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
   FastWay& fast_;
   bool path_ = false;
-  bool loose_stones_ = false;  ///< what active sets failed for last
   int led_nowhere_ = 0;  ///< paths that ran away, or stuck farther from equilibrium than they began
   Teuchos::RCP<TpetraVector> mechanism_;
 };
