@@ -20,7 +20,7 @@ constexpr double same = 0.1;
 // does. Figures in README.md.
 constexpr double many = 0.125, giving_way = 0.1;
 
-bool differ(double a, double b) { return std::abs(a - b) > same * std::min(a, b); }
+bool differ(double a, double b) { return std::abs(a - b) > same * std::min(std::abs(a), std::abs(b)); }
 
 template <int dim>
 std::array<BlockId, 2> blocks_beside(const ContactPoints<dim>& points, int k) {
@@ -60,7 +60,12 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
       product_(space.map()),
       inner_(space.map()),
       inner_residual_(space.map()) {
-  auto active = active_blocks(s, points, selected);
+  if (parameters.released_region && parameters.homogenised) {
+    region_ = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space);
+    if (!region_->pays()) region_.reset();
+  }
+  std::vector<int> active;
+  if (!region_) active = active_blocks(s, points, selected);
   const bool any = std::find(active.begin(), active.end(), 1) != active.end();
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves<dim>>(s, space, active);
@@ -72,7 +77,7 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
                                  const std::vector<double>& proximal, bool shear) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
-  if (active_.empty() && !blocks_) return;
+  if (region_ ? region_->size() == 0 : active_.empty() && !blocks_) return;
   const bool others = choose_motions(stiffness, shear);
   if (!others && !changed(stiffness, proximal)) {
     ++cost_.reused;
@@ -83,6 +88,15 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   factored_proximal_ = proximal;
   if (motions_) motions_->update(stiffness, proximal);
   if (blocks_) blocks_->update(h.local());
+  region_stale_ = true;
+}
+
+template <int dim>
+void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) {
+  symmetry_ = symmetry;
+  if (!region_ || region_->size() == 0 || !region_stale_) return;
+  region_->update(h);
+  region_stale_ = false;
 }
 
 /// Per block of the whole structure: 1 where many points give way. Tied ones do not.
@@ -128,7 +142,8 @@ bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
   for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
     if (!selected_[k]) continue;
     const auto& before = factored_stiffness_[k];
-    here = differ(stiffness[k].normal, before.normal) || differ(stiffness[k].tangential, before.tangential);
+    here = differ(stiffness[k].normal, before.normal) || differ(stiffness[k].tangential, before.tangential) ||
+           (region_ && differ(stiffness[k].coupling, before.coupling));
   }
   for (std::size_t i = 0; i < proximal.size() && !here; ++i) here = differ(proximal[i], factored_proximal_[i]);
   return largest_over_ranks(*h_->getComm(), here) > 0;
@@ -139,6 +154,7 @@ SystemCost CoarseOperator<dim>::cost() const {
   auto cost = cost_;
   if (blocks_) cost.block_bytes = blocks_->bytes();
   if (motions_) cost.motion_bytes = motions_->bytes();
+  if (region_) cost.block_bytes = region_->bytes();
   return cost;
 }
 
@@ -162,7 +178,29 @@ void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) co
 }
 
 template <int dim>
+void CoarseOperator<dim>::apply_around_region(const TpetraVector& r, TpetraVector& z) const {
+  const auto remaining = [&] {
+    h_->apply(z, residual_);
+    residual_.update(1.0, r, -1.0);
+  };
+  z.putScalar(0);
+  if (symmetry_ == Symmetry::symmetric) {
+    region_->add(r, z);
+    remaining();
+    continuum_->add(residual_, z);
+  } else {
+    continuum_->add(r, z);
+  }
+  remaining();
+  region_->add(residual_, z);
+}
+
+template <int dim>
 void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
+  if (region_ && region_->size() > 0) {
+    apply_around_region(r, z);
+    return;
+  }
   if (!motions_) {
     if (blocks_ || continuum_)
       apply_inner(r, z);

@@ -14,6 +14,7 @@
 #include "homogenisation/block_solves.hpp"
 #include "homogenisation/continuum.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
+#include "homogenisation/released_region.hpp"
 #include "linalg/linear_solver.hpp"
 #include "linalg/system_cost.hpp"
 
@@ -30,8 +31,8 @@ class CoarseOperator : public Preconditioner {
   /// @param shear  stones that many points let go shear: where closed points resist far more than stones
   void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal,
               bool shear = false);
-  /// Of the method that will apply it.
-  void set_symmetry(Symmetry symmetry) { symmetry_ = symmetry; }
+  /// Takes over the couplings that H has got since, and the symmetry of the method that will apply this. Collective.
+  void couple(const SystemMatrix<dim>& h, Symmetry);
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
   int motions() const { return motions_ ? motions_->size() : 0; }
@@ -43,6 +44,7 @@ class CoarseOperator : public Preconditioner {
   std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
   bool choose_motions(const std::vector<PointStiffness>&, bool shear);
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
+  void apply_around_region(const TpetraVector& r, TpetraVector& z) const;
 
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
@@ -51,6 +53,8 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<BlockMotions<dim>> motions_;
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;
+  std::unique_ptr<ReleasedRegion<dim>> region_;  ///< instead of motions and blocks
+  bool region_stale_ = true;
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;
   const std::vector<char>& selected_;

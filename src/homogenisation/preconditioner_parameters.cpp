@@ -8,6 +8,8 @@ void PreconditionerParameters::declare(ParameterSection& section) {
   section.add("homogenised", homogenised, "the bonded continuum, by algebraic multigrid");
   section.add("rigid blocks", rigid_blocks, "rigid motions of the blocks, solved directly");
   section.add("block local", block_local, "exact solves on single blocks");
+  section.add("released region", released_region,
+              "where few nodes have parted, direct solution around them instead of the two before");
 }
 
 }  // namespace voussoir

@@ -19,6 +19,8 @@ class SparseLu {
   /// @param a  what was factored last
   /// @return false, and x anything, where A is singular
   bool solve(const LocalCsr& a, const double* b, double* x) const;
+  /// Held by UMFPACK.
+  long long bytes() const;
 
  private:
   struct Data;

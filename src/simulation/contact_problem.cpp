@@ -221,7 +221,7 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   matrix_->update(stiffness, proximal);
   coarse_->update(*matrix_, stiffness, proximal, request.stiff_joints && shear_);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
-  coarse_->set_symmetry(symmetry);
+  coarse_->couple(*matrix_, symmetry);
   const auto result =
       parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, request.largest_krylov);
   shear_ |= request.stiff_joints && result.iterations > many_krylov;

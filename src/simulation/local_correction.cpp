@@ -20,8 +20,9 @@ namespace voussoir {
 namespace {
 
 // Patches may have this share of all unknowns together: their paths of some 40 direct solutions then cost as much as
-// two or three linear solves of the whole.
-constexpr double largest_share = 0.0625;
+// two or three linear solves of the whole. Where all that has parted has no more than the second share it is brought to
+// rest together: nothing is passed on then, and nothing stays stuck.
+constexpr double largest_share = 0.0625, largest_share_of_all = 0.125;
 // So many more rings of neighbours where what a patch passes on is more than its surroundings should bear.
 constexpr int more_rings = 3;
 
@@ -98,6 +99,23 @@ void LocalCorrection<dim>::find_blocks(const PointField& lambda, double threshol
   sort_unique(stuck_);
 }
 
+/// Blocks that a selection has parted from others, the same list on every rank.
+template <int dim>
+std::vector<BlockId> LocalCorrection<dim>::parted_blocks() const {
+  const auto& s = parts_.structure;
+  const auto& cluster = parts_.space.cluster();
+  std::vector<BlockId> mine;
+  for (int k = 0; k < parts_.problem.owned_points(); ++k) {
+    const auto& p = parts_.points.points()[k];
+    if (!parts_.problem.selected()[k] || cluster[p.node_i] == cluster[p.node_j]) continue;
+    for (int node : {p.node_i, p.node_j}) mine.push_back(s.blocks()[s.block_of_node()[node]].mesh.id);
+  }
+  sort_unique(mine);
+  auto all = all_gather(mine, *s.comm());
+  sort_unique(all);
+  return all;
+}
+
 /// Adds the neighbours and groups what meets.
 template <int dim>
 void LocalCorrection<dim>::find_patches() {
@@ -168,14 +186,14 @@ std::vector<int> LocalCorrection<dim>::patch_of_clusters() const {
 }
 
 template <int dim>
-bool LocalCorrection<dim>::too_large() const {
+bool LocalCorrection<dim>::larger_than(double share) const {
   const auto& s = parts_.structure;
   double mine = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b].mesh;
     if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.position.size());
   }
-  const double most = largest_share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
+  const double most = share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
   return total_over_ranks(*s.comm(), mine) > most;
 }
 
@@ -347,10 +365,15 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
   parts_.problem.evaluate(x, *linear_, gap_);
   find_blocks(lambda, request.threshold);
+  if (stuck_.empty()) return 0;
+  auto worst = std::exchange(stuck_, parted_blocks());
+  find_patches();
+  const bool all = !larger_than(largest_share_of_all);
+  if (!all) stuck_ = std::move(worst);
   int solves = 0;
   for (int ring = 0; !stuck_.empty(); ++ring) {
     find_patches();
-    if (too_large()) break;
+    if (!all && larger_than(largest_share)) break;
     cluster_patch_ = patch_of_clusters();
     const auto out = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
                            all_gather(points(lambda, request.resistance), comm),

@@ -3,7 +3,7 @@
 // Blocks that are out of balance, or have a point that violates its law, by more than a threshold are cut out together
 // with their neighbours; those that meet make a patch. Each patch is solved by one rank, and all get what came out.
 // One that leaves more to its surroundings than they should bear is left as it was and tried with more neighbours.
-// Which blocks those are does not depend on ranks.
+// Which blocks those are does not depend on ranks. Where little of a structure has parted, all of that is one patch.
 #pragma once
 
 #include "homogenisation/merged_space.hpp"
@@ -36,11 +36,12 @@ class LocalCorrection {
   struct Outcome;
 
   void find_blocks(const PointField& lambda, double threshold);
+  std::vector<BlockId> parted_blocks() const;
   void find_patches();
   std::vector<BlockId> blocks_of(const std::vector<int>& patches) const;
   int patch_of_block(BlockId) const;
   std::vector<int> patch_of_clusters() const;
-  bool too_large() const;
+  bool larger_than(double share) const;
   std::vector<Unknown> unknowns(const TpetraVector& x, const TpetraVector& start) const;
   std::vector<Entry> entries() const;
   std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;

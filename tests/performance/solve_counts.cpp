@@ -65,6 +65,22 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   TEST_COMPARE(report.local_solves, <=, 40);
 }
 
+// Where little of a wall parts, all of that is brought to rest together and solved directly: 9 solves and 73 Krylov
+// iterations. Stuck stones alone took 44 solves, without direct solution it is 9 with 97.
+TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
+  Scene scene = wall_scene(64);
+  scene.mesh.wall.cells_along = 2;
+  scene.mesh.wall.cells_up = 1;
+  scene.selection.mode = SelectionMode::adaptive;
+  Experiment experiment(scene);
+  TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}}));
+  const auto& last = experiment.solution().last;
+  out << last.newton.newton_iterations << " solves, " << last.newton.krylov_iterations << " Krylov iterations, "
+      << last.newton.local_solves << " of patches, " << last.cost.motion_bytes << " bytes of motions\n";
+  TEST_COMPARE(last.newton.newton_iterations, <=, 10);
+  TEST_COMPARE(last.newton.krylov_iterations, <=, 85);
+}
+
 // A settlement reaches most joints. A round that would be thrown away is not solved: with it the arch took 44 solves.
 TEUCHOS_UNIT_TEST(SolveCounts, SelectingCostsNoMoreThanEveryPointWhereMostAreReached) {
   Scene scene = arch_scene(61);

@@ -104,16 +104,17 @@ TEUCHOS_UNIT_TEST(BlockMotions, AddToWhatIsThere) {
 
 const PreconditionerParameters parts[] = {{true, true, true},  {false, true, true},  {true, false, true},
                                           {true, true, false}, {false, false, true}, {true, false, false},
-                                          {false, true, false}};
+                                          {false, true, false}, {true, true, true, false}};
 
 TEUCHOS_UNIT_TEST(CoarseOperator, IsSymmetricAndPositiveWhateverIsSelectedAndSwitchedOn) {
-  for (const auto selected : {Selected::none, Selected::some, Selected::all}) {
+  for (const auto selected : {Selected::none, Selected::few, Selected::some, Selected::all}) {
     const SelectedWall w(selected);
     const Continuum<2> continuum(w.structure, w.points, w.held, {});
     const System system(w);
     for (const auto& part : parts) {
       CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, part);
       m.update(system.h, w.statuses(), w.proximal());
+      m.couple(system.h, Symmetry::symmetric);
       const auto a = noise_vector(w.space.map());
       TpetraVector b(w.space.map()), ma(w.space.map()), mb(w.space.map());
       for (int k = 0; k < 2 * w.space.owned_clusters(); ++k) {
@@ -191,7 +192,7 @@ TEUCHOS_UNIT_TEST(CoarseOperator, WithoutSymmetryLeavesNothingToBlockMotionsEith
     WholeOperator whole(w);
     const auto& system = whole.system;
     auto& m = whole.preconditioner;
-    m.set_symmetry(Symmetry::none);
+    m.couple(system.h, Symmetry::none);
     BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
     motions.update(w.statuses(), w.proximal());
     const auto r = noise_vector(w.space.map());

@@ -1,0 +1,139 @@
+#include "homogenisation/released_region.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "linalg/gather.hpp"
+#include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
+#include "linalg/traffic.hpp"
+
+namespace voussoir {
+namespace {
+
+// Layers of cells around nodes that have parted, and the largest share of all unknowns; figures in released_region.md.
+constexpr int layers = 3;
+constexpr double largest_share = 0.25;
+
+/// Per unknown of the column map: 1 where a selection parts two nodes.
+template <int dim>
+std::vector<char> parted(const ContactPoints<dim>& points, const std::vector<char>& selected,
+                         const MergedSpace<dim>& space) {
+  std::vector<char> inside(space.clusters(), 0);
+  for (int k = 0; k < points.size(); ++k) {
+    const int i = space.cluster()[points.points()[k].node_i], j = space.cluster()[points.points()[k].node_j];
+    if (selected[k] && i != j) inside[i] = inside[j] = 1;
+  }
+  return inside;
+}
+
+}  // namespace
+
+template <int dim>
+ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints<dim>& points,
+                                    const std::vector<char>& selected, const MergedSpace<dim>& space)
+    : space_(space) {
+  auto inside = parted(points, selected, space);
+  const auto& cluster = space.cluster();
+  TpetraVector mark(space.map()), seen(space.column_map());
+  for (int layer = 0; layer < layers; ++layer) {
+    auto wider = inside;
+    for (const auto& block : s.blocks()) {
+      const auto& k = *block.stiffness;
+      const int nodes = static_cast<int>(block.mesh.position.size());
+      for (int i = 0; i < nodes; ++i) {
+        if (!inside[cluster[block.first_local + i]]) continue;
+        for (int e = k.start[dim * i]; e < k.start[dim * i + 1]; e += dim)
+          wider[cluster[block.first_local + k.column[e] / dim]] = 1;
+      }
+    }
+    // Ghosts have neighbours that their owner alone knows.
+    double* mine = local_view_to_write(mark);
+    for (int c = 0; c < space.owned_clusters(); ++c) mine[dim * c] = wider[c];
+    seen.doImport(mark, space.import(), Tpetra::INSERT);
+    const double* all = local_view(seen);
+    for (int c = 0; c < space.clusters(); ++c) inside[c] = all[dim * c] > 0;
+  }
+  number(inside);
+}
+
+/// @param inside  per cluster
+template <int dim>
+void ReleasedRegion<dim>::number(const std::vector<char>& inside) {
+  for (int i = 0; i < dim * space_.owned_clusters(); ++i)
+    if (inside[i / dim] && !space_.held()[i]) unknown_.push_back(i);
+  const auto& comm = *space_.map()->getComm();
+  const auto counts = all_gather(std::vector<int>{static_cast<int>(unknown_.size())}, comm);
+  int all = 0;
+  for (int rank = 0; rank < comm.getSize(); ++rank) {
+    if (rank == comm.getRank()) first_ = all;
+    all += counts[rank];
+  }
+  right_.resize(all);
+  solution_.resize(all);
+  pays_ = all <= largest_share * static_cast<double>(space_.map()->getGlobalNumElements());
+}
+
+template <int dim>
+void ReleasedRegion<dim>::set_pattern(const OwnedRows& h) {
+  const auto& comm = *space_.map()->getComm();
+  // Number in the region, -1 outside, of every unknown of the column map: told by its owner.
+  TpetraVector mine(space_.map()), all(space_.column_map());
+  mine.putScalar(-1);
+  for (std::size_t i = 0; i < unknown_.size(); ++i)
+    local_view_to_write(mine)[unknown_[i]] = first_ + static_cast<double>(i);
+  all.doImport(mine, space_.import(), Tpetra::INSERT);
+  const double* number = local_view(all);
+  std::vector<int> length, column;
+  std::vector<std::pair<int, std::size_t>> row;
+  for (const int i : unknown_) {
+    row.clear();
+    for (std::size_t e = h.start[i]; e < h.start[i + 1]; ++e)
+      if (number[h.column[e]] >= 0) row.emplace_back(static_cast<int>(number[h.column[e]]), e);
+    std::sort(row.begin(), row.end());
+    for (const auto& [j, e] : row) {
+      column.push_back(j);
+      entry_.push_back(e);
+    }
+    length.push_back(static_cast<int>(row.size()));
+  }
+  for (const int n : all_gather(length, comm)) matrix_.start.push_back(matrix_.start.back() + n);
+  matrix_.column = all_gather(column, comm);
+}
+
+template <int dim>
+void ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
+  const auto h = system.local();
+  if (matrix_.rows() == 0) set_pattern(h);
+  std::vector<double> value;
+  value.reserve(entry_.size());
+  for (const std::size_t e : entry_) value.push_back(h.value[e]);
+  matrix_.value = all_gather(value, *space_.map()->getComm());
+  factor_.factor(matrix_);
+}
+
+template <int dim>
+void ReleasedRegion<dim>::add(const TpetraVector& r, TpetraVector& z) const {
+  const double* residual = local_view(r);
+  std::vector<double> mine(right_.size(), 0.0);
+  for (std::size_t i = 0; i < unknown_.size(); ++i) mine[first_ + i] = residual[unknown_[i]];
+  {
+    const TrafficScope sent_for(TrafficOf::block_motions);
+    Teuchos::reduceAll(*space_.map()->getComm(), Teuchos::REDUCE_SUM, size(), mine.data(), right_.data());
+  }
+  if (!factor_.solve(matrix_, right_.data(), solution_.data())) return;
+  double* value = local_view_to_write(z);
+  for (std::size_t i = 0; i < unknown_.size(); ++i) value[unknown_[i]] += solution_[first_ + i];
+}
+
+template <int dim>
+long long ReleasedRegion<dim>::bytes() const {
+  return matrix_.bytes() + factor_.bytes() +
+         static_cast<long long>(entry_.size() * sizeof(std::size_t) + unknown_.size() * sizeof(int) +
+                                (right_.size() + solution_.size()) * sizeof(double));
+}
+
+template class ReleasedRegion<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,49 @@
+// Direct solution around the points that a selection lets go.
+//
+// Where few joints are resolved the bonded continuum is the structure itself, but for the nodes that have parted: what
+// it does not know lies within a few layers of cells around them. These unknowns of all ranks are gathered and factored
+// on each, friction included.
+#pragma once
+
+#include <vector>
+
+#include "homogenisation/system_matrix.hpp"
+#include "linalg/sparse_lu.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class ReleasedRegion {
+ public:
+  /// Collective.
+  ReleasedRegion(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+                 const MergedSpace<dim>&);
+
+  /// Unknowns of all ranks; 0 where no two nodes have parted.
+  int size() const { return static_cast<int>(right_.size()); }
+  /// Whether so few unknowns lie in the region that to factor it is worth its time.
+  bool pays() const { return pays_; }
+  /// Factors the region's part of H. Collective.
+  void update(const SystemMatrix<dim>& h);
+  /// z += E (H_EE)^-1 E^T r, E the unknowns of the region. Collective.
+  void add(const TpetraVector& r, TpetraVector& z) const;
+  /// On this rank.
+  long long bytes() const;
+
+ private:
+  void number(const std::vector<char>& inside);
+  void set_pattern(const OwnedRows& h);
+
+  const MergedSpace<dim>& space_;
+  std::vector<int> unknown_;        ///< owned ones of the region, ascending
+  int first_ = 0;                   ///< of them, among those of all ranks, which are numbered rank by rank
+  bool pays_ = false;
+  std::vector<std::size_t> entry_;  ///< of the owned rows: where in H each entry of the region stands
+  LocalCsr matrix_;                 ///< of all ranks
+  SparseLu factor_;
+  mutable std::vector<double> right_, solution_;
+};
+
+extern template class ReleasedRegion<2>;
+
+}  // namespace voussoir
