@@ -230,7 +230,8 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
 
 template <int dim>
 int ContactProblem<dim>::correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest& request) {
-  const typename LocalCorrection<dim>::Parts parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this};
+  const typename LocalCorrection<dim>::Parts parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this,
+                                                   patch_together_};
   return LocalCorrection<dim>(parts).apply(x, lambda, request);
 }
 

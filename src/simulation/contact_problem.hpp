@@ -117,6 +117,7 @@ class ContactProblem : public NonlinearProblem {
   Teuchos::RCP<TpetraVector> carried_;
   std::vector<double> rigid_, rigid_gap_, deformed_;
   double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
+  bool patch_together_ = true;  ///< all that has parted
   bool shear_ = false;  ///< stones of systems with stiff joints
 };
 

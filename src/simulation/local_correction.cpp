@@ -12,7 +12,6 @@
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/traffic.hpp"
-#include "nonlinear/patch.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 
@@ -27,45 +26,6 @@ constexpr double largest_share = 0.0625, largest_share_of_all = 0.125;
 constexpr int more_rings = 3;
 
 }  // namespace
-
-// What ranks tell each other; numbers of unknowns and points are those of the whole structure, -1 where none.
-template <int dim>
-struct LocalCorrection<dim>::Unknown {
-  GlobalOrdinal id;
-  int patch;
-  double imbalance, start, proximal;
-};
-template <int dim>
-struct LocalCorrection<dim>::Entry {
-  GlobalOrdinal row, column;
-  double value;
-};
-template <int dim>
-struct LocalCorrection<dim>::Point {
-  PointId id;
-  int patch;
-  bool border;
-  GlobalOrdinal unknown[2 * dim];
-  PatchPoint point;
-};
-template <int dim>
-struct LocalCorrection<dim>::Motion {
-  GlobalOrdinal id;
-  double by;  // [m]
-};
-template <int dim>
-struct LocalCorrection<dim>::Force {
-  PointId id;
-  double change[dim];  // [N]
-};
-/// What became of the patches of this rank.
-template <int dim>
-struct LocalCorrection<dim>::Outcome {
-  std::vector<Motion> motion;
-  std::vector<Force> force;
-  std::vector<int> too_narrow;  // patches
-  int solves = 0;
-};
 
 /// Blocks that a threshold [N] says are stuck.
 template <int dim>
@@ -321,7 +281,10 @@ typename LocalCorrection<dim>::Outcome LocalCorrection<dim>::solve(const LocalRe
     parts[i].length_scale = parts_.structure.size();
     const auto points_before = parts[i].points, border_before = parts[i].border;
     Patch patch(std::move(parts[i]));
-    if (!patch.solve(request.tolerance, report)) continue;
+    if (!patch.solve(request.tolerance, report)) {
+      ++out.failed;
+      continue;
+    }
     if (patch.passed_on() > bearable) {
       out.too_narrow.push_back(i);
       continue;
@@ -358,30 +321,45 @@ void LocalCorrection<dim>::put_back(const std::vector<Motion>& motion, const std
   }
 }
 
+/// Returns the linear solves of the patches there are.
+template <int dim>
+int LocalCorrection<dim>::solve_patches(TpetraVector& x, PointField& lambda, const LocalRequest& request,
+                                        double bearable) {
+  const auto& comm = *parts_.structure.comm();
+  cluster_patch_ = patch_of_clusters();
+  const auto out = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
+                         all_gather(points(lambda, request.resistance), comm), bearable);
+  put_back(all_gather(out.motion, comm), all_gather(out.force, comm), x, lambda);
+  too_narrow_ = blocks_of(all_gather(out.too_narrow, comm));
+  failed_ = total_over_ranks(comm, out.failed) > 0;
+  return static_cast<int>(total_over_ranks(comm, out.solves));
+}
+
 template <int dim>
 int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const LocalRequest& request) {
-  const auto& comm = *parts_.structure.comm();
   const TrafficScope sent_for(TrafficOf::set_up);
   linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
   parts_.problem.evaluate(x, *linear_, gap_);
   find_blocks(lambda, request.threshold);
   if (stuck_.empty()) return 0;
-  auto worst = std::exchange(stuck_, parted_blocks());
-  find_patches();
-  const bool all = !larger_than(largest_share_of_all);
-  if (!all) stuck_ = std::move(worst);
   int solves = 0;
+  if (parts_.together) {
+    const auto worst = std::exchange(stuck_, parted_blocks());
+    find_patches();
+    if (!larger_than(largest_share_of_all)) {
+      solves = solve_patches(x, lambda, request, request.most);
+      if (!failed_) return solves;
+      parts_.together = false;
+      parts_.problem.evaluate(x, *linear_, gap_);
+    }
+    stuck_ = worst;
+  }
   for (int ring = 0; !stuck_.empty(); ++ring) {
     find_patches();
-    if (!all && larger_than(largest_share)) break;
-    cluster_patch_ = patch_of_clusters();
-    const auto out = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
-                           all_gather(points(lambda, request.resistance), comm),
-                           ring < more_rings ? request.bearable : request.most);
-    put_back(all_gather(out.motion, comm), all_gather(out.force, comm), x, lambda);
-    solves += static_cast<int>(total_over_ranks(comm, out.solves));
+    if (larger_than(largest_share)) break;
+    solves += solve_patches(x, lambda, request, ring < more_rings ? request.bearable : request.most);
     if (ring == more_rings) break;
-    stuck_ = blocks_of(all_gather(out.too_narrow, comm));
+    stuck_ = too_narrow_;
     if (!stuck_.empty()) parts_.problem.evaluate(x, *linear_, gap_);
   }
   return solves;

@@ -8,6 +8,7 @@
 
 #include "homogenisation/merged_space.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "simulation/patch_messages.hpp"
 
 namespace voussoir {
 
@@ -21,6 +22,7 @@ class LocalCorrection {
     const MergedSpace<dim>& space;
     const std::vector<double>& proximal_weight;
     NonlinearProblem& problem;
+    bool& together;  ///< whether all that has parted may be one patch; false once that came to no rest
   };
   explicit LocalCorrection(const Parts& parts) : parts_(parts) {}
 
@@ -28,12 +30,12 @@ class LocalCorrection {
   int apply(TpetraVector& x, PointField& lambda, const LocalRequest&);
 
  private:
-  struct Unknown;
-  struct Entry;
-  struct Point;
-  struct Motion;
-  struct Force;
-  struct Outcome;
+  using Unknown = typename PatchMessages<dim>::Unknown;
+  using Entry = typename PatchMessages<dim>::Entry;
+  using Point = typename PatchMessages<dim>::Point;
+  using Motion = typename PatchMessages<dim>::Motion;
+  using Force = typename PatchMessages<dim>::Force;
+  using Outcome = typename PatchMessages<dim>::Outcome;
 
   void find_blocks(const PointField& lambda, double threshold);
   std::vector<BlockId> parted_blocks() const;
@@ -47,6 +49,7 @@ class LocalCorrection {
   std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
   Outcome solve(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&,
                 const std::vector<Point>&, double bearable) const;
+  int solve_patches(TpetraVector& x, PointField& lambda, const LocalRequest&, double bearable);
   void put_back(const std::vector<Motion>&, const std::vector<Force>&, TpetraVector& x, PointField& lambda) const;
 
   Parts parts_;
@@ -57,6 +60,8 @@ class LocalCorrection {
   std::vector<int> patch_;       ///< of each of them
   int patches_ = 0;
   std::vector<int> cluster_patch_;  ///< per local cluster, -1 outside
+  std::vector<BlockId> too_narrow_;  ///< blocks of patches that passed on too much
+  bool failed_ = false;              ///< a patch came to no rest
 };
 
 extern template class LocalCorrection<2>;
