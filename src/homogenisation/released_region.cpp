@@ -72,7 +72,8 @@ void ReleasedRegion<dim>::number(const std::vector<char>& inside) {
   }
   right_.resize(all);
   solution_.resize(all);
-  pays_ = all <= largest_share * static_cast<double>(space_.map()->getGlobalNumElements());
+  const auto unknowns = static_cast<double>(space_.map()->getGlobalNumElements());
+  pays_ = all <= std::min(largest_share * unknowns, static_cast<double>(SparseLu::most_rows));
 }
 
 template <int dim>

@@ -154,7 +154,7 @@ bool LocalCorrection<dim>::larger_than(double share) const {
     if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.position.size());
   }
   const double most = share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
-  return total_over_ranks(*s.comm(), mine) > most;
+  return total_over_ranks(*s.comm(), mine) > std::min(most, static_cast<double>(SparseLu::most_rows));
 }
 
 template <int dim>
