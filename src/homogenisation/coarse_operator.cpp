@@ -60,12 +60,13 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
       product_(space.map()),
       inner_(space.map()),
       inner_residual_(space.map()) {
+  bool directly = false;
   if (parameters.released_region && parameters.homogenised) {
-    region_ = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space);
-    if (!region_->pays()) region_.reset();
+    auto region = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space);
+    directly = region->pays();
+    if (directly && region->size() > 0) region_ = std::move(region);
   }
-  std::vector<int> active;
-  if (!region_) active = active_blocks(s, points, selected);
+  auto active = directly ? std::vector<int>() : active_blocks(s, points, selected);
   const bool any = std::find(active.begin(), active.end(), 1) != active.end();
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves<dim>>(s, space, active);
@@ -77,7 +78,7 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
                                  const std::vector<double>& proximal, bool shear) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
-  if (region_ ? region_->size() == 0 : active_.empty() && !blocks_) return;
+  if (active_.empty() && !blocks_ && !region_) return;
   const bool others = choose_motions(stiffness, shear);
   if (!others && !changed(stiffness, proximal)) {
     ++cost_.reused;
@@ -94,7 +95,7 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
 template <int dim>
 void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) {
   symmetry_ = symmetry;
-  if (!region_ || region_->size() == 0 || !region_stale_) return;
+  if (!region_ || !region_stale_) return;
   region_->update(h);
   region_stale_ = false;
 }
@@ -158,6 +159,13 @@ SystemCost CoarseOperator<dim>::cost() const {
   return cost;
 }
 
+/// left = r - H z
+template <int dim>
+void CoarseOperator<dim>::leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const {
+  h_->apply(z, left);
+  left.update(1.0, r, -1.0);
+}
+
 template <int dim>
 void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) const {
   z.putScalar(0);
@@ -167,37 +175,29 @@ void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) co
     continuum_->add(r, z);
     return;
   }
-  const auto remaining = [&] {
-    h_->apply(z, inner_residual_);
-    inner_residual_.update(1.0, r, -1.0);
-  };
-  remaining();
+  leave(r, z, inner_residual_);
   continuum_->add(inner_residual_, z);
-  remaining();
+  leave(r, z, inner_residual_);
   blocks_->add(inner_residual_, z, block_weight);
 }
 
 template <int dim>
 void CoarseOperator<dim>::apply_around_region(const TpetraVector& r, TpetraVector& z) const {
-  const auto remaining = [&] {
-    h_->apply(z, residual_);
-    residual_.update(1.0, r, -1.0);
-  };
   z.putScalar(0);
   if (symmetry_ == Symmetry::symmetric) {
     region_->add(r, z);
-    remaining();
+    leave(r, z, residual_);
     continuum_->add(residual_, z);
   } else {
     continuum_->add(r, z);
   }
-  remaining();
+  leave(r, z, residual_);
   region_->add(residual_, z);
 }
 
 template <int dim>
 void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
-  if (region_ && region_->size() > 0) {
+  if (region_) {
     apply_around_region(r, z);
     return;
   }
@@ -208,19 +208,15 @@ void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
       Tpetra::deep_copy(z, r);
     return;
   }
-  const auto remaining = [&] {
-    h_->apply(z, residual_);
-    residual_.update(1.0, r, -1.0);
-  };
   if (symmetry_ == Symmetry::none && (blocks_ || continuum_)) {
     apply_inner(r, z);
-    remaining();
+    leave(r, z, residual_);
     motions_->add(residual_, z);
     return;
   }
   z.putScalar(0);
   motions_->add(r, z);
-  remaining();
+  leave(r, z, residual_);
   if (!blocks_ && !continuum_) {
     z.update(1.0, r, 1.0);
     return;

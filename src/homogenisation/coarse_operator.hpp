@@ -43,6 +43,7 @@ class CoarseOperator : public Preconditioner {
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
   std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
   bool choose_motions(const std::vector<PointStiffness>&, bool shear);
+  void leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const;
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
   void apply_around_region(const TpetraVector& r, TpetraVector& z) const;
 
@@ -54,7 +55,7 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;
   std::unique_ptr<ReleasedRegion<dim>> region_;  ///< instead of motions and blocks
-  bool region_stale_ = true;
+  bool region_stale_ = true;                     ///< statuses have changed since it was factored
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;
   const std::vector<char>& selected_;

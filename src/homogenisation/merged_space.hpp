@@ -28,6 +28,8 @@ class MergedSpace {
 
   /// Cluster (local number of the column map's nodes) of each local node copy.
   const std::vector<int>& cluster() const { return cluster_; }
+  /// Whether a point holds its two nodes together, or others at its vertex do.
+  bool tied(const ContactPoint<dim>& p) const { return cluster_[p.node_i] == cluster_[p.node_j]; }
   /// Number of node copies in each cluster.
   const std::vector<double>& multiplicity() const { return multiplicity_; }
   /// 1 where the unknown of the column map is prescribed [dim clusters].

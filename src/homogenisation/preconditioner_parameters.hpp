@@ -6,9 +6,9 @@ namespace voussoir {
 class ParameterSection;
 
 struct PreconditionerParameters {
-  bool homogenised = true;        ///< the bonded continuum, by MueLu
-  bool rigid_blocks = true;      ///< rigid motions of the blocks, solved directly
-  bool block_local = true;        ///< exact solves on single blocks
+  bool homogenised = true;      ///< the bonded continuum, by MueLu
+  bool rigid_blocks = true;     ///< rigid motions of the blocks, solved directly
+  bool block_local = true;      ///< exact solves on single blocks
   bool released_region = true;  ///< where little has parted, direct solution there instead of the two before
   void declare(ParameterSection&);
 };

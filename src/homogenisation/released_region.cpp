@@ -22,8 +22,9 @@ std::vector<char> parted(const ContactPoints<dim>& points, const std::vector<cha
                          const MergedSpace<dim>& space) {
   std::vector<char> inside(space.clusters(), 0);
   for (int k = 0; k < points.size(); ++k) {
-    const int i = space.cluster()[points.points()[k].node_i], j = space.cluster()[points.points()[k].node_j];
-    if (selected[k] && i != j) inside[i] = inside[j] = 1;
+    const auto& p = points.points()[k];
+    if (!selected[k] || space.tied(p)) continue;
+    for (const int node : {p.node_i, p.node_j}) inside[space.cluster()[node]] = 1;
   }
   return inside;
 }
@@ -36,8 +37,11 @@ ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints
     : space_(space) {
   auto inside = parted(points, selected, space);
   const auto& cluster = space.cluster();
-  TpetraVector mark(space.map()), seen(space.column_map());
-  for (int layer = 0; layer < layers; ++layer) {
+  const auto unknowns = static_cast<double>(space.map()->getGlobalNumElements());
+  const auto most = static_cast<int>(std::min(largest_share * unknowns, static_cast<double>(SparseLu::most_rows)));
+  number(inside);
+  for (int layer = 0; layer < layers && size_ > 0 && size_ <= most; ++layer) {
+    TpetraVector mark(space.map()), seen(space.column_map());
     auto wider = inside;
     for (const auto& block : s.blocks()) {
       const auto& k = *block.stiffness;
@@ -54,26 +58,24 @@ ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints
     seen.doImport(mark, space.import(), Tpetra::INSERT);
     const double* all = local_view(seen);
     for (int c = 0; c < space.clusters(); ++c) inside[c] = all[dim * c] > 0;
+    number(inside);
   }
-  number(inside);
+  pays_ = size_ <= most;
 }
 
+/// Collective.
 /// @param inside  per cluster
 template <int dim>
 void ReleasedRegion<dim>::number(const std::vector<char>& inside) {
+  unknown_.clear();
   for (int i = 0; i < dim * space_.owned_clusters(); ++i)
     if (inside[i / dim] && !space_.held()[i]) unknown_.push_back(i);
   const auto& comm = *space_.map()->getComm();
-  const auto counts = all_gather(std::vector<int>{static_cast<int>(unknown_.size())}, comm);
-  int all = 0;
-  for (int rank = 0; rank < comm.getSize(); ++rank) {
-    if (rank == comm.getRank()) first_ = all;
-    all += counts[rank];
-  }
-  right_.resize(all);
-  solution_.resize(all);
-  const auto unknowns = static_cast<double>(space_.map()->getGlobalNumElements());
-  pays_ = all <= std::min(largest_share * unknowns, static_cast<double>(SparseLu::most_rows));
+  const int mine = static_cast<int>(unknown_.size());
+  int until = 0;
+  Teuchos::scan(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(until));
+  first_ = until - mine;
+  size_ = static_cast<int>(total_over_ranks(comm, mine));
 }
 
 template <int dim>
@@ -106,7 +108,11 @@ void ReleasedRegion<dim>::set_pattern(const OwnedRows& h) {
 template <int dim>
 void ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
   const auto h = system.local();
-  if (matrix_.rows() == 0) set_pattern(h);
+  if (matrix_.rows() == 0) {
+    set_pattern(h);
+    right_.resize(size_);
+    solution_.resize(size_);
+  }
   std::vector<double> value;
   value.reserve(entry_.size());
   for (const std::size_t e : entry_) value.push_back(h.value[e]);

@@ -20,8 +20,8 @@ class ReleasedRegion {
                  const MergedSpace<dim>&);
 
   /// Unknowns of all ranks; 0 where no two nodes have parted.
-  int size() const { return static_cast<int>(right_.size()); }
-  /// Whether so few unknowns lie in the region that to factor it is worth its time.
+  int size() const { return size_; }
+  /// Whether so few unknowns lie in the region that to factor it is worth its time; where not, layers are missing.
   bool pays() const { return pays_; }
   /// Factors the region's part of H. Collective.
   void update(const SystemMatrix<dim>& h);
@@ -36,7 +36,8 @@ class ReleasedRegion {
 
   const MergedSpace<dim>& space_;
   std::vector<int> unknown_;        ///< owned ones of the region, ascending
-  int first_ = 0;                   ///< of them, among those of all ranks, which are numbered rank by rank
+  int size_ = 0;                    ///< of all ranks, numbered rank by rank
+  int first_ = 0;                   ///< number of the first owned one
   bool pays_ = false;
   std::vector<std::size_t> entry_;  ///< of the owned rows: where in H each entry of the region stands
   LocalCsr matrix_;                 ///< of all ranks

@@ -142,8 +142,7 @@ std::size_t SystemMatrix<dim>::offset(int node, int other) const {
 /// Whether a point moves two nodes against each other.
 template <int dim>
 bool SystemMatrix<dim>::couples(int k) const {
-  const auto& p = points_.points()[k];
-  return selected_[k] && space_.cluster()[p.node_i] != space_.cluster()[p.node_j];  // else tied by other points
+  return selected_[k] && !space_.tied(points_.points()[k]);
 }
 
 /// Adds w_ij (d_i, d_j) for the motion d of one node of a point against the other.

@@ -91,12 +91,11 @@ void ContactProblem<dim>::set_movable() {
   const auto held = [&](int node, int c) { return space_->held()[dim * space_->cluster()[node] + c]; };
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points.points()[k];
-    const bool tied = space_->cluster()[p.node_i] == space_->cluster()[p.node_j];
     bool moves = false;
     for (int c = 0; c < dim; ++c) moves |= p.axis[0][c] != 0 && !(held(p.node_i, c) && held(p.node_j, c));
     // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
     const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
-    if (tied || !moves || far) movable_[k] = 0;
+    if (space_->tied(p) || !moves || far) movable_[k] = 0;
   }
 }
 

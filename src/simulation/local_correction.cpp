@@ -25,6 +25,14 @@ constexpr double largest_share = 0.0625, largest_share_of_all = 0.125;
 // So many more rings of neighbours where what a patch passes on is more than its surroundings should bear.
 constexpr int more_rings = 3;
 
+/// Blocks that any rank names, ascending, the same list on every rank.
+std::vector<BlockId> over_ranks(std::vector<BlockId> mine, const Teuchos::Comm<int>& comm) {
+  sort_unique(mine);
+  auto all = all_gather(mine, comm);
+  sort_unique(all);
+  return all;
+}
+
 }  // namespace
 
 /// Blocks that a threshold [N] says are stuck.
@@ -54,26 +62,20 @@ void LocalCorrection<dim>::find_blocks(const PointField& lambda, double threshol
         mine.push_back(id_of(p.node_j));
       }
   }
-  sort_unique(mine);
-  stuck_ = all_gather(mine, *s.comm());
-  sort_unique(stuck_);
+  stuck_ = over_ranks(mine, *s.comm());
 }
 
-/// Blocks that a selection has parted from others, the same list on every rank.
+/// Blocks that a selection has parted from others.
 template <int dim>
 std::vector<BlockId> LocalCorrection<dim>::parted_blocks() const {
   const auto& s = parts_.structure;
-  const auto& cluster = parts_.space.cluster();
   std::vector<BlockId> mine;
   for (int k = 0; k < parts_.problem.owned_points(); ++k) {
+    if (!parts_.problem.selected()[k]) continue;
     const auto& p = parts_.points.points()[k];
-    if (!parts_.problem.selected()[k] || cluster[p.node_i] == cluster[p.node_j]) continue;
     for (int node : {p.node_i, p.node_j}) mine.push_back(s.blocks()[s.block_of_node()[node]].mesh.id);
   }
-  sort_unique(mine);
-  auto all = all_gather(mine, *s.comm());
-  sort_unique(all);
-  return all;
+  return over_ranks(mine, *s.comm());
 }
 
 /// Adds the neighbours and groups what meets.
@@ -84,9 +86,7 @@ void LocalCorrection<dim>::find_patches() {
   std::vector<BlockId> mine = stuck_;
   for (const auto& j : parts_.points.joints())
     if (stuck(j.block_i) || stuck(j.block_j)) mine.insert(mine.end(), {j.block_i, j.block_j});
-  sort_unique(mine);
-  block_ = all_gather(mine, *s.comm());
-  sort_unique(block_);
+  block_ = over_ranks(mine, *s.comm());
 
   // Blocks of one joint, or that share unknowns, belong together.
   struct Pair {
@@ -153,8 +153,7 @@ bool LocalCorrection<dim>::larger_than(double share) const {
     const auto& block = s.blocks()[b].mesh;
     if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.position.size());
   }
-  const double most = share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
-  return total_over_ranks(*s.comm(), mine) > std::min(most, static_cast<double>(SparseLu::most_rows));
+  return total_over_ranks(*s.comm(), mine) > share * static_cast<double>(parts_.space.map()->getGlobalNumElements());
 }
 
 template <int dim>
@@ -281,7 +280,7 @@ typename LocalCorrection<dim>::Outcome LocalCorrection<dim>::solve(const LocalRe
     parts[i].length_scale = parts_.structure.size();
     const auto points_before = parts[i].points, border_before = parts[i].border;
     Patch patch(std::move(parts[i]));
-    if (!patch.solve(request.tolerance, report)) {
+    if (ids[i].size() > SparseLu::most_rows || !patch.solve(request.tolerance, report)) {
       ++out.failed;
       continue;
     }
@@ -321,18 +320,18 @@ void LocalCorrection<dim>::put_back(const std::vector<Motion>& motion, const std
   }
 }
 
-/// Returns the linear solves of the patches there are.
+/// Solves the patches there are, and moves x and lambda by what came to rest.
 template <int dim>
-int LocalCorrection<dim>::solve_patches(TpetraVector& x, PointField& lambda, const LocalRequest& request,
-                                        double bearable) {
+typename LocalCorrection<dim>::Result LocalCorrection<dim>::solve_patches(TpetraVector& x, PointField& lambda,
+                                                                          const LocalRequest& request,
+                                                                          double bearable) {
   const auto& comm = *parts_.structure.comm();
   cluster_patch_ = patch_of_clusters();
   const auto out = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
                          all_gather(points(lambda, request.resistance), comm), bearable);
   put_back(all_gather(out.motion, comm), all_gather(out.force, comm), x, lambda);
-  too_narrow_ = blocks_of(all_gather(out.too_narrow, comm));
-  failed_ = total_over_ranks(comm, out.failed) > 0;
-  return static_cast<int>(total_over_ranks(comm, out.solves));
+  return {static_cast<int>(total_over_ranks(comm, out.solves)), total_over_ranks(comm, out.failed) == 0,
+          blocks_of(all_gather(out.too_narrow, comm))};
 }
 
 template <int dim>
@@ -346,10 +345,13 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   if (parts_.together) {
     const auto worst = std::exchange(stuck_, parted_blocks());
     find_patches();
-    if (!larger_than(largest_share_of_all)) {
-      solves = solve_patches(x, lambda, request, request.most);
-      if (!failed_) return solves;
+    if (larger_than(largest_share_of_all)) {
       parts_.together = false;
+    } else {
+      const auto result = solve_patches(x, lambda, request, request.most);
+      if (result.at_rest) return result.solves;
+      parts_.together = false;
+      solves = result.solves;
       parts_.problem.evaluate(x, *linear_, gap_);
     }
     stuck_ = worst;
@@ -357,9 +359,10 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   for (int ring = 0; !stuck_.empty(); ++ring) {
     find_patches();
     if (larger_than(largest_share)) break;
-    solves += solve_patches(x, lambda, request, ring < more_rings ? request.bearable : request.most);
+    const auto result = solve_patches(x, lambda, request, ring < more_rings ? request.bearable : request.most);
+    solves += result.solves;
     if (ring == more_rings) break;
-    stuck_ = too_narrow_;
+    stuck_ = result.too_narrow;
     if (!stuck_.empty()) parts_.problem.evaluate(x, *linear_, gap_);
   }
   return solves;

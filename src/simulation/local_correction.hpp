@@ -22,7 +22,7 @@ class LocalCorrection {
     const MergedSpace<dim>& space;
     const std::vector<double>& proximal_weight;
     NonlinearProblem& problem;
-    bool& together;  ///< whether all that has parted may be one patch; false once that came to no rest
+    bool& together;  ///< whether all that has parted may be one patch; false once that is too much or came to no rest
   };
   explicit LocalCorrection(const Parts& parts) : parts_(parts) {}
 
@@ -36,6 +36,12 @@ class LocalCorrection {
   using Motion = typename PatchMessages<dim>::Motion;
   using Force = typename PatchMessages<dim>::Force;
   using Outcome = typename PatchMessages<dim>::Outcome;
+  /// What became of the patches of all ranks.
+  struct Result {
+    int solves;
+    bool at_rest;                     ///< every patch that was solved came to rest
+    std::vector<BlockId> too_narrow;  ///< blocks of patches that passed on too much
+  };
 
   void find_blocks(const PointField& lambda, double threshold);
   std::vector<BlockId> parted_blocks() const;
@@ -49,19 +55,17 @@ class LocalCorrection {
   std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
   Outcome solve(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&,
                 const std::vector<Point>&, double bearable) const;
-  int solve_patches(TpetraVector& x, PointField& lambda, const LocalRequest&, double bearable);
+  Result solve_patches(TpetraVector& x, PointField& lambda, const LocalRequest&, double bearable);
   void put_back(const std::vector<Motion>&, const std::vector<Force>&, TpetraVector& x, PointField& lambda) const;
 
   Parts parts_;
   Teuchos::RCP<TpetraVector> linear_;  ///< K x - f
   PointField gap_;
-  std::vector<BlockId> stuck_;   ///< ascending, the same on every rank
-  std::vector<BlockId> block_;   ///< of patches, ascending, the same on every rank
-  std::vector<int> patch_;       ///< of each of them
+  std::vector<BlockId> stuck_;  ///< ascending, the same on every rank
+  std::vector<BlockId> block_;  ///< of patches, ascending, the same on every rank
+  std::vector<int> patch_;      ///< of each of them
   int patches_ = 0;
   std::vector<int> cluster_patch_;  ///< per local cluster, -1 outside
-  std::vector<BlockId> too_narrow_;  ///< blocks of patches that passed on too much
-  bool failed_ = false;              ///< a patch came to no rest
 };
 
 extern template class LocalCorrection<2>;

@@ -65,8 +65,8 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   TEST_COMPARE(report.local_solves, <=, 40);
 }
 
-// Where little of a wall parts, all of that is brought to rest together and solved directly: 9 solves and 73 Krylov
-// iterations. Stuck stones alone took 44 solves, without direct solution it is 9 with 97.
+// Where little of a wall parts, all of that is brought to rest together and solved directly: 8 solves and 62 Krylov
+// iterations. Stuck stones alone took 44 solves, without direct solution it is 8 with 86.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   Scene scene = wall_scene(64);
   scene.mesh.wall.cells_along = 2;
