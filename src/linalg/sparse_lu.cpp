@@ -26,6 +26,11 @@ struct SparseLu::Data {
 
 namespace {
 
+// A pivot off the diagonal is taken where that on it is smaller than this share of its column. Stones that hardly
+// anything holds have such columns, and each pivot off the diagonal fills the factors: with 1e-3, UMFPACK's own, the
+// 107 matrices of W(512)'s patch, 41 812 rows, take 21.8 s, with 1e-4 14.7, with 1e-6 8.8, with none 8.0.
+constexpr double smallest_pivot = 1e-6;
+
 void expect_memory(int status) {
   if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
   VOUSSOIR_EXPECT(status == UMFPACK_OK || status == UMFPACK_WARNING_singular_matrix);
@@ -46,15 +51,16 @@ void SparseLu::factor(const LocalCsr& a) {
   }
   VOUSSOIR_EXPECT(a.rows() == d.rows);
   umfpack_di_free_numeric(&d.factor);
-  double info[UMFPACK_INFO];
+  double info[UMFPACK_INFO], control[UMFPACK_CONTROL];
+  umfpack_di_defaults(control);
+  control[UMFPACK_SYM_PIVOT_TOLERANCE] = smallest_pivot;
   expect_memory(
-      umfpack_di_numeric(a.start.data(), a.column.data(), a.value.data(), d.order, &d.factor, nullptr, info));
+      umfpack_di_numeric(a.start.data(), a.column.data(), a.value.data(), d.order, &d.factor, control, info));
   d.units = info[UMFPACK_NUMERIC_SIZE] + info[UMFPACK_SYMBOLIC_SIZE];
   d.unit = static_cast<int>(info[UMFPACK_SIZE_OF_UNIT]);
 }
 
 long long SparseLu::bytes() const { return static_cast<long long>(data_->units) * data_->unit; }
-
 
 bool SparseLu::solve(const LocalCsr& a, const double* b, double* x) const {
   VOUSSOIR_EXPECT(data_->factor != nullptr);
