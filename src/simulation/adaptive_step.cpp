@@ -21,6 +21,9 @@ constexpr double share_of_violation = 0.1, coarsest_tolerance = 1e-2;
 // The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md); once it
 // was computed for a selection it follows the root within this margin.
 constexpr double decreases_in_error = 5, margin = 1.5;
+// Once stones have moved the error is 5 to 14 times the root of the decreases of what a release left: where so much
+// will do, a rough round is not looked at.
+constexpr double rest_in_error = 10;
 // A root of decreases so many times what is allowed is too large: errors are 0.7 (brittle joints) to 5 times the root.
 constexpr double too_large = 2;
 // An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
@@ -87,6 +90,14 @@ double AdaptiveStep<dim>::energy_of(const ContactState& state) const {
   return s.elastic_energy(s.deformation(state.displacement));
 }
 
+/// Root of the decreases of the points that are not selected, relative to the energy.
+template <int dim>
+double AdaptiveStep<dim>::root_of_rest(std::vector<double> decrease, const ContactState& state) const {
+  for (std::size_t k = 0; k < decrease.size(); ++k)
+    if (state.selected[k]) decrease[k] = 0;
+  return root_of_decreases(decrease, energy_of(state), *model_.structure().comm());
+}
+
 /// Equilibrium with the points selected now, and the forces of the others; false when there is none.
 template <int dim>
 bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& parts, ContactState& state,
@@ -141,13 +152,18 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   // With nothing selected yet, a first look needs no more than the violations it is to show.
   if (selected_before == 0 && selection.mode != SelectionMode::bonded && !in_time) wanted = 1e-4;
   const ContactState before = state;
-  bool from_before = true;
+  bool from_before = true, suffices = false;
   const PointField known_gap = gaps(state.displacement);
   double estimate_before = std::numeric_limits<double>::infinity(), root_before = estimate_before;
   for (;; ++report.selection_rounds) {
     std::vector<int> cluster;
-    if (!solve_round(parts, state, load, prescribed, wanted, from_before && selected_before > 0 ? &known_gap : nullptr,
-                     before.lambda, cluster, report)) {
+    const auto* const left = from_before && selected_before > 0 ? &known_gap : nullptr;
+    bool solved = solve_round(parts, state, load, prescribed, wanted, left, before.lambda, cluster, report);
+    if (solved && suffices && wanted > tolerance) {
+      wanted = tolerance;
+      solved = solve_round(parts, state, load, prescribed, wanted, nullptr, before.lambda, cluster, report);
+    }
+    if (!solved) {
       // Joints that were held together may be what left no way: resolve them all before giving up.
       if (selection.mode != SelectionMode::adaptive || count_selected(model_, state) == model_.points().total())
         return report;
@@ -172,8 +188,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     const double root = in_time || may_release
                             ? root_of_decreases(decrease, energy_of(state), *model_.structure().comm())
                             : 0.0;
-    auto& known = state.rest.error_by_decreases;
-    report.error_estimate = root * (known > 0 ? margin * known : decreases_in_error);
+    auto& ratio = state.rest.error_by_decreases;
+    report.error_estimate = root * (ratio > 0 ? margin * ratio : decreases_in_error);
     const bool small = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);
     const double rough = root / std::hypot(1, root);  // relative to the energy that will be there
     const bool large = !in_time && (release_rest || rough > too_large * allowed);
@@ -183,7 +199,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       report.newton.krylov_iterations += error.krylov_iterations;
       report.cost.add(error.cost);
       report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
-      known = in_time && root > 0 ? report.error_estimate / root : 0.0;
+      ratio = in_time && root > 0 ? report.error_estimate / root : 0.0;
     };
     if (large)
       report.error_estimate = rough;
@@ -209,8 +225,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     } else if (report.error_estimate > allowed && may_release) {
       const auto released = release(model_, law_, cluster, decrease, state);
       more = released > 0;
-      if (more) known = 0;
+      if (more) ratio = 0;
       if (more) wanted = std::clamp(share_of_violation * violations.largest, tolerance, coarsest_tolerance);
+      suffices = more && rest_in_error * root_of_rest(decrease, state) <= allowed;
       const auto most = selection.largest_share * static_cast<double>(model_.points().total());
       // The next round tends to release as many again: better all at once than a round that is thrown away.
       if (static_cast<double>(count_selected(model_, state) + released) > most && release_all(model_, law_, state)) {

@@ -65,8 +65,9 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   TEST_COMPARE(report.local_solves, <=, 40);
 }
 
-// Where little of a wall parts, all of that is brought to rest together and solved directly: 8 solves and 62 Krylov
-// iterations. Stuck stones alone took 44 solves, without direct solution it is 8 with 86.
+// Where little of a wall parts, all of that is brought to rest together and solved directly: 8 solves and 55 Krylov
+// iterations. Stuck stones alone took 44 solves, without direct solution it is 8 with 79. The rough round is not
+// estimated, which takes 7 iterations more: what the release leaves tells that it will do.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   Scene scene = wall_scene(64);
   scene.mesh.wall.cells_along = 2;
@@ -78,7 +79,8 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   out << last.newton.newton_iterations << " solves, " << last.newton.krylov_iterations << " Krylov iterations, "
       << last.newton.local_solves << " of patches, " << last.cost.motion_bytes << " bytes of motions\n";
   TEST_COMPARE(last.newton.newton_iterations, <=, 10);
-  TEST_COMPARE(last.newton.krylov_iterations, <=, 85);
+  TEST_COMPARE(last.newton.krylov_iterations, <=, 60);
+  TEST_EQUALITY(last.estimate_solves, 2);
 }
 
 // A settlement reaches most joints. A round that would be thrown away is not solved: with it the arch took 44 solves.
