@@ -145,7 +145,7 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
   }
   for (int k = 0; k < points_.owned(); ++k) {
     const auto& p = points_.points()[k];
-    if (!selected[k] || cluster[p.node_i] == cluster[p.node_j]) continue;
+    if (!selected[k] || space_.tied(p)) continue;
     couplings_.push_back(k);
     meet_at(cluster[p.node_i]);
     meet_at(cluster[p.node_j]);

@@ -345,15 +345,13 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   if (parts_.together) {
     const auto worst = std::exchange(stuck_, parted_blocks());
     find_patches();
-    if (larger_than(largest_share_of_all)) {
-      parts_.together = false;
-    } else {
+    if (!larger_than(largest_share_of_all)) {
       const auto result = solve_patches(x, lambda, request, request.most);
       if (result.at_rest) return result.solves;
-      parts_.together = false;
       solves = result.solves;
       parts_.problem.evaluate(x, *linear_, gap_);
     }
+    parts_.together = false;
     stuck_ = worst;
   }
   for (int ring = 0; !stuck_.empty(); ++ring) {
