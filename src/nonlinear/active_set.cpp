@@ -23,7 +23,7 @@ constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100;
 constexpr double accuracy = 1e-4;
 // So many solves that gain less than half: it circles. In load steps where stones cannot be brought to rest alone
 // another way is cheaper than to find out.
-constexpr int patience_in_time = 8, patience_at_rest = 8, patience_alone = 4;
+constexpr int patience_in_time = 8, patience_at_rest = 8, patience_alone = 4, patience_in_patch = 100;
 constexpr double gained = 0.5;
 // A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
 constexpr int many_krylov = 50;
@@ -39,19 +39,23 @@ constexpr double descent = 0.2, shortest = 1.0 / 64;
 // A residual that grows by more than this has lost a stone. Points that give way then resist by this share of the local
 // stiffness, ten times as much if that does not help, and a tenth after every step that is taken.
 constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5;
+// In patches they always resist by so much: their stones are moved on, and need not fly (figures in patches.md).
+constexpr double damping_in_patch = 1e-3;
 // Where a step gains less than half, blocks beyond this share of the residual are brought to rest alone, to this share
 // of the tolerance; residuals may rise by so much then, as those beside them have to follow.
 constexpr double stuck = 1e-2, much = 0.1, spoilt = 10;
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem, bool inertia)
+ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use)
     : problem_(problem),
-      inertia_(inertia),
-      augmentation_(inertia ? augmentation_in_time : augmentation_at_rest),
-      proximal_(inertia ? 0 : 1),
-      patience_(inertia ? patience_in_time : patience_at_rest),
-      sliding_(problem.points()) {
+      use_(use),
+      inertia_(use == ActiveSetUse::in_time),
+      augmentation_(inertia_ ? augmentation_in_time : augmentation_at_rest),
+      proximal_(inertia_ ? 0 : 1),
+      patience_(inertia_ ? patience_in_time : use == ActiveSetUse::in_patch ? patience_in_patch : patience_at_rest),
+      sliding_(problem.points()),
+      stops_(problem.points()) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
@@ -73,7 +77,7 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap) {
     r.normal = stiffness_of(problem_, k, 0, augmentation_);
     const double bound = friction_bound(law, p);
     const double direction = q < 0 ? -1 : 1;
-    if (std::abs(q) < bound || (bound > 0 && direction == -before[k])) {
+    if (std::abs(q) < bound || (bound > 0 && (direction == -before[k] || stops_[k] != 0))) {
       r.tangential = stiffness_of(problem_, k, 1, augmentation_);
     } else {
       sliding_[k] = direction;
@@ -211,10 +215,22 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   return false;
 }
 
+/// Moves stones that nothing holds to where a point holds them, which sticks in the next solve.
+void ActiveSet::move_loose_stones(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
+  TpetraVector imbalance(*linear_, Teuchos::Copy);
+  problem_.subtract_contact_forces(admissible_, imbalance);
+  const auto stops = problem_.move_loose_stones(
+      x, {resistance_, sliding_, admissible_, gap_, imbalance, tolerance * scale_});
+  stops_.assign(problem_.points(), 0);
+  for (int k : stops) stops_[k] = 1;
+  if (!stops.empty()) measure(x, lambda, report);
+}
+
 ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
                               const PointField* known_gap, NewtonReport& report) {
   const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
   double best = std::numeric_limits<double>::infinity(), damping = 0;
+  const double least_damping = use_ == ActiveSetUse::in_patch ? damping_in_patch : 0;
   bool local = true;
   for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
@@ -229,12 +245,13 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       const double share = inertia_ ? 1.0 : std::min(1.0, flown * largest_force / gradient_->normInf());
       const int most = inertia_ ? 0 : std::isinf(best) ? many_krylov : most_krylov;
       const int krylov =
-          step(x, lambda, damping, std::max(accuracy * share, std::numeric_limits<double>::epsilon()), most);
+          step(x, lambda, std::max(damping, least_damping),
+               std::max(accuracy * share, std::numeric_limits<double>::epsilon()), most);
       report.count(krylov);
       ++solves;
       size = measure(x, lambda, report);
       tell(report, krylov);
-      if (!inertia_ && local && size > std::max(tolerance, gained * best)) {
+      if (use_ == ActiveSetUse::at_rest && local && size > std::max(tolerance, gained * best)) {
         local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
         patience_ = local ? patience_at_rest : patience_alone;
       }
@@ -254,6 +271,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     }
     if (!std::isfinite(size)) return ActiveSetEnd::circled;
     damping = damping > no_damping ? damping / 10 : 0;
+    if (use_ == ActiveSetUse::in_patch) move_loose_stones(x, lambda, tolerance, report);
     if (size > gained * best) continue;
     best = size;
     last_gain = solves;

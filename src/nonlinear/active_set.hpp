@@ -21,11 +21,14 @@ namespace voussoir {
 /// nothing holds.
 enum class ActiveSetEnd { arrived, circled, loose_stones };
 
+/// What is solved: a structure at rest, one whose blocks have mass, and no free motions, or a patch, where solves are
+/// direct and loose stones can be moved on.
+enum class ActiveSetUse { at_rest, in_time, in_patch };
+
 class ActiveSet {
  public:
   /// @param problem  with two components
-  /// @param inertia  whether blocks have mass, as those of a time step, and no free motions
-  ActiveSet(NonlinearProblem& problem, bool inertia);
+  ActiveSet(NonlinearProblem& problem, ActiveSetUse);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
@@ -42,16 +45,19 @@ class ActiveSet {
   int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
   bool correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start, double known,
                        double& size, NewtonReport&);
+  void move_loose_stones(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   double step_length(const PointField& lambda) const;
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
   void tell(const NewtonReport&, int krylov, int local_solves = 0) const;
 
   NonlinearProblem& problem_;
+  ActiveSetUse use_;
   bool inertia_;
   double augmentation_, proximal_;
   int patience_;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
+  std::vector<char> stops_;      ///< 1 where a loose stone has come to a stop
   PointField target_, force_, gap_, gap_direction_, admissible_;
   double scale_ = 1;   ///< [N]
   double length_ = 1;  ///< of the last step

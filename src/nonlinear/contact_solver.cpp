@@ -53,7 +53,7 @@ ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, 
                                            const PointField* known_gap, int largest_solves, NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
-  ActiveSet active(problem_, parameters_.has_inertia);
+  ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest);
   active.narrate = narrate;
   const int most = std::min(largest_solves, parameters_.largest_iterations);
   const auto end = active.solve(x, lambda, tolerance, most, known_gap, report);

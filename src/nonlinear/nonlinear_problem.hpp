@@ -29,6 +29,16 @@ struct LocalRequest {
   const TpetraVector& start;  ///< where stones of patches begin: before that solve, which they may have fled from
 };
 
+/// Statuses and forces after a linear solve, for stones that nothing holds.
+struct LooseRequest {
+  const std::vector<PointStiffness>& resistance;  ///< of the points in that solve
+  const std::vector<double>& sliding;  ///< per point: direction of friction, 0 where it sticks or is open
+  const PointField& force;             ///< [N]
+  const PointField& gap;               ///< [m]
+  const TpetraVector& imbalance;       ///< [N] K u - f - B^T force
+  double least = 0;                    ///< [N] stones out of balance by less stay where they are
+};
+
 /// How a linear system is to be solved.
 struct SolveRequest {
   double tolerance;           ///< relative to the right-hand side
@@ -83,6 +93,9 @@ class NonlinearProblem {
   /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
   /// still. Returns linear solves of patches, 0 where nothing is stuck or a patch would be too large. Collective.
   virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }
+  /// Moves stones that slide on all they touch until a first point holds them again; no force changes. Returns the
+  /// points that do.
+  virtual std::vector<int> move_loose_stones(TpetraVector& /*x*/, const LooseRequest&) { return {}; }
   /// Largest force in play [N]: what residuals are measured against.
   virtual double force_scale() const = 0;
   /// Size of the structure [m]: what run-away displacements are measured against.

@@ -1,6 +1,7 @@
 // A few stones whose surroundings hold still: a contact problem of its own, small enough for direct solution.
 //
-// Where a handful of stones keeps all others from closing, they are brought to rest alone, along the interior path.
+// Where a handful of stones keeps all others from closing, they are brought to rest alone: by active sets, which move
+// loose stones on, or along the interior path.
 // Unknowns are displacements from where the stones are. Between two stones of the patch the contact law holds. Points
 // at its border stay closed or open as in the last linear solve: under the law, a node that touches two stones which
 // hold still a little apart would give its whole force to one of them.
@@ -11,40 +12,12 @@
 
 #include "linalg/local_csr.hpp"
 #include "linalg/sparse_lu.hpp"
+#include "nonlinear/loose_stones.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/patch_parts.hpp"
 
 namespace voussoir {
-
-/// A contact point of a patch.
-struct PatchPoint {
-  std::array<int, 4> unknown{};                 ///< of node i, then of node j; -1 where it holds still
-  std::array<std::array<double, 2>, 2> axis{};  ///< normal, tangent
-  PointLaw law;
-  double local_stiffness = 0;  ///< [N/m]
-  PointCompliance compliance;
-  std::array<double, 2> slip_origin{}, gap{};  ///< [m] where the stones are
-  std::array<double, 2> force{};               ///< [N]
-  PointStiffness resistance;                   ///< at the border
-
-  /// Motion of its gap when the unknowns move [m].
-  std::array<double, 2> motion(const double* displacement) const;
-};
-
-/// What a patch is made of.
-struct PatchParts {
-  struct Entry {
-    int row = 0, column = 0;
-    double value = 0;
-  };
-  std::vector<double> imbalance;        ///< [N] of each unknown: K u - f without the forces of its points
-  std::vector<double> start;            ///< [m] from where the stones are to where the path begins
-  std::vector<double> proximal_weight;  ///< [N/m]
-  std::vector<Entry> stiffness;         ///< [N/m] of the blocks, in any order; equal places add
-  std::vector<PatchPoint> points, border;
-  double force_scale = 0;   ///< [N] of the whole structure
-  double length_scale = 0;  ///< [m] likewise
-};
 
 class Patch : public NonlinearProblem {
  public:
@@ -77,16 +50,19 @@ class Patch : public NonlinearProblem {
   /// Directly, whatever the tolerance.
   int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
             const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override;
+  std::vector<int> move_loose_stones(TpetraVector& x, const LooseRequest&) override;
   double force_scale() const override { return parts_.force_scale; }
   double length_scale() const override { return parts_.length_scale; }
 
  private:
   void set_pattern();
+  bool come_to_rest(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   void yield_at_the_border();
   void add(const PatchPoint&, const PointStiffness&, LocalCsr& to) const;
   double& entry(LocalCsr&, int row, int column) const;
 
   PatchParts parts_;
+  LooseStones loose_stones_;
   Teuchos::RCP<const TpetraMap> map_;
   std::vector<char> selected_;
   PointLaws law_;

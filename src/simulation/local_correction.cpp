@@ -166,7 +166,7 @@ std::vector<typename LocalCorrection<dim>::Unknown> LocalCorrection<dim>::unknow
     const int patch = cluster_patch_[i / dim];
     if (patch < 0 || space.held()[i]) continue;
     list.push_back(
-        {space.map()->getGlobalElement(i), patch, linear[i], from[i] - at[i], parts_.proximal_weight[i]});
+        {space.map()->getGlobalElement(i), patch, i % dim, linear[i], from[i] - at[i], parts_.proximal_weight[i]});
   }
   return list;
 }
@@ -253,6 +253,7 @@ typename LocalCorrection<dim>::Outcome LocalCorrection<dim>::solve(const LocalRe
     place[u.id] = {u.patch, static_cast<int>(ids[u.patch].size())};
     ids[u.patch].push_back(u.id);
     p.imbalance.push_back(u.imbalance);
+    p.component.push_back(static_cast<char>(u.component));
     p.start.push_back(u.start);
     p.proximal_weight.push_back(u.proximal);
   }

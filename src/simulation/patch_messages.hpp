@@ -14,7 +14,7 @@ template <int dim>
 struct PatchMessages {
   struct Unknown {
     GlobalOrdinal id;
-    int patch;
+    int patch, component;
     double imbalance, start, proximal;
   };
   struct Entry {

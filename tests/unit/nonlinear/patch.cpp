@@ -32,6 +32,7 @@ TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
 TEUCHOS_UNIT_TEST(Patch, KeepsTheStatusesOfItsBorder) {
   PatchParts parts;
   parts.imbalance = {-push, weight, 0, weight};
+  parts.component = {0, 1, 0, 1};
   parts.start.assign(4, 0.0);
   parts.proximal_weight.assign(4, 1e-6);
   parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}, {2, 2, spring}, {3, 3, 1e-6}};

@@ -1,0 +1,42 @@
+// What a patch is made of: stiffness, points, and what holds it at its border.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "joints/contact_law.hpp"
+
+namespace voussoir {
+
+/// A contact point of a patch.
+struct PatchPoint {
+  std::array<int, 4> unknown{};                 ///< of node i, then of node j; -1 where it holds still
+  std::array<std::array<double, 2>, 2> axis{};  ///< normal, tangent
+  PointLaw law;
+  double local_stiffness = 0;  ///< [N/m]
+  PointCompliance compliance;
+  std::array<double, 2> slip_origin{}, gap{};  ///< [m] where the stones are
+  std::array<double, 2> force{};               ///< [N]
+  PointStiffness resistance;                   ///< at the border
+
+  /// Motion of its gap when the unknowns move [m].
+  std::array<double, 2> motion(const double* displacement) const;
+};
+
+/// What a patch is made of.
+struct PatchParts {
+  struct Entry {
+    int row = 0, column = 0;
+    double value = 0;
+  };
+  std::vector<double> imbalance;        ///< [N] of each unknown: K u - f without the forces of its points
+  std::vector<char> component;          ///< of each unknown: 0 along x, 1 along y
+  std::vector<double> start;            ///< [m] from where the stones are to where the path begins
+  std::vector<double> proximal_weight;  ///< [N/m]
+  std::vector<Entry> stiffness;         ///< [N/m] of the blocks, in any order; equal places add
+  std::vector<PatchPoint> points, border;
+  double force_scale = 0;   ///< [N] of the whole structure
+  double length_scale = 0;  ///< [m] likewise
+};
+
+}  // namespace voussoir
