@@ -42,8 +42,14 @@ struct Stop {
 /// One round of moves.
 class Walk {
  public:
-  Walk(const std::vector<PatchPoint>& points, PointStatuses& statuses, std::vector<std::array<int, 2>> sides, int stones)
-      : points_(points), statuses_(statuses), sides_(std::move(sides)), groups_(stones), sets_(stones), shift_(stones) {}
+  Walk(const std::vector<PatchPoint>& points, PointStatuses& statuses, std::vector<std::array<int, 2>> sides,
+       int stones)
+      : points_(points),
+        statuses_(statuses),
+        sides_(std::move(sides)),
+        groups_(stones),
+        sets_(stones),
+        shift_(stones) {}
 
   std::vector<int> go(const std::vector<Direction>& push, double least);
   const Direction& shift(int stone) const { return shift_[stone]; }  ///< [m]

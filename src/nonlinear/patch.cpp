@@ -17,8 +17,8 @@ namespace {
 
 // Steps of the path: those that arrive on W(256) took up to 142. With 80 patches failed that were 0.03 N from rest.
 constexpr int largest_path = 200;
-// Solves of active sets: patches of W(512) and W(640) take up to 157, and paths follow where they fail. They come to rest
-// to this share of the tolerance: a stone that is out of balance by the rest flies in the next solve of the whole.
+// Solves of active sets: patches of W(512) and W(640) take up to 157, and paths follow where they fail. They come to
+// rest to this share of the tolerance: a stone out of balance by the rest flies in the next solve of the whole.
 constexpr int most_active = 200;
 constexpr double rest = 1e-2;
 
