@@ -12,6 +12,9 @@ namespace {
 
 // Violations below this multiple of the solver's tolerance are its noise.
 constexpr double noise = 10;
+// Forces nearer to their bounds than this share of the largest are at them, and hold: else round-off would tell, which
+// differs from one number of ranks to the next, and the estimate of a wall with it by 4e-4 of itself.
+constexpr double least_noise = 1e-8;
 // Relative residual of the linear solve. 1e-2 changes no third digit and saves a twentieth of the Krylov iterations,
 // but the estimate would then depend on the number of ranks by as much.
 constexpr double solve_tolerance = 1e-4;
@@ -51,6 +54,7 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
   double force = 0, worst = 0;
   for (int k = 0; k < points.owned(); ++k) force = std::max(force, std::abs(state.lambda[dim * k]));
   force = largest_over_ranks(comm, force);
+  v.noise = std::max(noise * model.scene().newton.tolerance, least_noise) * force;
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
@@ -108,6 +112,8 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
   trial_forces(problem, state.lambda, gap, 1.0, trial);
   friction_bounds(problem, trial, bound);
   project(problem, trial, bound, forces);
+  for (std::size_t i = 0; i < trial.size(); i += dim) trial[i] += violations.noise;
+  for (double& limit : bound) limit += violations.noise;
   resistances(problem, trial, bound, 1.0, resistance);
   problem.subtract_contact_forces(forces, *b);
   b->scale(-1);
