@@ -59,7 +59,7 @@ class Walk {
   bool inside(int point) { return root(point, 0) == root(point, 1); }
   void gather(const std::vector<Direction>& push);
   bool find_way(const Group&, Direction& along);
-  double nearing(int point, int axis, int group, const Direction& along);
+  double rate(int point, int axis, int group, const Direction& along);
   Stop first_stop(int group, const Direction& along);
   int move(int group, const Direction& along, const Stop&);
 
@@ -99,7 +99,7 @@ bool Walk::find_way(const Group& group, Direction& along) {
 }
 
 /// Change of a gap or slip when a group moves by a unit.
-double Walk::nearing(int point, int axis, int group, const Direction& along) {
+double Walk::rate(int point, int axis, int group, const Direction& along) {
   return (root(point, 1) == group ? 1 : -1) * dot(points_[point].axis[axis], along);
 }
 
@@ -111,7 +111,7 @@ Stop Walk::first_stop(int group, const Direction& along) {
     const bool closed = statuses_.resistance[k].normal > 0;
     if (closed && points_[k].law.friction == 0 && points_[k].law.cohesion == 0) continue;  // holds nothing
     const double sign = closed ? -statuses_.sliding[k] : 1.0;  // friction acts against the slip
-    const double speed = -sign * nearing(k, closed, group, along);
+    const double speed = -sign * rate(k, closed, group, along);
     if (!(speed > round_off)) continue;
     const double distance = std::max(sign * statuses_.motion[k][closed], 0.0) / speed;
     if (distance < first.distance) first = {k, distance};
@@ -126,7 +126,7 @@ int Walk::move(int group, const Direction& along, const Stop& stop) {
     for (int c : {0, 1}) shift_[s][c] += stop.distance * along[c];
   for (int k : mine.points)
     if (!inside(k))
-      for (int axis : {0, 1}) statuses_.motion[k][axis] += stop.distance * nearing(k, axis, group, along);
+      for (int axis : {0, 1}) statuses_.motion[k][axis] += stop.distance * rate(k, axis, group, along);
   const int other = root(stop.point, root(stop.point, 0) == group ? 1 : 0);
   const int joint = join(sets_, group, other);
   auto& to = groups_[joint];
