@@ -1,6 +1,7 @@
 // Sets that grow together: what is joined to what, over any number of steps.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -18,6 +19,12 @@ class DisjointSets {
   }
   /// Adds the set of one root to that of another, or of itself.
   void join(int root, int to) { parent_[root] = to; }
+  /// Makes one set of those of two numbers; of their roots the smaller remains, and is returned.
+  int unite(int i, int j) {
+    const int a = root(i), b = root(j);
+    join(std::max(a, b), std::min(a, b));
+    return std::min(a, b);
+  }
 
  private:
   std::vector<int> parent_;

@@ -89,7 +89,7 @@ void check_pieces(const Block<2>& block) {
              "(cells " + std::to_string(sides[i].cell) + " and " + std::to_string(sides[i + 1].cell) +
                  " there, or a third one, lie on each other).",
              "Remove doubled surfaces or elements and mesh again.");
-    pieces.join(pieces.root(sides[i].cell), pieces.root(sides[i + 1].cell));
+    pieces.unite(sides[i].cell, sides[i + 1].cell);
   }
   for (std::size_t c = 0; c < pieces.size(); ++c)
     if (pieces.root(static_cast<int>(c)) != pieces.root(0))

@@ -50,10 +50,9 @@ constexpr double stuck = 1e-2, much = 0.1, spoilt = 10;
 ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use)
     : problem_(problem),
       use_(use),
-      inertia_(use == ActiveSetUse::in_time),
-      augmentation_(inertia_ ? augmentation_in_time : augmentation_at_rest),
-      proximal_(inertia_ ? 0 : 1),
-      patience_(inertia_ ? patience_in_time : use == ActiveSetUse::in_patch ? patience_in_patch : patience_at_rest),
+      augmentation_(in_time() ? augmentation_in_time : augmentation_at_rest),
+      proximal_(in_time() ? 0 : 1),
+      patience_(in_time() ? patience_in_time : use == ActiveSetUse::in_patch ? patience_in_patch : patience_at_rest),
       sliding_(problem.points()),
       stops_(problem.points()) {
   VOUSSOIR_EXPECT(problem.components() == 2);
@@ -170,7 +169,7 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
     damped[k].tangential = std::max(damped[k].tangential, stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
-  const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !inertia_});
+  const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !in_time()});
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
   for (int k = 0; k < problem_.points(); ++k) {
@@ -179,7 +178,7 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
     force_[2 * k] -= r.normal * gap_direction_[2 * k];
     force_[2 * k + 1] -= r.tangential * gap_direction_[2 * k + 1] + r.coupling * gap_direction_[2 * k];
   }
-  length_ = inertia_ ? step_length(lambda) : 1.0;
+  length_ = in_time() ? step_length(lambda) : 1.0;
   x.update(length_, *direction_, 1.0);
   if (length_ == 1)
     lambda = force_;
@@ -242,8 +241,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       Tpetra::deep_copy(*gradient_, linear_before);
       problem_.subtract_contact_forces(target_, *gradient_);
       gradient_->scale(-1.0);
-      const double share = inertia_ ? 1.0 : std::min(1.0, flown * largest_force / gradient_->normInf());
-      const int most = inertia_ ? 0 : std::isinf(best) ? many_krylov : most_krylov;
+      const double share = in_time() ? 1.0 : std::min(1.0, flown * largest_force / gradient_->normInf());
+      const int most = in_time() ? 0 : std::isinf(best) ? many_krylov : most_krylov;
       const int krylov =
           step(x, lambda, std::max(damping, least_damping),
                std::max(accuracy * share, std::numeric_limits<double>::epsilon()), most);
@@ -260,7 +259,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
         report.outcome = NewtonOutcome::converged;
         return ActiveSetEnd::arrived;
       }
-      if (inertia_) break;  // nothing flies
+      if (in_time()) break;  // nothing flies
       if (krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best)))
         return ActiveSetEnd::loose_stones;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.

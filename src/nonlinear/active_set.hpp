@@ -40,6 +40,7 @@ class ActiveSet {
                      const PointField* known_gap, NewtonReport& report);
 
  private:
+  bool in_time() const { return use_ == ActiveSetUse::in_time; }
   void choose(const PointField& lambda, const PointField& gap);
   void aim(const PointField& lambda);
   int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
@@ -52,7 +53,6 @@ class ActiveSet {
 
   NonlinearProblem& problem_;
   ActiveSetUse use_;
-  bool inertia_;
   double augmentation_, proximal_;
   int patience_;
   std::vector<PointStiffness> resistance_;

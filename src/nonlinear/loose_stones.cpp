@@ -3,34 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/check.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/tensor.hpp"
 
 namespace voussoir {
 namespace {
-
-using Direction = std::array<double, 2>;
 
 // A stone is held where moving it as a whole takes forces of more than this share of its stiffness: round-off is less.
 constexpr double held_share = 1e-10;
 // Beds are parallel, and a stone comes nearer to another, beyond this [-].
 constexpr double round_off = 1e-9;
 
-double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1]; }
-
-/// Smaller number first, so that what holds still remains the root of its set.
-int join(DisjointSets& sets, int a, int b) {
-  const int low = std::min(a, b);
-  sets.join(std::max(a, b), low);
-  return low;
-}
-
 /// Stones that hold each other.
 struct Group {
   std::vector<int> stones, points;
-  Direction push{};  ///< [N] what it is out of balance by
+  Vector<2> push{};  ///< [N] what it is out of balance by
 };
 
 /// Where a group stops.
@@ -42,43 +31,38 @@ struct Stop {
 /// One round of moves.
 class Walk {
  public:
-  Walk(const std::vector<PatchPoint>& points, PointStatuses& statuses, std::vector<std::array<int, 2>> sides,
+  Walk(const std::vector<PatchPoint>& points, PointStatuses& statuses, const std::vector<std::array<int, 2>>& sides,
        int stones)
-      : points_(points),
-        statuses_(statuses),
-        sides_(std::move(sides)),
-        groups_(stones),
-        sets_(stones),
-        shift_(stones) {}
+      : points_(points), statuses_(statuses), sides_(sides), groups_(stones), sets_(stones), shift_(stones) {}
 
-  std::vector<int> go(const std::vector<Direction>& push, double least);
-  const Direction& shift(int stone) const { return shift_[stone]; }  ///< [m]
+  std::vector<int> go(const std::vector<Vector<2>>& push, double least);
+  const Vector<2>& shift(int stone) const { return shift_[stone]; }  ///< [m]
 
  private:
   int root(int point, int side) { return sets_.root(sides_[point][side]); }
   bool inside(int point) { return root(point, 0) == root(point, 1); }
-  void gather(const std::vector<Direction>& push);
-  bool find_way(const Group&, Direction& along);
-  double rate(int point, int axis, int group, const Direction& along);
-  Stop first_stop(int group, const Direction& along);
-  int move(int group, const Direction& along, const Stop&);
+  void gather(const std::vector<Vector<2>>& push);
+  bool find_way(const Group&, Vector<2>& along);
+  double rate(int point, int axis, int group, const Vector<2>& along);
+  Stop first_stop(int group, const Vector<2>& along);
+  int move(int group, const Vector<2>& along, const Stop&);
 
   const std::vector<PatchPoint>& points_;
   PointStatuses& statuses_;
-  std::vector<std::array<int, 2>> sides_;  ///< stones of each point
+  const std::vector<std::array<int, 2>>& sides_;  ///< stones of each point
   std::vector<Group> groups_;              ///< at the roots
   DisjointSets sets_;
-  std::vector<Direction> shift_;
+  std::vector<Vector<2>> shift_;
 };
 
-void Walk::gather(const std::vector<Direction>& push) {
+void Walk::gather(const std::vector<Vector<2>>& push) {
   const int points = static_cast<int>(points_.size());
   for (int k = 0; k < points; ++k)
-    if (statuses_.resistance[k].tangential > 0 && !inside(k)) join(sets_, root(k, 0), root(k, 1));
+    if (statuses_.resistance[k].tangential > 0) sets_.unite(sides_[k][0], sides_[k][1]);
   for (int s = 0; s < static_cast<int>(push.size()); ++s) {
     auto& group = groups_[sets_.root(s)];
     group.stones.push_back(s);
-    for (int c : {0, 1}) group.push[c] += push[s][c];
+    group.push = group.push + push[s];
   }
   for (int k = 0; k < points; ++k)
     if (!inside(k))
@@ -86,7 +70,7 @@ void Walk::gather(const std::vector<Direction>& push) {
 }
 
 /// Along its beds, where it is pushed to; false where they are not parallel, or there are none.
-bool Walk::find_way(const Group& group, Direction& along) {
+bool Walk::find_way(const Group& group, Vector<2>& along) {
   bool any = false;
   for (int k : group.points) {
     if (statuses_.resistance[k].normal == 0 || inside(k)) continue;
@@ -94,17 +78,17 @@ bool Walk::find_way(const Group& group, Direction& along) {
     any = true;
     if (std::abs(dot(points_[k].axis[0], along)) > round_off) return false;
   }
-  if (dot(group.push, along) < 0) along = {-along[0], -along[1]};
+  if (dot(group.push, along) < 0) along = -1.0 * along;
   return any;
 }
 
 /// Change of a gap or slip when a group moves by a unit.
-double Walk::rate(int point, int axis, int group, const Direction& along) {
+double Walk::rate(int point, int axis, int group, const Vector<2>& along) {
   return (root(point, 1) == group ? 1 : -1) * dot(points_[point].axis[axis], along);
 }
 
 /// Where a point that slides is back at its origin, or a gap closes.
-Stop Walk::first_stop(int group, const Direction& along) {
+Stop Walk::first_stop(int group, const Vector<2>& along) {
   Stop first;
   for (int k : groups_[group].points) {
     if (inside(k)) continue;
@@ -120,31 +104,30 @@ Stop Walk::first_stop(int group, const Direction& along) {
 }
 
 /// Returns the group that it joins.
-int Walk::move(int group, const Direction& along, const Stop& stop) {
+int Walk::move(int group, const Vector<2>& along, const Stop& stop) {
   auto& mine = groups_[group];
-  for (int s : mine.stones)
-    for (int c : {0, 1}) shift_[s][c] += stop.distance * along[c];
+  for (int s : mine.stones) shift_[s] = shift_[s] + stop.distance * along;
   for (int k : mine.points)
     if (!inside(k))
       for (int axis : {0, 1}) statuses_.motion[k][axis] += stop.distance * rate(k, axis, group, along);
   const int other = root(stop.point, root(stop.point, 0) == group ? 1 : 0);
-  const int joint = join(sets_, group, other);
+  const int joint = sets_.unite(group, other);  // what is held remains 0
   auto& to = groups_[joint];
   auto& from = groups_[joint == group ? other : group];
   to.stones.insert(to.stones.end(), from.stones.begin(), from.stones.end());
   to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-  for (int c : {0, 1}) to.push[c] += from.push[c];
+  to.push = to.push + from.push;
   return joint;
 }
 
-std::vector<int> Walk::go(const std::vector<Direction>& push, double least) {
+std::vector<int> Walk::go(const std::vector<Vector<2>>& push, double least) {
   gather(push);
   std::vector<int> stops, queue;
   for (int s = 1; s < static_cast<int>(groups_.size()); ++s)
     if (sets_.root(s) == s) queue.push_back(s);
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int group = queue[next];
-    Direction along{};
+    Vector<2> along{};
     if (sets_.root(group) != group || group == 0 || !find_way(groups_[group], along)) continue;
     if (dot(groups_[group].push, along) < least) continue;
     const Stop stop = first_stop(group, along);
@@ -162,7 +145,7 @@ LooseStones::LooseStones(const PatchParts& parts) : component_(parts.component),
   DisjointSets sets(stone_.size());
   std::vector<double> whole(stone_.size(), 0.0), diagonal = whole;
   for (const auto& e : parts.stiffness) {
-    join(sets, sets.root(e.row), sets.root(e.column));
+    sets.unite(e.row, e.column);
     whole[e.row] += e.value;
     if (e.row == e.column) diagonal[e.row] += e.value;
   }
@@ -177,6 +160,7 @@ LooseStones::LooseStones(const PatchParts& parts) : component_(parts.component),
     const int root = sets.root(i);  // never after i
     stone_[i] = held[root] ? 0 : root == i ? stones_++ : stone_[root];
   }
+  for (const auto& p : parts.points) sides_.push_back({stone_at(p, 0), stone_at(p, 1)});
 }
 
 /// The stone on one side of a point.
@@ -188,11 +172,9 @@ int LooseStones::stone_at(const PatchPoint& p, int side) const {
 
 std::vector<int> LooseStones::move_on(const std::vector<PatchPoint>& points, PointStatuses statuses,
                                       const double* imbalance, double least, double* displacement) const {
-  std::vector<Direction> push(stones_);
+  std::vector<Vector<2>> push(stones_);
   for (std::size_t i = 0; i < stone_.size(); ++i) push[stone_[i]][component_[i]] -= imbalance[i];
-  std::vector<std::array<int, 2>> sides;
-  for (const auto& p : points) sides.push_back({stone_at(p, 0), stone_at(p, 1)});
-  Walk walk(points, statuses, std::move(sides), stones_);
+  Walk walk(points, statuses, sides_, stones_);
   const auto stops = walk.go(push, least);
   for (std::size_t i = 0; i < stone_.size(); ++i) displacement[i] += walk.shift(stone_[i])[component_[i]];
   return stops;

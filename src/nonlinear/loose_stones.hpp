@@ -26,19 +26,21 @@ class LooseStones {
   explicit LooseStones(const PatchParts&);
 
   /// Moves stones that nothing holds and that are out of balance.
+  /// @param points        those of the parts
   /// @param imbalance     [N] of each unknown: what is to be overcome
   /// @param least         [N] stones out of balance by less stay
   /// @param displacement  [m] of each unknown
   /// @return  points where a stone has come to a stop
-  std::vector<int> move_on(const std::vector<PatchPoint>&, PointStatuses, const double* imbalance, double least,
+  std::vector<int> move_on(const std::vector<PatchPoint>& points, PointStatuses, const double* imbalance, double least,
                            double* displacement) const;
 
  private:
   int stone_at(const PatchPoint&, int side) const;
 
-  std::vector<char> component_;  ///< of each unknown
-  std::vector<int> stone_;  ///< of each unknown; 0 where it is held
-  int stones_ = 1;          ///< with the number 0 of all that is held
+  std::vector<char> component_;            ///< of each unknown
+  std::vector<int> stone_;                 ///< of each unknown; 0 where it is held
+  int stones_ = 1;                         ///< with the number 0 of all that is held
+  std::vector<std::array<int, 2>> sides_;  ///< stones of each point
 };
 
 }  // namespace voussoir

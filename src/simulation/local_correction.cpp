@@ -109,10 +109,7 @@ void LocalCorrection<dim>::find_patches() {
   const auto place = [&](BlockId b) {
     return static_cast<int>(std::lower_bound(block_.begin(), block_.end(), b) - block_.begin());
   };
-  for (const auto& p : pairs) {
-    const int a = sets.root(place(p.a)), b = sets.root(place(p.b));
-    sets.join(std::max(a, b), std::min(a, b));
-  }
+  for (const auto& p : pairs) sets.unite(place(p.a), place(p.b));
   patch_.assign(block_.size(), -1);
   patches_ = 0;
   for (int i = 0; i < static_cast<int>(block_.size()); ++i)

@@ -11,8 +11,10 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
-constexpr double friction = 0.5, heavy = 60, light = 40;      // [N]
-constexpr double back_left = 1.0, back_right = 2.0, rigid = 1e9;  // [m], [m], [N/m]
+constexpr double friction = 0.5;                     // [-]
+constexpr double heavy = 60, light = 40;             // [N]
+constexpr double back_left = 1.0, back_right = 2.0;  // [m]
+constexpr double rigid = 1e9;                        // [N/m]
 
 PatchPoint foot(int first_unknown, double weight_on_it, double slip) {
   auto p = on_the_ground(friction);
