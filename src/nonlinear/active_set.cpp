@@ -41,9 +41,10 @@ constexpr double descent = 0.2, shortest = 1.0 / 64;
 constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5;
 // In patches they always resist by so much: their stones are moved on, and need not fly (figures in patches.md).
 constexpr double damping_in_patch = 1e-3;
-// Where a step gains less than half, blocks beyond this share of the residual are brought to rest alone, to this share
-// of the tolerance; residuals may rise by so much then, as those beside them have to follow.
-constexpr double stuck = 1e-2, much = 0.1, spoilt = 10;
+// With the right statuses a solve leaves a hundredth. Where it leaves more than this, or is the first, blocks beyond a
+// share of the residual are brought to rest alone: to a share of the residual, or of the tolerance. Residuals may rise
+// by so much then, as those beside them have to follow (figures in patches.md).
+constexpr double hoped = 0.05, stuck = 1e-2, settled = 1e-3, much = 0.1, spoilt = 10;
 
 }  // namespace
 
@@ -198,8 +199,8 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   lambda = admissible_;
   const int solves = problem_.correct_locally(
       x, lambda,
-      {std::max(tolerance, stuck * known) * scale_, much * tolerance, scale_, known * scale_, spoilt * known * scale_,
-       resistance_, start});
+      {std::max(tolerance, stuck * known) * scale_, std::max(much * tolerance, settled * known), scale_,
+       known * scale_, spoilt * known * scale_, resistance_, start});
   if (solves == 0) {
     lambda = lambda_before;
     return true;
@@ -250,7 +251,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       ++solves;
       size = measure(x, lambda, report);
       tell(report, krylov);
-      if (use_ == ActiveSetUse::at_rest && local && size > std::max(tolerance, gained * best)) {
+      const double expected = std::isinf(best) ? tolerance : std::max(tolerance, hoped * best);
+      if (use_ == ActiveSetUse::at_rest && local && size > expected) {
         local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
         patience_ = local ? patience_at_rest : patience_alone;
       }

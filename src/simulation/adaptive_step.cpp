@@ -18,6 +18,8 @@ namespace {
 // A round whose points will be released is not worth more accuracy than a tenth of what is wrong with them,
 // nor less than a percent of the forces.
 constexpr double share_of_violation = 0.1, coarsest_tolerance = 1e-2;
+// A first look is as accurate as the violations that it is to show.
+constexpr double accuracy_of_a_look = 1e-4;
 // The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md); once it
 // was computed for a selection it follows the root within this margin.
 constexpr double decreases_in_error = 5, margin = 1.5;
@@ -29,6 +31,11 @@ constexpr double too_large = 2;
 // An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
 // the shaken wall of tests/analytic/rest_in_time was up to 2.2 % beside the solution with all points.
 constexpr double share_of_a_time_step = 0.5;
+
+/// A root of decreases relative to the energy that will be there.
+double beside_what_follows(double root) { return root / std::hypot(1, root); }
+
+bool is_too_large(double root, double allowed) { return beside_what_follows(root) > too_large * allowed; }
 
 template <int dim>
 Vector<dim> force_at(const PointField& lambda, int k) {
@@ -98,6 +105,23 @@ double AdaptiveStep<dim>::root_of_rest(std::vector<double> decrease, const Conta
   return root_of_decreases(decrease, energy_of(state), *model_.structure().comm());
 }
 
+/// Root of the decreases of points that violate their law, relative to the energy.
+template <int dim>
+double AdaptiveStep<dim>::root_of_violations(const ContactState& state, const std::vector<int>& cluster) const {
+  Phase phase("selection");
+  const auto violations = tied_violations(model_, law_, state, cluster);
+  return root_of_decreases(predicted_decrease(violations, model_.local_stiffness()), energy_of(state),
+                           *model_.structure().comm());
+}
+
+/// Whether points may be released, so that a rough state tells as much as an accurate one.
+template <int dim>
+bool AdaptiveStep<dim>::looks_first(long long selected) const {
+  const auto mode = model_.scene().selection.mode;
+  if (in_time || mode == SelectionMode::bonded || selected == model_.points().total()) return false;
+  return selected == 0 || mode == SelectionMode::adaptive;
+}
+
 /// Equilibrium with the points selected now, and the forces of the others; false when there is none.
 template <int dim>
 bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& parts, ContactState& state,
@@ -149,8 +173,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   const double allowed = (in_time ? share_of_a_time_step : 1.0) * selection.error_tolerance;
   double wanted = tolerance;
   const long long selected_before = count_selected(model_, state);
-  // With nothing selected yet, a first look needs no more than the violations it is to show.
-  if (selected_before == 0 && selection.mode != SelectionMode::bonded && !in_time) wanted = 1e-4;
+  if (looks_first(selected_before)) wanted = std::max(tolerance, accuracy_of_a_look);
   const ContactState before = state;
   bool from_before = true, suffices = false;
   const PointField known_gap = gaps(state.displacement);
@@ -159,6 +182,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     std::vector<int> cluster;
     const auto* const left = from_before && selected_before > 0 ? &known_gap : nullptr;
     bool solved = solve_round(parts, state, load, prescribed, wanted, left, before.lambda, cluster, report);
+    // Where points are selected already a rough state is looked at no further, unless far more have to let go.
+    if (solved && report.selection_rounds == 0 && selected_before > 0 && wanted > tolerance)
+      suffices = !is_too_large(root_of_violations(state, cluster), allowed);
     if (solved && suffices && wanted > tolerance) {
       wanted = tolerance;
       solved = solve_round(parts, state, load, prescribed, wanted, nullptr, before.lambda, cluster, report);
@@ -191,8 +217,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     auto& ratio = state.rest.error_by_decreases;
     report.error_estimate = root * (ratio > 0 ? margin * ratio : decreases_in_error);
     const bool small = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);
-    const double rough = root / std::hypot(1, root);  // relative to the energy that will be there
-    const bool large = !in_time && (release_rest || rough > too_large * allowed);
+    const bool large = !in_time && (release_rest || is_too_large(root, allowed));
     const auto estimate = [&] {
       const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
       report.estimate_solves += error.linear_solves;
@@ -202,7 +227,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       ratio = in_time && root > 0 ? report.error_estimate / root : 0.0;
     };
     if (large)
-      report.error_estimate = rough;
+      report.error_estimate = beside_what_follows(root);
     else if (!small)
       estimate();
     if (narrate_round) {

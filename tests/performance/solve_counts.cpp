@@ -46,11 +46,12 @@ void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream
 // Every point from a cold start; then a settlement of 5 mm or 0.15 g in one step.
 TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {9, 70}, {16, 330}, out, success); }
 TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {10, 135}, {29, 380}, out, success); }
-TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {8, 56}, {14, 130}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {8, 56}, {10, 110}, out, success); }
 
 // Stones that hang by friction between others that part keep active sets from arriving: brought to rest alone, they do
-// not. Without that own weight took 40 solves on 32 courses and 36 on 64.
-TEUCHOS_UNIT_TEST(SolveCounts, AWallOf32Courses) { check(wall_scene(32), {11, 110}, {11, 170}, out, success); }
+// not. Without that own weight took 40 solves on 32 courses and 36 on 64; where that waited until a solve gained less than
+// half, 11 on 64.
+TEUCHOS_UNIT_TEST(SolveCounts, AWallOf32Courses) { check(wall_scene(32), {11, 100}, {11, 140}, out, success); }
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   Scene scene = wall_scene(64);
   scene.selection.mode = SelectionMode::adaptive;
@@ -59,16 +60,17 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   const auto report = experiment.solution().last.newton;
   out << report.newton_iterations << " solves, " << report.krylov_iterations << " Krylov iterations, "
       << report.local_solves << " of patches\n";
-  TEST_COMPARE(report.newton_iterations, <=, 10);
-  TEST_COMPARE(report.krylov_iterations, <=, 110);
+  TEST_COMPARE(report.newton_iterations, <=, 7);
+  TEST_COMPARE(report.krylov_iterations, <=, 80);
   TEST_COMPARE(report.local_solves, >, 0);
-  TEST_COMPARE(report.local_solves, <=, 40);
+  TEST_COMPARE(report.local_solves, <=, 36);
 }
 
-// Where little of a wall parts, all of that is brought to rest together and solved directly: 8 solves and 55 Krylov
-// iterations. Stuck stones alone took 44 solves, without direct solution it is 8 with 79. The rough round is not
-// estimated, which takes 7 iterations more: what the release leaves tells that it will do. Loose stones are moved on:
-// 7 solves of the patch, 20 along the interior path.
+// Where little of a wall parts, all of that is brought to rest together and solved directly, and after the first solve
+// already: 5 solves and 47 Krylov iterations, 14 of patches. Where it waited for a solve that gains less than half it was
+// 8, 59 and 7. Stuck stones alone took 44 solves. The rough round is not estimated, which takes 7 iterations more: what the
+// release leaves tells that it will do. Loose stones are moved on: along the interior path patches take three times as
+// many.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   Scene scene = wall_scene(64);
   scene.mesh.wall.cells_along = 2;
@@ -79,11 +81,26 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   const auto& last = experiment.solution().last;
   out << last.newton.newton_iterations << " solves, " << last.newton.krylov_iterations << " Krylov iterations, "
       << last.newton.local_solves << " of patches, " << last.cost.motion_bytes << " bytes of motions\n";
-  TEST_COMPARE(last.newton.newton_iterations, <=, 10);
-  TEST_COMPARE(last.newton.krylov_iterations, <=, 60);
+  TEST_COMPARE(last.newton.newton_iterations, <=, 6);
+  TEST_COMPARE(last.newton.krylov_iterations, <=, 56);
   TEST_COMPARE(last.newton.local_solves, >, 0);
-  TEST_COMPARE(last.newton.local_solves, <=, 14);
+  TEST_COMPARE(last.newton.local_solves, <=, 17);
   TEST_EQUALITY(last.estimate_solves, 2);
+}
+
+// In a later step too a first look is rough where it releases points: 12 solves if it is as accurate as the last. Of the
+// first round all but what it shows is thrown away.
+TEUCHOS_UNIT_TEST(SolveCounts, ALaterStepLooksRoughlyFirst) {
+  Scene scene = wall_scene(16);
+  scene.selection.mode = SelectionMode::adaptive;
+  Experiment experiment(scene);
+  const auto &weight = scene.loads[0].name, &push = scene.loads[1].name;
+  TEST_ASSERT(experiment.advance({{weight, 1}}));
+  TEST_ASSERT(experiment.advance({{weight, 1}, {push, 1}}));
+  const auto& last = experiment.solution().last;
+  out << last.newton.newton_iterations << " solves\n";
+  TEST_COMPARE(last.selection_rounds, >, 0);
+  TEST_COMPARE(last.newton.newton_iterations, <=, 11);
 }
 
 // A settlement reaches most joints. A round that would be thrown away is not solved: with it the arch took 44 solves.
