@@ -46,6 +46,20 @@ constexpr double damping_in_patch = 1e-3;
 // by so much then, as those beside them have to follow (figures in patches.md).
 constexpr double hoped = 0.05, stuck = 1e-2, settled = 1e-3, much = 0.1, spoilt = 10;
 
+/// Where a patch was nearest to rest.
+struct Nearest {
+  double size = std::numeric_limits<double>::infinity();
+  Teuchos::RCP<TpetraVector> x;
+  PointField lambda;
+
+  void see(double other, const TpetraVector& other_x, const PointField& other_lambda) {
+    if (!(other < size)) return;
+    size = other;
+    x = Teuchos::rcp(new TpetraVector(other_x, Teuchos::Copy));
+    lambda = other_lambda;
+  }
+};
+
 }  // namespace
 
 ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use)
@@ -232,6 +246,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
   double best = std::numeric_limits<double>::infinity(), damping = 0;
   const double least_damping = use_ == ActiveSetUse::in_patch ? damping_in_patch : 0;
   bool local = true;
+  Nearest nearest;
   for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
     choose(lambda, known_gap && solves == 0 ? *known_gap : gap_);
@@ -270,13 +285,19 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       damping = std::max(10 * damping, first_damping);
       Tpetra::deep_copy(x, x_before);
     }
-    if (!std::isfinite(size)) return ActiveSetEnd::circled;
+    if (!std::isfinite(size)) break;
+    if (use_ == ActiveSetUse::in_patch) nearest.see(size, x, admissible_);
     damping = damping > no_damping ? damping / 10 : 0;
     if (use_ == ActiveSetUse::in_patch) move_loose_stones(x, lambda, tolerance, report);
     if (size > gained * best) continue;
     best = size;
     last_gain = solves;
     local = true;
+  }
+  if (!nearest.x.is_null()) {
+    Tpetra::deep_copy(x, *nearest.x);
+    lambda = nearest.lambda;
+    measure(x, lambda, report);
   }
   return ActiveSetEnd::circled;
 }

@@ -33,9 +33,10 @@ class ActiveSet {
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
 
-  /// Solves from x and contact forces lambda [N], which are somewhere unless it arrives.
+  /// Solves from x and contact forces lambda [N], which are somewhere unless it arrives, in a patch where they were
+  /// nearest to rest.
   /// @param known_gap  gaps that tell the first statuses, of a state that supports and loads have left; may be null
-  /// @param report     gains what is done
+  /// @param report     gains what is done, and the residuals
   ActiveSetEnd solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
                      const PointField* known_gap, NewtonReport& report);
 

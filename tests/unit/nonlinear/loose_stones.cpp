@@ -2,7 +2,11 @@
 #include "nonlinear/loose_stones.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <limits>
 
+#include "linalg/local_view.hpp"
+#include "nonlinear/active_set.hpp"
 #include "nonlinear/patch.hpp"
 #include "unit/nonlinear/slider.hpp"
 
@@ -59,6 +63,26 @@ TEUCHOS_UNIT_TEST(LooseStones, RestWhereTheHeavierFootHoldsThem) {
   TEST_FLOATING_EQUALITY(patch.solved_points()[1].force[1], -friction * light, 1e-6);
   // As slowly as what slides is let go in one solve it would take hundreds.
   TEST_COMPARE(report.newton_iterations, <=, 6);
+}
+
+// From far away active sets go to and fro. Cut short, they give back where it was nearest to rest.
+TEUCHOS_UNIT_TEST(LooseStones, AreLeftWhereTheyWereNearestToRest) {
+  for (int most = 1; most <= 8; ++most) {
+    auto parts = stone_on_two();
+    parts.start = {0.3, 0.1, 0.3, 0.1};
+    Patch patch(parts);
+    ActiveSet active(patch, ActiveSetUse::in_patch);
+    double least = std::numeric_limits<double>::infinity();
+    active.narrate = [&](const NewtonProgress& p) { least = std::min(least, std::max(p.residual, p.complementarity)); };
+    TpetraVector x(patch.map());
+    std::copy(parts.start.begin(), parts.start.end(), local_view_to_write(x));
+    PointField lambda;
+    for (const auto& p : patch.solved_points()) lambda.insert(lambda.end(), p.force.begin(), p.force.end());
+    NewtonReport report;
+    TEST_ASSERT(active.solve(x, lambda, -1, most, nullptr, report) == ActiveSetEnd::circled);
+    out << most << " solves: " << report.residual << " + " << report.complementarity << ", " << least / heavy << "\n";
+    TEST_COMPARE(std::max(report.residual, report.complementarity), <=, 1.001 * least / heavy);
+  }
 }
 
 TEUCHOS_UNIT_TEST(LooseStones, StopAtTheFirstPointThatIsBack) {
