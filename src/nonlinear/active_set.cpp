@@ -23,7 +23,7 @@ constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100;
 constexpr double accuracy = 1e-4;
 // So many solves that gain less than half: it circles. In load steps where stones cannot be brought to rest alone
 // another way is cheaper than to find out.
-constexpr int patience_in_time = 8, patience_at_rest = 8, patience_alone = 4, patience_in_patch = 100;
+constexpr int patience_in_time = 8, patience_at_rest = 8, patience_alone = 4;
 constexpr double gained = 0.5;
 // A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
 constexpr int many_krylov = 50;
@@ -62,15 +62,16 @@ struct Nearest {
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use)
+ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, int patience)
     : problem_(problem),
       use_(use),
       augmentation_(in_time() ? augmentation_in_time : augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
-      patience_(in_time() ? patience_in_time : use == ActiveSetUse::in_patch ? patience_in_patch : patience_at_rest),
+      patience_(in_time() ? patience_in_time : patience_at_rest),
       sliding_(problem.points()),
       stops_(problem.points()) {
   VOUSSOIR_EXPECT(problem.components() == 2);
+  if (patience > 0) patience_ = patience;
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 

@@ -27,8 +27,9 @@ enum class ActiveSetUse { at_rest, in_time, in_patch };
 
 class ActiveSet {
  public:
-  /// @param problem  with two components
-  ActiveSet(NonlinearProblem& problem, ActiveSetUse);
+  /// @param problem   with two components
+  /// @param patience  solves that gain less than half before it circles; 0 = as the use has it
+  ActiveSet(NonlinearProblem& problem, ActiveSetUse, int patience = 0);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;

@@ -18,10 +18,10 @@
 namespace voussoir {
 namespace {
 
-// Patches may have this share of all unknowns together: their paths of some 40 direct solutions then cost as much as
-// two or three linear solves of the whole. Where all that has parted has no more than the second share it is brought to
+// Patches may have this share of all unknowns together: their ten to twenty direct solutions then cost as much as two
+// or three linear solves of the whole. Where all that has parted has no more than the second share it is brought to
 // rest together: nothing is passed on then, and nothing stays stuck.
-constexpr double largest_share = 0.0625, largest_share_of_all = 0.125;
+constexpr double largest_share = 0.25, largest_share_of_all = 0.125;
 // So many more rings of neighbours where what a patch passes on is more than its surroundings should bear.
 constexpr int more_rings = 3;
 
