@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "base/check.hpp"
 #include "linalg/reduce.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
+#include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
 namespace {
@@ -23,7 +25,7 @@ constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100;
 constexpr double accuracy = 1e-4;
 // So many solves that gain less than half: it circles. In load steps where stones cannot be brought to rest alone
 // another way is cheaper than to find out.
-constexpr int patience_in_time = 8, patience_at_rest = 8, patience_alone = 4;
+constexpr int patience_alone = 4;
 constexpr double gained = 0.5;
 // A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
 constexpr int many_krylov = 50;
@@ -49,15 +51,8 @@ constexpr double hoped = 0.05, stuck = 1e-2, settled = 1e-3, much = 0.1, spoilt 
 /// Where a patch was nearest to rest.
 struct Nearest {
   double size = std::numeric_limits<double>::infinity();
-  Teuchos::RCP<TpetraVector> x;
+  std::unique_ptr<SavedPosition> position;
   PointField lambda;
-
-  void see(double other, const TpetraVector& other_x, const PointField& other_lambda) {
-    if (!(other < size)) return;
-    size = other;
-    x = Teuchos::rcp(new TpetraVector(other_x, Teuchos::Copy));
-    lambda = other_lambda;
-  }
 };
 
 }  // namespace
@@ -67,11 +62,10 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, int patience)
       use_(use),
       augmentation_(in_time() ? augmentation_in_time : augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
-      patience_(in_time() ? patience_in_time : patience_at_rest),
+      patience_(patience),
       sliding_(problem.points()),
       stops_(problem.points()) {
   VOUSSOIR_EXPECT(problem.components() == 2);
-  if (patience > 0) patience_ = patience;
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
@@ -270,7 +264,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       const double expected = std::isinf(best) ? tolerance : std::max(tolerance, hoped * best);
       if (use_ == ActiveSetUse::at_rest && local && size > expected) {
         local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
-        patience_ = local ? patience_at_rest : patience_alone;
+        patience_ = local ? usual_patience : patience_alone;
       }
       if (size <= tolerance) {
         lambda = admissible_;
@@ -287,7 +281,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       Tpetra::deep_copy(x, x_before);
     }
     if (!std::isfinite(size)) break;
-    if (use_ == ActiveSetUse::in_patch) nearest.see(size, x, admissible_);
+    if (use_ == ActiveSetUse::in_patch && size < nearest.size)
+      nearest = {size, std::make_unique<SavedPosition>(problem_, x), admissible_};
     damping = damping > no_damping ? damping / 10 : 0;
     if (use_ == ActiveSetUse::in_patch) move_loose_stones(x, lambda, tolerance, report);
     if (size > gained * best) continue;
@@ -295,8 +290,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     last_gain = solves;
     local = true;
   }
-  if (!nearest.x.is_null()) {
-    Tpetra::deep_copy(x, *nearest.x);
+  if (nearest.position) {
+    nearest.position->restore(x);
     lambda = nearest.lambda;
     measure(x, lambda, report);
   }

@@ -27,9 +27,11 @@ enum class ActiveSetUse { at_rest, in_time, in_patch };
 
 class ActiveSet {
  public:
+  static constexpr int usual_patience = 8;
+
   /// @param problem   with two components
-  /// @param patience  solves that gain less than half before it circles; 0 = as the use has it
-  ActiveSet(NonlinearProblem& problem, ActiveSetUse, int patience = 0);
+  /// @param patience  so many solves that gain less than half: it circles
+  ActiveSet(NonlinearProblem& problem, ActiveSetUse, int patience = usual_patience);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;

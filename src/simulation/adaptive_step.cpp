@@ -97,21 +97,26 @@ double AdaptiveStep<dim>::energy_of(const ContactState& state) const {
   return s.elastic_energy(s.deformation(state.displacement));
 }
 
-/// Root of the decreases of the points that are not selected, relative to the energy.
+/// Root of decreases, relative to the energy.
+template <int dim>
+double AdaptiveStep<dim>::root_of(const std::vector<double>& decrease, const ContactState& state) const {
+  return root_of_decreases(decrease, energy_of(state), *model_.structure().comm());
+}
+
+/// The same of the points that are not selected.
 template <int dim>
 double AdaptiveStep<dim>::root_of_rest(std::vector<double> decrease, const ContactState& state) const {
   for (std::size_t k = 0; k < decrease.size(); ++k)
     if (state.selected[k]) decrease[k] = 0;
-  return root_of_decreases(decrease, energy_of(state), *model_.structure().comm());
+  return root_of(decrease, state);
 }
 
-/// Root of the decreases of points that violate their law, relative to the energy.
+/// The same of the points that violate their law.
 template <int dim>
 double AdaptiveStep<dim>::root_of_violations(const ContactState& state, const std::vector<int>& cluster) const {
   Phase phase("selection");
   const auto violations = tied_violations(model_, law_, state, cluster);
-  return root_of_decreases(predicted_decrease(violations, model_.local_stiffness()), energy_of(state),
-                           *model_.structure().comm());
+  return root_of(predicted_decrease(violations, model_.local_stiffness()), state);
 }
 
 /// Whether points may be released, so that a rough state tells as much as an accurate one.
@@ -211,9 +216,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     // are many, where they tell that it is small.
     const bool may_release =
         selection.mode == SelectionMode::adaptive && report.selection_rounds < selection.largest_rounds;
-    const double root = in_time || may_release
-                            ? root_of_decreases(decrease, energy_of(state), *model_.structure().comm())
-                            : 0.0;
+    const double root = in_time || may_release ? root_of(decrease, state) : 0.0;
     auto& ratio = state.rest.error_by_decreases;
     report.error_estimate = root * (ratio > 0 ? margin * ratio : decreases_in_error);
     const bool small = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);

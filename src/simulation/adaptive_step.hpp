@@ -62,6 +62,7 @@ class AdaptiveStep {
   /// K u - f of each block alone [N]: what joints and supports bear.
   std::vector<double> borne_by_joints(const ContactState&, const std::vector<double>& load) const;
   double energy_of(const ContactState&) const;
+  double root_of(const std::vector<double>& decrease, const ContactState&) const;
   double root_of_violations(const ContactState&, const std::vector<int>& cluster) const;
   bool looks_first(long long selected) const;
   double root_of_rest(std::vector<double> decrease, const ContactState&) const;
