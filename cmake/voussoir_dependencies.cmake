@@ -1,5 +1,5 @@
 # The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod, ::umfpack,
-# ::openmp.
+# ::mumps, ::openmp.
 # Used by the build and, installed, by find_package(Voussoir).
 
 find_package(MPI REQUIRED COMPONENTS CXX)
@@ -30,6 +30,7 @@ voussoir_find_library(metis metis.h metis libmetis-dev)
 voussoir_find_library(gmsh gmsh.h gmsh libgmsh-dev)
 voussoir_find_library(cholmod suitesparse/cholmod.h cholmod libsuitesparse-dev)
 voussoir_find_library(umfpack suitesparse/umfpack.h umfpack libsuitesparse-dev)
+voussoir_find_library(mumps dmumps_c.h dmumps libmumps-dev)
 
 # CHOLMOD's threads are told to stay away: only the library, no pragmas.
 find_package(OpenMP REQUIRED COMPONENTS CXX)

@@ -1,0 +1,155 @@
+#include "linalg/distributed_lu.hpp"
+
+#include <dmumps_c.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <algorithm>
+#include <vector>
+
+#include "base/check.hpp"
+#include "linalg/gather.hpp"
+#include "linalg/local_view.hpp"
+#include "linalg/traffic.hpp"
+
+namespace voussoir {
+namespace {
+
+// Names that MUMPS gives to numbers (its users' guide, sections 3, 6 and 8).
+enum Job { start = -1, end = -2, analyse = 1, factorise = 2, solve = 3 };
+enum Control {
+  errors_to = 1,
+  diagnostics_to = 2,
+  global_to = 3,
+  printing = 4,
+  permute_columns = 6,
+  root_alone = 13,
+  more_room_in_percent = 14,
+  entries_are = 18,
+  find_null_pivots = 24
+};
+constexpr int nowhere = -1, distributed = 3;
+enum Failure { factors_too_small = -8, work_too_small = -9, no_room = -13, reserved_too_small = -19 };
+
+// MUMPS guesses the room that pivots off the diagonal take. Where it was not enough: as much again, and so on.
+constexpr int first_guess = 30, largest_guess = 2000;
+
+bool too_small(int status) { return status == factors_too_small || status == work_too_small; }
+
+int& control(DMUMPS_STRUC_C& m, int which) { return m.icntl[which - 1]; }
+
+MPI_Fint handle_of(const Teuchos::Comm<int>& comm) {
+  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+  return MPI_Comm_c2f(mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF);
+}
+
+}  // namespace
+
+struct DistributedLu::Data {
+  Teuchos::RCP<const TpetraMap> map;
+  mutable DMUMPS_STRUC_C mumps{};
+  int first = 0;                 ///< number of the first owned row, rank by rank
+  std::vector<int> row, column;  ///< of every owned entry, counted from 1; empty before the pattern is known
+  mutable std::vector<double> value, whole;
+
+  explicit Data(const Teuchos::RCP<const TpetraMap>& m) : map(m) {
+    mumps.par = 1;
+    mumps.sym = 0;
+    mumps.comm_fortran = handle_of(*map->getComm());
+    run(start);
+    for (const int out : {errors_to, diagnostics_to, global_to}) control(mumps, out) = nowhere;
+    control(mumps, printing) = 0;
+    control(mumps, entries_are) = distributed;
+    control(mumps, permute_columns) = 0;  // that would look at values, which change
+    control(mumps, find_null_pivots) = 1;
+    control(mumps, root_alone) = 1;  // or null pivots there are not found
+    control(mumps, more_room_in_percent) = first_guess;
+  }
+  ~Data() { run(end); }
+  Data(const Data&) = delete;
+  Data& operator=(const Data&) = delete;
+
+  /// Returns what MUMPS says of all ranks: negative where it failed.
+  int run(Job job) const {
+    mumps.job = job;
+    dmumps_c(&mumps);
+    return mumps.infog[0];
+  }
+  void set_pattern(const TpetraMatrix& a);
+};
+
+void DistributedLu::Data::set_pattern(const TpetraMatrix& a) {
+  const auto& comm = *map->getComm();
+  const int owned = static_cast<int>(map->getNodeNumElements());
+  int until = 0;
+  Teuchos::scan(comm, Teuchos::REDUCE_SUM, owned, Teuchos::outArg(until));
+  first = until - owned;
+  TpetraVector mine(map), all(a.getColMap());
+  for (int i = 0; i < owned; ++i) local_view_to_write(mine)[i] = first + i;
+  const auto import = a.getGraph()->getImporter();
+  if (import.is_null())
+    Tpetra::deep_copy(all, mine);
+  else
+    all.doImport(mine, *import, Tpetra::INSERT);
+  const double* number = local_view(all);
+  const auto local = a.getLocalMatrixHost();
+  for (int i = 0; i < owned; ++i) {
+    const auto entries = local.rowConst(i);
+    for (int e = 0; e < entries.length; ++e) {
+      row.push_back(first + i + 1);
+      column.push_back(static_cast<int>(number[entries.colidx(e)]) + 1);
+    }
+  }
+  mumps.n = static_cast<int>(map->getGlobalNumElements());
+  mumps.nnz_loc = static_cast<MUMPS_INT8>(row.size());
+  mumps.irn_loc = row.data();
+  mumps.jcn_loc = column.data();
+}
+
+DistributedLu::DistributedLu(const Teuchos::RCP<const TpetraMap>& map) : data_(std::make_unique<Data>(map)) {}
+DistributedLu::~DistributedLu() = default;
+
+bool DistributedLu::factor(const TpetraMatrix& a) {
+  auto& d = *data_;
+  const bool first_time = d.mumps.n == 0;
+  if (first_time) d.set_pattern(a);
+  const auto local = a.getLocalMatrixHost();
+  d.value.assign(local.values.data(), local.values.data() + local.values.extent(0));
+  VOUSSOIR_EXPECT(d.value.size() == d.row.size());
+  d.mumps.a_loc = d.value.data();
+  int status = first_time ? d.run(analyse) : 0;
+  while (status >= 0) {
+    status = d.run(factorise);
+    int& guess = control(d.mumps, more_room_in_percent);
+    if (!too_small(status) || guess > largest_guess) break;
+    guess *= 2;
+    status = 0;
+  }
+  d.value.clear();
+  d.value.shrink_to_fit();
+  const bool room = !(status == no_room || status == reserved_too_small || too_small(status));
+  VOUSSOIR_ENSURE(status >= 0 || !room);
+  return room;
+}
+
+void DistributedLu::apply(const TpetraVector& r, TpetraVector& z) const {
+  const auto& d = *data_;
+  const TrafficScope sent_for(TrafficOf::block_motions);
+  const auto& comm = *d.map->getComm();
+  const auto owned = d.map->getNodeNumElements();
+  const double* value = local_view(r);
+  d.whole = all_gather(std::vector<double>(value, value + owned), comm);
+  d.mumps.rhs = d.whole.data();  // read and written on the first rank
+  [[maybe_unused]] const int status = d.run(solve);
+  VOUSSOIR_ENSURE(status >= 0);
+  Teuchos::broadcast(comm, 0, d.mumps.n, d.whole.data());
+  std::copy_n(d.whole.begin() + d.first, owned, local_view_to_write(z));
+}
+
+long long DistributedLu::bytes() const {
+  constexpr int megabytes_worked_in = 22;
+  return 1000000LL * data_->mumps.info[megabytes_worked_in - 1] +
+         static_cast<long long>((data_->row.size() + data_->column.size()) * sizeof(int));
+}
+
+}  // namespace voussoir

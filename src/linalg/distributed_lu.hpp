@@ -1,0 +1,31 @@
+// Direct solution of systems of any symmetry that are spread over ranks: MUMPS behind a wall.
+#pragma once
+
+#include <memory>
+
+#include "linalg/preconditioner.hpp"
+
+namespace voussoir {
+
+/// LU factors of a distributed matrix, spread over its ranks. A pattern is ordered once for all matrices that have it.
+class DistributedLu : public Preconditioner {
+ public:
+  /// Every rank calls this, factor, apply and the destructor. Global numbers may have gaps.
+  /// @param map  of rows, as of all matrices to come
+  explicit DistributedLu(const Teuchos::RCP<const TpetraMap>& map);
+  ~DistributedLu() override;
+
+  /// Factors a matrix, of the pattern of the first one given. Where it is singular rows that say nothing are left out.
+  /// @return false on all ranks where one has no room
+  bool factor(const TpetraMatrix& a);
+  /// z = A^-1 r, exact but for round-off. There must have been room for what was factored last.
+  void apply(const TpetraVector& r, TpetraVector& z) const override;
+  /// Of this rank, the room MUMPS worked in included.
+  long long bytes() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace voussoir
