@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "linalg/reduce.hpp"
@@ -55,6 +56,7 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
     : structure_(s),
       points_(points),
       space_(space),
+      factored_up_to_(parameters.factored_up_to),
       selected_(selected),
       residual_(space.map()),
       product_(space.map()),
@@ -78,8 +80,8 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
                                  const std::vector<double>& proximal, bool shear) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
-  if (active_.empty() && !blocks_ && !region_) return;
-  const bool others = choose_motions(stiffness, shear);
+  if (active_.empty() && !blocks_ && !region_ && !whole_) return;
+  const bool others = !whole_ && choose_motions(stiffness, shear);
   if (!others && !changed(stiffness, proximal)) {
     ++cost_.reused;
     return;
@@ -89,15 +91,43 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   factored_proximal_ = proximal;
   if (motions_) motions_->update(stiffness, proximal);
   if (blocks_) blocks_->update(h.local());
-  region_stale_ = true;
+  stale_ = true;
 }
 
 template <int dim>
 void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) {
   symmetry_ = symmetry;
-  if (!region_ || !region_stale_) return;
-  region_->update(h);
-  region_stale_ = false;
+  if (!stale_) return;
+  if (region_) region_->update(h);
+  if (whole_) {
+    if (!whole_->factor(*h_)) throw std::bad_alloc();
+    ++cost_.whole;
+  }
+  stale_ = false;
+}
+
+template <int dim>
+bool CoarseOperator<dim>::may_factor_whole() const {
+  return !whole_ && (!active_.empty() || blocks_ || region_) &&
+         space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
+}
+
+template <int dim>
+bool CoarseOperator<dim>::factor_whole() {
+  auto whole = std::make_unique<DistributedLu>(space_.map());
+  if (!whole->factor(*h_)) {
+    factored_up_to_ = 0;
+    return false;
+  }
+  cost_ = cost();
+  ++cost_.whole;
+  whole_ = std::move(whole);
+  motions_.reset();
+  blocks_.reset();
+  region_.reset();
+  continuum_.reset();
+  malloc_trim(0);
+  return true;
 }
 
 /// Per block of the whole structure: 1 where many points give way. Tied ones do not.
@@ -144,7 +174,7 @@ bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
     if (!selected_[k]) continue;
     const auto& before = factored_stiffness_[k];
     here = differ(stiffness[k].normal, before.normal) || differ(stiffness[k].tangential, before.tangential) ||
-           (region_ && differ(stiffness[k].coupling, before.coupling));
+           ((region_ || whole_) && differ(stiffness[k].coupling, before.coupling));
   }
   for (std::size_t i = 0; i < proximal.size() && !here; ++i) here = differ(proximal[i], factored_proximal_[i]);
   return largest_over_ranks(*h_->getComm(), here) > 0;
@@ -156,6 +186,7 @@ SystemCost CoarseOperator<dim>::cost() const {
   if (blocks_) cost.block_bytes = blocks_->bytes();
   if (motions_) cost.motion_bytes = motions_->bytes();
   if (region_) cost.block_bytes = region_->bytes();
+  if (whole_) cost.whole_bytes = whole_->bytes();
   return cost;
 }
 
@@ -197,6 +228,10 @@ void CoarseOperator<dim>::apply_around_region(const TpetraVector& r, TpetraVecto
 
 template <int dim>
 void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
+  if (whole_) {
+    whole_->apply(r, z);
+    return;
+  }
   if (region_) {
     apply_around_region(r, z);
     return;

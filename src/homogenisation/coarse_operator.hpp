@@ -6,6 +6,7 @@
 // Symmetric, so conjugate gradients stay conjugate gradients. w = 1/2: every contact couples two blocks, so no
 // eigenvalue of S H exceeds 2. GMRES needs no symmetry, and M r = N r + Q (r - H N r) does with one solve of block
 // motions and one product with H less. Parts that are switched off, or that a selection does not need, are left out.
+// Where that labours H is factored whole, friction included: whole.md.
 #pragma once
 
 #include <memory>
@@ -15,6 +16,7 @@
 #include "homogenisation/continuum.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
 #include "homogenisation/released_region.hpp"
+#include "linalg/distributed_lu.hpp"
 #include "linalg/linear_solver.hpp"
 #include "linalg/system_cost.hpp"
 
@@ -33,6 +35,11 @@ class CoarseOperator : public Preconditioner {
               bool shear = false);
   /// Takes over the couplings that H has got since, and the symmetry of the method that will apply this. Collective.
   void couple(const SystemMatrix<dim>& h, Symmetry);
+  /// Whether H could be factored whole and is not yet: few enough unknowns, some of which a selection has parted.
+  bool may_factor_whole() const;
+  /// Factors H as it is, and from now on every one to come, instead of all parts. Returns whether there was room; where
+  /// not they stay, and it is not tried again. Collective.
+  bool factor_whole();
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
   int motions() const { return motions_ ? motions_->size() : 0; }
@@ -50,12 +57,14 @@ class CoarseOperator : public Preconditioner {
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
   const MergedSpace<dim>& space_;
+  int factored_up_to_;  ///< unknowns
   std::vector<int> active_, sheared_;  ///< per block of the whole structure; empty where none is
   std::unique_ptr<BlockMotions<dim>> motions_;
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;
   std::unique_ptr<ReleasedRegion<dim>> region_;  ///< instead of motions and blocks
-  bool region_stale_ = true;                     ///< statuses have changed since it was factored
+  std::unique_ptr<DistributedLu> whole_;         ///< instead of all of them
+  bool stale_ = true;                            ///< statuses have changed since region or whole were factored
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;
   const std::vector<char>& selected_;

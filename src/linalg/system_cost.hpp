@@ -7,16 +7,19 @@ namespace voussoir {
 
 struct SystemCost {
   int factorised = 0;  ///< linear solves whose preconditioner was factored for them
-  int reused = 0;      ///< those that took the factors of the solve before
+  int whole = 0;       ///< systems that were factored whole
+  int reused = 0;      ///< linear solves that took the factors of the solve before
   /// Largest of all selections, this rank [byte].
-  long long matrix_bytes = 0, block_bytes = 0, motion_bytes = 0;
+  long long matrix_bytes = 0, block_bytes = 0, motion_bytes = 0, whole_bytes = 0;
 
   void add(const SystemCost& other) {
     factorised += other.factorised;
+    whole += other.whole;
     reused += other.reused;
     matrix_bytes = std::max(matrix_bytes, other.matrix_bytes);
     block_bytes = std::max(block_bytes, other.block_bytes);
     motion_bytes = std::max(motion_bytes, other.motion_bytes);
+    whole_bytes = std::max(whole_bytes, other.whole_bytes);
   }
 };
 

@@ -26,6 +26,8 @@ constexpr double share_of_round_off = 0.1;
 // Stones shear in the preconditioner once a system with stiff joints has taken more Krylov iterations. Own weight of
 // W(64), adaptive, takes 5 to 11 with and without, pushed sideways it takes 20 to 40 without.
 constexpr int many_krylov = 12;
+// After so many a system is factored whole, and those that follow it are at once (figures in homogenisation/whole.md).
+constexpr int too_many_krylov = 20;
 
 }  // namespace
 
@@ -221,8 +223,13 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   coarse_->update(*matrix_, stiffness, proximal, request.stiff_joints && shear_);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
   coarse_->couple(*matrix_, symmetry);
-  const auto result =
-      parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, request.largest_krylov);
+  const auto krylov = [&](int most) {
+    return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, most);
+  };
+  const int most = request.largest_krylov;
+  const bool otherwise = coarse_->may_factor_whole() && (most == 0 || most > too_many_krylov);
+  auto result = krylov(otherwise ? too_many_krylov : most);
+  if (otherwise && !result.converged && coarse_->factor_whole()) result.iterations += krylov(most).iterations;
   shear_ |= request.stiff_joints && result.iterations > many_krylov;
   return result.iterations;
 }

@@ -146,6 +146,7 @@ SystemStudy::SystemStudy(const std::string& folder, const Teuchos::RCP<const Teu
 }
 
 void SystemStudy::add(const SystemCase& given, Scene scene) {
+  scene.preconditioner.factored_up_to = 0;  // iterations are what is counted
   const auto source = checked_blocks(scene, comm_);
   const StonesByLot stones(*source);
   if (given.contrast != 1) {

@@ -2,7 +2,8 @@
 // depend on the machine. Limits are a fifth above what was counted when they were written. Block motions that are rigid
 // take a third more Krylov iterations on walls than affine ones and an eighth of their factorisation. Active sets take
 // a third of the solves of the interior path. Without stones that shear, second steps of walls take up to twice the
-// Krylov iterations.
+// Krylov iterations. Where systems on which they labour are not factored whole, second steps of arches take 274 and 257
+// for 46 and 53, and as many solves again for 121 voussoirs.
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "support/scenes.hpp"
@@ -44,8 +45,8 @@ void check(const Scene& scene, Limit weight, Limit second, Teuchos::FancyOStream
 }
 
 // Every point from a cold start; then a settlement of 5 mm or 0.15 g in one step.
-TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {9, 70}, {16, 330}, out, success); }
-TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {10, 135}, {29, 380}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf61Voussoirs) { check(arch_scene(61), {9, 70}, {16, 56}, out, success); }
+TEUCHOS_UNIT_TEST(SolveCounts, AnArchOf121Voussoirs) { check(arch_scene(121), {10, 135}, {18, 64}, out, success); }
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {8, 56}, {10, 110}, out, success); }
 
 // Stones that hang by friction between others that part keep active sets from arriving: brought to rest alone, they do
@@ -64,6 +65,28 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   TEST_COMPARE(report.krylov_iterations, <=, 80);
   TEST_COMPARE(report.local_solves, >, 0);
   TEST_COMPARE(report.local_solves, <=, 36);
+}
+
+// Half of the wall slides: Krylov's method takes up to 1260 iterations a solve, or ends at 80 and active sets with it;
+// the push was given up after 270 s. Factored whole, every system is solved.
+TEUCHOS_UNIT_TEST(SolveCounts, AWallOf128CoursesPushedAsHardAsItBears) {
+  Scene scene = wall_scene(128);
+  scene.mesh.wall.cells_along = 2;
+  scene.mesh.wall.cells_up = 1;
+  scene.selection.mode = SelectionMode::adaptive;
+  Experiment experiment(scene);
+  TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}}));
+  TEST_EQUALITY(experiment.solution().last.cost.whole, 0);
+  TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}, {scene.loads[1].name, 1}}));
+  const auto& last = experiment.solution().last;
+  const double bytes = static_cast<double>(last.cost.whole_bytes) / (2.0 * static_cast<double>(last.largest_clusters));
+  out << last.newton.newton_iterations << " solves, " << last.newton.krylov_iterations << " Krylov iterations, "
+      << last.cost.whole << " factored whole, " << bytes << " bytes per unknown\n";
+  TEST_COMPARE(last.newton.newton_iterations, <=, 18);
+  TEST_COMPARE(last.newton.krylov_iterations, <=, 64);
+  TEST_COMPARE(last.cost.whole, >, 0);
+  TEST_COMPARE(last.cost.whole, <, last.newton.newton_iterations);
+  TEST_COMPARE(bytes, <=, 1800);
 }
 
 // Where little of a wall parts, all of that is brought to rest together and solved directly, and after the first solve

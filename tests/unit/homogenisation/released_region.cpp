@@ -14,22 +14,6 @@ using namespace voussoir::test;
 
 ReleasedRegion<2> region_of(const SelectedWall& w) { return {w.structure, w.points, w.selected, w.space}; }
 
-/// Statuses of the wall; points that stick slip in one direction instead, with friction that follows the pressure.
-std::vector<PointStiffness> slipping(const SelectedWall& w, double direction) {
-  auto stiffness = w.statuses();
-  for (auto& s : stiffness)
-    if (s.tangential > 0) s = {s.normal, 0, 0.6 * direction * s.normal};
-  return stiffness;
-}
-
-/// r = 0 where the displacement is prescribed.
-Teuchos::RCP<TpetraVector> load(const SelectedWall& w) {
-  auto r = noise_vector(w.space.map());
-  for (int i = 0; i < 2 * w.space.owned_clusters(); ++i)
-    if (w.space.held()[i]) local_view_to_write(*r)[i] = 0;
-  return r;
-}
-
 TEUCHOS_UNIT_TEST(ReleasedRegion, IsSmallWhereLittleHasParted) {
   const SelectedWall none(Selected::none), few(Selected::few), all(Selected::all), mine(Selected::few, alone());
   TEST_EQUALITY(region_of(none).size(), 0);
