@@ -47,7 +47,7 @@ constexpr double balanced = 0.1, gained = 0.9;
 constexpr int halting_steps = 5;
 constexpr double halting = 1e-6;
 // Residuals at which statuses are as good as known; figures in README.md.
-constexpr double near = 1e-4;
+constexpr double near = 1e-3;
 
 }  // namespace
 
