@@ -93,6 +93,8 @@ std::string result_json(const RunSummary& run) {
   json["linear_solves"] = run.linear_solves;
   json["krylov_iterations"] = run.krylov_iterations;
   json["patch_solves"] = run.patch_solves;
+  json["factorisations"] = {
+      {"made", run.factorised}, {"whole", run.factorised_whole}, {"reused", run.factors_reused}};
   json["largest_penetration_m"] = run.largest_penetration;
   json["complementarity_residual"] = run.complementarity_residual;
   json["error_estimate"] = run.error_estimate;

@@ -88,6 +88,8 @@ struct RunSummary {
   double time = 0.0;  ///< [s] of stages with duration
   long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
   long long patch_solves = 0;  ///< linear solves of patches of blocks
+  /// Preconditioners that were factored for a linear solve, systems that were factored whole, factors used again.
+  long long factorised = 0, factorised_whole = 0, factors_reused = 0;
   double largest_penetration = 0.0;       ///< [m] largest of all steps
   double complementarity_residual = 0.0;  ///< [-] largest of all steps
   double error_estimate = 0.0;            ///< [-] relative, energy norm, the largest of all steps

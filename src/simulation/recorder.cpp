@@ -263,6 +263,9 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   sum.linear_solves += row.linear_solves;
   sum.krylov_iterations += report.newton.krylov_iterations;
   sum.patch_solves += row.patch_solves;
+  sum.factorised += report.cost.factorised;
+  sum.factorised_whole += report.cost.whole;
+  sum.factors_reused += report.cost.reused;
   sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);

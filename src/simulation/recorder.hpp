@@ -94,6 +94,9 @@ void Record::keep(Archive& archive) {
   archive.within("linear_solves", summary.linear_solves, 0, largest_count);
   archive.within("krylov_iterations", summary.krylov_iterations, 0, largest_count);
   archive.within("patch_solves", summary.patch_solves, 0, largest_count);
+  archive.within("factorisations_made", summary.factorised, 0, largest_count);
+  archive.within("factorisations_whole", summary.factorised_whole, 0, largest_count);
+  archive.within("factorisations_reused", summary.factors_reused, 0, largest_count);
   archive.value("largest_penetration_m", summary.largest_penetration);
   archive.value("complementarity_residual", summary.complementarity_residual);
   archive.value("error_estimate", summary.error_estimate);

@@ -85,11 +85,13 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"largest_krylov", r.largest_krylov},
           {"selection_rounds", r.selection_rounds},
           {"factorised", r.cost.factorised},
+          {"factored_whole", r.cost.whole},
           {"reused", r.cost.reused},
           {"stiffness_bytes_per_unknown", r.stiffness_bytes},
           {"matrix_bytes_per_unknown", r.matrix_bytes},
           {"block_bytes_per_unknown", r.block_bytes},
           {"motion_bytes_per_unknown", r.motion_bytes},
+          {"whole_bytes_per_unknown", r.whole_bytes},
           {"edge_cut", r.partition.cut},
           {"neighbours", r.partition.neighbours},
           {"unknowns_imbalance", r.partition.imbalance},
@@ -197,6 +199,7 @@ void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
     row.matrix_bytes = per_unknown(row.cost.matrix_bytes);
     row.block_bytes = per_unknown(row.cost.block_bytes);
     row.motion_bytes = per_unknown(row.cost.motion_bytes);
+    row.whole_bytes = per_unknown(row.cost.whole_bytes);
     row.stiffness_bytes = per_unknown(bytes_of_blocks(model.structure()));
     row.estimate = report.error_estimate;
     row.outcome = name_of(report.newton.outcome);

@@ -44,7 +44,8 @@ struct ScalingRow {
   long long linear_solves = 0, krylov_iterations = 0, patch_solves = 0;
   int largest_krylov = 0, selection_rounds = 0;
   SystemCost cost;
-  double stiffness_bytes = 0, matrix_bytes = 0, block_bytes = 0, motion_bytes = 0;  ///< per unknown, all ranks
+  /// Per unknown, all ranks.
+  double stiffness_bytes = 0, matrix_bytes = 0, block_bytes = 0, motion_bytes = 0, whole_bytes = 0;
   double estimate = 0;        ///< [-]
   double peak_memory_MB = 0;  ///< of the process so far, largest rank
   PartitionQuality partition;

@@ -73,6 +73,8 @@ class Study(unittest.TestCase):
             # No more than one a solve; both numbers are those of solves with contact.
             self.assertLessEqual(int(row["factorised"]) + int(row["reused"]), int(row["linear_solves"]))
             self.assertGreater(int(row["factorised"]), 0)
+            self.assertLessEqual(int(row["factored_whole"]), int(row["linear_solves"]))
+            self.assertEqual(float(row["whole_bytes_per_unknown"]) > 0, int(row["factored_whole"]) > 0)
             for part in ("matrix", "block", "motion"):
                 self.assertGreater(float(row[f"{part}_bytes_per_unknown"]), 8)  # at least a number each
             self.assertGreater(float(row["stiffness_bytes_per_unknown"]), 0)  # of shapes, however many blocks have them
