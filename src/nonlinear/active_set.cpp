@@ -62,6 +62,7 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, int patience)
       use_(use),
       augmentation_(in_time() ? augmentation_in_time : augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
+      most_patience_(patience),
       patience_(patience),
       sliding_(problem.points()),
       stops_(problem.points()) {
@@ -264,7 +265,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       const double expected = std::isinf(best) ? tolerance : std::max(tolerance, hoped * best);
       if (use_ == ActiveSetUse::at_rest && local && size > expected) {
         local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
-        patience_ = local ? usual_patience : patience_alone;
+        patience_ = local ? most_patience_ : std::min(most_patience_, patience_alone);
       }
       if (size <= tolerance) {
         lambda = admissible_;

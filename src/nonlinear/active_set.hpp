@@ -58,6 +58,7 @@ class ActiveSet {
   NonlinearProblem& problem_;
   ActiveSetUse use_;
   double augmentation_, proximal_;
+  const int most_patience_;
   int patience_;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open

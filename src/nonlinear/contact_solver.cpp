@@ -11,6 +11,8 @@ namespace {
 // Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 15. From near the end of
 // the path they may take longer: after 20 W(512) stopped just short of its tolerance, and what follows is slower.
 constexpr int solves_in_time = 30, solves_at_rest = 20, solves_from_near = 40;
+// The path goes on and offers a better state: there they give up sooner. Figures in README.md.
+constexpr int patience_from_near = 3;
 // Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
 // many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.
 constexpr int closing_solves = 80;
@@ -50,16 +52,15 @@ bool ContactSolver::may_be_fast() {
 }
 
 ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance,
-                                           const PointField* known_gap, int largest_solves, NewtonReport& report) {
+                                           const PointField* known_gap, int largest_solves, int patience,
+                                           NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
-  ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest);
+  ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest, patience);
   active.narrate = narrate;
   const int most = std::min(largest_solves, parameters_.largest_iterations);
   const auto end = active.solve(x, lambda, tolerance, most, known_gap, report);
-  if (end == ActiveSetEnd::arrived) {
-    fast_ = {};
-  } else {
+  if (end != ActiveSetEnd::arrived) {
     before.restore(x);
     lambda = lambda_before;
   }
@@ -73,7 +74,8 @@ const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lam
   interior.narrate = narrate;
   if (shortcut)
     interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
-      return try_active_set(near_x, near_lambda, tolerance, nullptr, solves_from_near, report) == ActiveSetEnd::arrived;
+      return try_active_set(near_x, near_lambda, tolerance, nullptr, solves_from_near, patience_from_near, report) ==
+             ActiveSetEnd::arrived;
     };
   const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
   const SavedPosition before(problem_, x);
@@ -96,13 +98,16 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
   if (in_equilibrium(x, lambda, tolerance)) {
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {
-    bool shortcut = false;
     if (may_be_fast()) {
       const int most = parameters_.has_inertia ? solves_in_time : solves_at_rest;
-      const auto end = try_active_set(x, lambda, tolerance, known_gap, most, report);
-      if (end == ActiveSetEnd::arrived) return report;
-      shortcut = end == ActiveSetEnd::circled;
+      const auto end = try_active_set(x, lambda, tolerance, known_gap, most, ActiveSet::usual_patience, report);
+      if (end == ActiveSetEnd::arrived) {
+        fast_ = {};
+        return report;
+      }
+      fast_.offered = end == ActiveSetEnd::circled;
     }
+    const bool shortcut = fast_.offered && !parameters_.time_follows;
     known_gap = along_the_path(x, lambda, tolerance, known_gap, shortcut, report);
   }
   // Where closing labours, another path from the state it has reached is shorter.

@@ -40,7 +40,7 @@ class ContactSolver {
   bool may_be_fast();
   /// Where they do not arrive the state stays as it was.
   ActiveSetEnd try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                              int largest_solves, NewtonReport&);
+                              int largest_solves, int patience, NewtonReport&);
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;

@@ -7,10 +7,12 @@ namespace voussoir {
 struct FastWay {
   int wait = 0;       ///< solves that go without it
   int next_wait = 0;  ///< after its next failure
+  int offered = 0;    ///< 1 where it is tried again near the end of the path: it circled
   template <class Archive>
   void keep(Archive& archive) {
     archive.within("fast_way.wait", wait, 0, longest);
     archive.within("fast_way.last_wait", next_wait, 0, longest);
+    archive.within("fast_way.offered", offered, 0, 1);
   }
   static constexpr int longest = 7;  ///< waits are none, 1, 3, up to this
 };

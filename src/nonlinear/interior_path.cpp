@@ -46,8 +46,8 @@ constexpr double balanced = 0.1, gained = 0.9;
 // none.
 constexpr int halting_steps = 5;
 constexpr double halting = 1e-6;
-// Residuals at which statuses are as good as known; figures in README.md.
-constexpr double near = 1e-3;
+// Residuals at which statuses may be known; if they are not, once residuals have fallen by this. Figures in README.md.
+constexpr double near = 1e-3, nearer = 0.1;
 
 }  // namespace
 
@@ -265,7 +265,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   double step = 0;
   int waits = 0, raised = 0, halts = 0;
   augmentation_ = usual;
-  bool arrived = false, offered = !shortcut;
+  double offered = near;
+  bool arrived = false;
   for (int iteration = 0;; ++iteration) {
     problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
@@ -275,8 +276,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
                       size > gained * sizes[iteration - patience];
     const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;
     if (arrived || stuck || iteration >= largest_iterations) break;
-    if (!offered && size <= near) {
-      offered = true;
+    if (shortcut && size <= offered) {
+      offered = nearer * size;
       if (take_shortcut(x, lambda)) return PathEnd::arrived;
     }
     sizes.push_back(size);

@@ -33,8 +33,8 @@ class InteriorPath {
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
-  /// A shorter way to the end, tried once when a solution is near; false when it leads nowhere, which leaves x and
-  /// lambda as they were. May be empty.
+  /// A shorter way to the end, tried when a solution is near, and again as it comes nearer; false when it leads
+  /// nowhere, which leaves x and lambda as they were. May be empty.
   std::function<bool(TpetraVector& x, PointField& lambda)> shortcut;
 
   /// Moves x and lambda [N] to a state whose residuals are below tolerance x the largest force; held unknowns of x
