@@ -39,8 +39,9 @@ constexpr double flown = 3;
 // residuals were seen to grow tenfold with every solve: the bridge, all points, 12 of its first 76 steps of 10 ms.
 constexpr double descent = 0.2, shortest = 1.0 / 64;
 // A residual that grows by more than this has lost a stone. Points that give way then resist by this share of the local
-// stiffness, ten times as much if that does not help, and a tenth after every step that is taken.
-constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5;
+// stiffness, ten times as much as long as that leaves less than this share of the residual, and a tenth after every step
+// that is taken. Where it leaves more nothing flies: a point has held against its law and lets go next.
+constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5, damped = 0.5;
 // In patches they always resist by so much: their stones are moved on, and need not fly (figures in patches.md).
 constexpr double damping_in_patch = 1e-3;
 // With the right statuses a solve leaves a hundredth. Where it leaves more than this, or is the first, blocks beyond a
@@ -248,7 +249,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     choose(lambda, known_gap && solves == 0 ? *known_gap : gap_);
     aim(lambda);
     const TpetraVector x_before(x, Teuchos::Copy), linear_before(*linear_, Teuchos::Copy);
-    double size = 0;
+    double size = 0, undamped = std::numeric_limits<double>::infinity();
     for (;;) {
       Tpetra::deep_copy(*gradient_, linear_before);
       problem_.subtract_contact_forces(target_, *gradient_);
@@ -278,6 +279,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
       if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;
+      if (size > damped * std::exchange(undamped, size)) break;
       damping = std::max(10 * damping, first_damping);
       Tpetra::deep_copy(x, x_before);
     }

@@ -16,7 +16,7 @@ inline PatchPoint on_the_ground(double friction) {
   return p;
 }
 
-inline Patch slider_on_the_ground(double friction) {
+inline PatchParts parts_of_slider(double friction) {
   PatchParts parts;
   parts.imbalance = {-push, weight};
   parts.component = {0, 1};
@@ -26,7 +26,9 @@ inline Patch slider_on_the_ground(double friction) {
   parts.force_scale = weight;
   parts.length_scale = 1;
   parts.points = {on_the_ground(friction)};
-  return Patch(parts);
+  return parts;
 }
+
+inline Patch slider_on_the_ground(double friction) { return Patch(parts_of_slider(friction)); }
 
 }  // namespace voussoir::test
