@@ -45,7 +45,9 @@ class ActiveSet {
 
  private:
   bool in_time() const { return use_ == ActiveSetUse::in_time; }
-  void choose(const PointField& lambda, const PointField& gap);
+  void choose(const PointField& lambda, const PointField& gap, bool in_balance);
+  bool same_statuses(const std::vector<PointStiffness>& resistance, const std::vector<double>& sliding) const;
+  void set_statuses(const PointField& lambda, const PointField& gap, const std::vector<double>& before);
   void aim(const PointField& lambda);
   int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
   bool correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start, double known,

@@ -1,4 +1,5 @@
-// What active sets do with a solve that makes things worse: a slider that flies, of whose push friction bears 30 N.
+// What active sets do with a solve that makes things worse, a slider that flies, of whose push friction bears 30 N; and
+// with forces that creep from one point to another.
 #include "nonlinear/active_set.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -49,6 +50,25 @@ TEUCHOS_UNIT_TEST(ActiveSet, DampsNoMoreWhereThatDoesNotHelp) {
   const double damping = damping_of(false);
   TEST_COMPARE(damping, >, 0);
   TEST_COMPARE(damping, <=, 0.01 * (1 + 1e-12));
+}
+
+// The node of the slider stands on two points, one two nanometres below the other, which bears everything in the end.
+TEUCHOS_UNIT_TEST(ActiveSet, SendsForcesThatCreepToWhereAPointOpens) {
+  constexpr double step = 2e-9, tolerance = 1e-9;
+  auto parts = parts_of_slider(friction);
+  parts.imbalance[0] = 0;
+  parts.points = {on_the_ground(friction), on_the_ground(friction)};
+  parts.points[0].gap[0] = step;
+  Patch problem(parts);
+  TpetraVector x(problem.map());
+  PointField lambda = {weight / 2, 0, weight / 2, 0};
+  NewtonReport report;
+  ActiveSet active(problem, ActiveSetUse::at_rest, ActiveSet::usual_patience);
+  TEST_ASSERT(active.solve(x, lambda, tolerance, 30, nullptr, report) == ActiveSetEnd::arrived);
+  TEST_EQUALITY(lambda[0], 0);
+  TEST_FLOATING_EQUALITY(lambda[2], weight, 1e-6);
+  // 0.1 N a solve without, 10 N with.
+  TEST_COMPARE(report.newton_iterations, <=, 10);
 }
 
 }  // namespace
