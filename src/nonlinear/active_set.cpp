@@ -18,8 +18,8 @@ namespace {
 
 // What closed points resist with, relative to their local stiffness. On the bridge in its earthquake (README.md) 100
 // takes 10 solves a step, because forces creep at vertices, 1000 takes 5.4 and 10^4 takes 6.5. Load steps of walls and
-// arches take as many with 100 and fewer Krylov iterations. At rest forces creep too where one stone stands on two whose
-// beds are not one plane: 8 N a solve on the bridge, for ever as statuses stay. Then it rises until they do not.
+// arches take as many with 100 and fewer Krylov iterations. At rest forces creep where one stone stands on two whose
+// beds are not one plane: 8 N a solve on the bridge, with the same statuses for ever. Then it rises until they change.
 constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100, augmentation_of_creeping = 1e4;
 // Of linear solves. What one leaves open looks like points that change: with 1e-2 near the end the first 0.9 s of the
 // bridge in its earthquake took 2028 solves and 14416 Krylov iterations, with 1e-4 911 and 5366.
