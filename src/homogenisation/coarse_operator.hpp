@@ -40,7 +40,6 @@ class CoarseOperator : public Preconditioner {
   /// Factors H as it is, and from now on every one to come, instead of all parts. Returns whether there was room; where
   /// not they stay, and it is not tried again. Collective.
   bool factor_whole();
-  bool factors_whole() const { return whole_ != nullptr; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
   int motions() const { return motions_ ? motions_->size() : 0; }

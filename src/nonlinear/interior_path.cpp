@@ -169,16 +169,15 @@ bool InteriorPath::take_shortcut(TpetraVector& x, PointField& lambda) {
   return false;
 }
 
-/// Mean of w y over all bounds after a share of the step, as a force squared [N2]: scaled by the local stiffness of its
-/// point.
-double InteriorPath::barrier(double step) const {
+/// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
+double InteriorPath::barrier() const {
   double mine[2] = {0, 0}, all[2];
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& p = path_[k];
     for (int j = 0; j < 3; ++j) {
       if (!(j == 0 ? p.opens : p.slips)) continue;
-      mine[0] += (p.w[j] + step * p.dw[j]) * (p.y[j] + step * p.dy[j]) * problem_.local_stiffness()[k];
+      mine[0] += p.w[j] * p.y[j] * problem_.local_stiffness()[k];
       mine[1] += 1;
     }
   }
@@ -186,31 +185,23 @@ double InteriorPath::barrier(double step) const {
   return all[1] > 0 ? all[0] / all[1] : 0;
 }
 
-/// What the next step aims at: a barrier [N2], less what the step of now leaves of second order.
-void InteriorPath::set_targets(double barrier, bool second_order) {
-  for (int k = 0; k < problem_.points(); ++k) {
-    auto& p = path_[k];
-    for (int j = 0; j < 3; ++j)
-      p.target[j] = barrier / problem_.local_stiffness()[k] - (second_order ? p.dw[j] * p.dy[j] : 0);
-  }
-}
-
-/// Right-hand sides of all points for their targets; force_ = lambda + what the points would add at rest.
-void InteriorPath::aim(const PointField& lambda) {
+/// Right-hand sides of all points for a barrier [N2]; force_ = lambda + what the points would add at rest.
+void InteriorPath::aim(const PointField& lambda, double target) {
   force_ = lambda;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
+    const double nu = target / problem_.local_stiffness()[k];
     const double limit = bound(k, lambda[2 * k]), q = lambda[2 * k + 1];
     p.residual = {0, limit - q - p.w[1], limit + q - p.w[2]};
-    p.gain[0] = (p.opens ? p.target[0] / p.w[0] : 0) - motion_of(problem_, k, 0, gap_, lambda);
+    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion_of(problem_, k, 0, gap_, lambda);
     p.gain[1] = -motion_of(problem_, k, 1, gap_, lambda);
     if (p.slips)
-      p.gain[1] += (p.target[2] - p.y[2] * p.residual[2]) / p.w[2] - (p.target[1] - p.y[1] * p.residual[1]) / p.w[1];
+      p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
     const double more = resistance_[k].normal * p.gain[0];
     force_[2 * k] += more;
     force_[2 * k + 1] += resistance_[k].tangential * (p.gain[1] - p.drag * more);
-    for (int j = 0; j < 3; ++j) p.dy[j] = p.target[j] / p.w[j] - p.y[j];
+    for (int j = 0; j < 3; ++j) p.dy[j] = nu / p.w[j] - p.y[j];
   }
 }
 
@@ -236,26 +227,6 @@ double InteriorPath::step_length(double furthest) {
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
   return all;
-}
-
-/// One step towards the targets, not taken yet; returns its length as step_length.
-double InteriorPath::direct(const PointField& lambda, double furthest, NewtonReport& report) {
-  aim(lambda);
-  Tpetra::deep_copy(*gradient_, *linear_);
-  problem_.subtract_contact_forces(force_, *gradient_);
-  krylov_ = solve(report);
-  problem_.evaluate_direction(*direction_, *work_, gap_direction_);
-  return step_length(furthest);
-}
-
-/// How far the barrier may fall is what a step straight to the bounds tells, and what that leaves of second order is
-/// taken into account. Returns the step, as direct does.
-double InteriorPath::predict_and_correct(const PointField& lambda, double distance, double least,
-                                         NewtonReport& report) {
-  set_targets(0);
-  const double after = barrier(to_boundary * direct(lambda, 1, report));
-  set_targets(std::max(std::pow(std::max(after, 0.0) / distance, 3) * distance, least), true);
-  return direct(lambda, 1, report);
 }
 
 /// From the interior to admissible forces: open points lose theirs, slipping ones stay within their bound.
@@ -330,14 +301,14 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     }
     resistances(lambda, false);
     const double share = step > long_step ? after_long : step > middling_step ? after_middling : after_short;
+    aim(lambda, std::max(share * distance, least));
+    Tpetra::deep_copy(*gradient_, *linear_);
+    problem_.subtract_contact_forces(force_, *gradient_);
+    const int krylov = solve(report);
+    problem_.evaluate_direction(*direction_, *work_, gap_direction_);
     const bool drifting = step == 1 && waits >= creeping_steps && size > drift * sizes[iteration - 1];
     const double furthest = drifting ? far : 1;
-    if (problem_.solves_again_cheaply() && !drifting) {
-      step = predict_and_correct(lambda, distance, least, report);
-    } else {
-      set_targets(std::max(share * distance, least));
-      step = direct(lambda, furthest, report);
-    }
+    step = step_length(furthest);
     const double length = step < furthest ? to_boundary * step : full_step * furthest;
     step = std::min(step, 1.0);
     halts = step < halting ? halts + 1 : 0;
@@ -351,13 +322,13 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
         p.y[j] += length * p.dy[j];
       }
     }
-    tell(report, equilibrium, contact, length);
+    tell(report, equilibrium, contact, krylov, length);
   }
   leave(lambda);
   return arrived ? PathEnd::arrived : PathEnd::stuck;
 }
 
-void InteriorPath::tell(const NewtonReport& report, double equilibrium, double contact, double step) const {
+void InteriorPath::tell(const NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
   long long mine[2] = {0, 0}, all[2];
   for (int k = 0; k < problem_.owned_points(); ++k) {
     const auto& p = path_[k];
@@ -368,7 +339,7 @@ void InteriorPath::tell(const NewtonReport& report, double equilibrium, double c
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;
-  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov_, step,
+  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
            augmentation_});
 }
 

@@ -8,10 +8,9 @@
 // and Newton follows the path w y = nu as nu falls. A point resists with 1 / (y/w + 1/k), a number between nothing and
 // a multiple k of its local stiffness, so each linear system looks like those of the augmented Lagrangian and all
 // statuses of all points move at once: no collision of points cuts a step to nothing. The friction bound b follows the
-// pressure within a step, which makes the systems unsymmetric. Where systems are factored another right side costs next
-// to nothing, and steps are predicted and corrected (Mehrotra). Decisions and figures: README.md of this folder.
+// pressure within a step, which makes the systems unsymmetric. Decisions and figures: README.md of this folder.
 //
-// Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6 and 10;
+// Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
 //          S. Pougkakiotis, J. Gondzio, Comput. Optim. Appl. 78 (2021) 307-351 (proximal multipliers, here 1/k).
 #pragma once
 
@@ -50,7 +49,6 @@ class InteriorPath {
   struct Point {
     std::array<double, 3> w{}, y{};    ///< [N], [m]: opening, slipping against and along the tangent
     std::array<double, 3> dw{}, dy{};
-    std::array<double, 3> target{};    ///< [J] of w y
     std::array<double, 3> residual{};  ///< [N] of w
     double friction = 0;               ///< [-] change of the bound with the pressure
     double drag = 0;                   ///< [m/N] slip wanted per change of the normal force
@@ -66,15 +64,12 @@ class InteriorPath {
   Imbalance residuals(const PointField& lambda);
   double after_leaving(PointField lambda);
   bool take_shortcut(TpetraVector& x, PointField& lambda);
-  double barrier(double step = 0) const;
-  void set_targets(double barrier, bool second_order = false);
-  void aim(const PointField& lambda);
+  double barrier() const;
+  void aim(const PointField& lambda, double target);
   int solve(NewtonReport&);
   double step_length(double furthest);
-  double direct(const PointField& lambda, double furthest, NewtonReport&);
-  double predict_and_correct(const PointField& lambda, double distance, double least, NewtonReport&);
   void leave(PointField& lambda) const;
-  void tell(const NewtonReport&, double equilibrium, double contact, double step) const;
+  void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
   double friction(int point, double normal) const;
 
@@ -85,7 +80,6 @@ class InteriorPath {
   Teuchos::RCP<TpetraVector> linear_, gradient_, direction_, work_;
   double augmentation_ = 1;  ///< largest resistance of a point, relative to its local stiffness
   double scale_ = 1;  ///< [N]
-  int krylov_ = 0;    ///< iterations of the last solve
 };
 
 }  // namespace voussoir

@@ -90,8 +90,6 @@ class NonlinearProblem {
   /// Solves (K + resistance + scale x proximal) d = b; returns Krylov iterations. Collective.
   virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
                     const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
-  /// Whether the system solved last may be solved again for next to nothing: its factors are there.
-  virtual bool solves_again_cheaply() const { return false; }
   /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
   /// still. Returns linear solves of patches, 0 where nothing is stuck or a patch would be too large. Collective.
   virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }

@@ -86,7 +86,6 @@ class ContactProblem : public NonlinearProblem {
   const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
   int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
             const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override;
-  bool solves_again_cheaply() const override { return coarse_->factors_whole(); }
   int correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest&) override;
   const SystemMatrix<dim>& system() const { return *matrix_; }
   const CoarseOperator<dim>& preconditioner() const { return *coarse_; }
