@@ -80,7 +80,7 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
                                  const std::vector<double>& proximal, bool shear) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
-  if (active_.empty() && !blocks_ && !region_ && !whole_) return;
+  if (!parted()) return;
   const bool others = !whole_ && choose_motions(stiffness, shear);
   if (!others && !changed(stiffness, proximal)) {
     ++cost_.reused;
@@ -106,9 +106,15 @@ void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) 
   stale_ = false;
 }
 
+/// Whether a selection has parted anything that is factored anew with its statuses.
+template <int dim>
+bool CoarseOperator<dim>::parted() const {
+  return !active_.empty() || blocks_ || region_ || whole_;
+}
+
 template <int dim>
 bool CoarseOperator<dim>::may_factor_whole() const {
-  return !whole_ && (!active_.empty() || blocks_ || region_) &&
+  return !whole_ && parted() &&
          space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
 }
 

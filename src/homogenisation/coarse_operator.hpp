@@ -47,6 +47,7 @@ class CoarseOperator : public Preconditioner {
   SystemCost cost() const;
 
  private:
+  bool parted() const;
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
   std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
   bool choose_motions(const std::vector<PointStiffness>&, bool shear);

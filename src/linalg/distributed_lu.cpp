@@ -50,7 +50,6 @@ struct DistributedLu::Data {
   mutable DMUMPS_STRUC_C mumps{};
   int first = 0;                 ///< number of the first owned row, rank by rank
   std::vector<int> row, column;  ///< of every owned entry, counted from 1; empty before the pattern is known
-  mutable std::vector<double> value, whole;
 
   explicit Data(const Teuchos::RCP<const TpetraMap>& m) : map(m) {
     mumps.par = 1;
@@ -114,9 +113,9 @@ bool DistributedLu::factor(const TpetraMatrix& a) {
   const bool first_time = d.mumps.n == 0;
   if (first_time) d.set_pattern(a);
   const auto local = a.getLocalMatrixHost();
-  d.value.assign(local.values.data(), local.values.data() + local.values.extent(0));
-  VOUSSOIR_EXPECT(d.value.size() == d.row.size());
-  d.mumps.a_loc = d.value.data();
+  std::vector<double> value(local.values.data(), local.values.data() + local.values.extent(0));
+  VOUSSOIR_EXPECT(value.size() == d.row.size());
+  d.mumps.a_loc = value.data();
   int status = first_time ? d.run(analyse) : 0;
   while (status >= 0) {
     status = d.run(factorise);
@@ -125,8 +124,6 @@ bool DistributedLu::factor(const TpetraMatrix& a) {
     guess *= 2;
     status = 0;
   }
-  d.value.clear();
-  d.value.shrink_to_fit();
   const bool room = !(status == no_room || status == reserved_too_small || too_small(status));
   VOUSSOIR_ENSURE(status >= 0 || !room);
   return room;
@@ -138,12 +135,12 @@ void DistributedLu::apply(const TpetraVector& r, TpetraVector& z) const {
   const auto& comm = *d.map->getComm();
   const auto owned = d.map->getNodeNumElements();
   const double* value = local_view(r);
-  d.whole = all_gather(std::vector<double>(value, value + owned), comm);
-  d.mumps.rhs = d.whole.data();  // read and written on the first rank
+  auto whole = all_gather(std::vector<double>(value, value + owned), comm);
+  d.mumps.rhs = whole.data();  // read and written on the first rank
   [[maybe_unused]] const int status = d.run(solve);
   VOUSSOIR_ENSURE(status >= 0);
-  Teuchos::broadcast(comm, 0, d.mumps.n, d.whole.data());
-  std::copy_n(d.whole.begin() + d.first, owned, local_view_to_write(z));
+  Teuchos::broadcast(comm, 0, d.mumps.n, whole.data());
+  std::copy_n(whole.begin() + d.first, owned, local_view_to_write(z));
 }
 
 long long DistributedLu::bytes() const {

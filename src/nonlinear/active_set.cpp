@@ -76,10 +76,10 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, int patience)
 /// balance, forces creep.
 /// @param in_balance  no stone is out of balance by more than the tolerance
 void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_balance) {
-  const auto resistance = resistance_;
-  const auto sliding = sliding_;
+  const auto resistance = std::move(resistance_);
+  const auto sliding = std::move(sliding_);
   set_statuses(lambda, gap, sliding);
-  if (in_time()) return;
+  if (in_time() || (!in_balance && augmentation_ == augmentation_at_rest)) return;
   const bool same = same_statuses(resistance, sliding);
   const double wanted = !same ? augmentation_at_rest : in_balance ? augmentation_of_creeping : augmentation_;
   if (wanted == augmentation_) return;

@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import sys
 
-# 230 and 146 when this was written. 271 and 185 where active sets damped on when that did not help, as they did before.
+# 230 and 146 when this was written; 271 and 185 where active sets damped on when that did not help.
 MOST_SOLVES, MOST_WHOLE = 255, 170
 
 

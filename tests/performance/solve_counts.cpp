@@ -13,6 +13,21 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
+/// A wall of which points are selected as needed.
+Scene adaptive_wall(int courses) {
+  Scene scene = wall_scene(courses);
+  scene.selection.mode = SelectionMode::adaptive;
+  return scene;
+}
+
+/// The same of blocks with 2 x 1 cells.
+Scene adaptive_wall_of_few_cells(int courses) {
+  Scene scene = adaptive_wall(courses);
+  scene.mesh.wall.cells_along = 2;
+  scene.mesh.wall.cells_up = 1;
+  return scene;
+}
+
 struct Limit {
   int solves;
   long long krylov;
@@ -54,8 +69,7 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf16Courses) { check(wall_scene(16), {8, 56}
 // than half, 11 on 64. With patches of at most 1/16 of all unknowns, 9 and 9 on 32.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf32Courses) { check(wall_scene(32), {8, 75}, {10, 135}, out, success); }
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
-  Scene scene = wall_scene(64);
-  scene.selection.mode = SelectionMode::adaptive;
+  const Scene scene = adaptive_wall(64);
   Experiment experiment(scene);
   TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}}));
   const auto report = experiment.solution().last.newton;
@@ -70,10 +84,7 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
 // Half of the wall slides: Krylov's method takes up to 1260 iterations a solve, or ends at 80 and active sets with it;
 // the push was given up after 270 s. Factored whole, every system is solved.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf128CoursesPushedAsHardAsItBears) {
-  Scene scene = wall_scene(128);
-  scene.mesh.wall.cells_along = 2;
-  scene.mesh.wall.cells_up = 1;
-  scene.selection.mode = SelectionMode::adaptive;
+  const Scene scene = adaptive_wall_of_few_cells(128);
   Experiment experiment(scene);
   TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}}));
   TEST_EQUALITY(experiment.solution().last.cost.whole, 0);
@@ -95,10 +106,7 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf128CoursesPushedAsHardAsItBears) {
 // what the release leaves tells that it will do. Loose stones are moved on: along the interior path patches take three
 // times as many.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
-  Scene scene = wall_scene(64);
-  scene.mesh.wall.cells_along = 2;
-  scene.mesh.wall.cells_up = 1;
-  scene.selection.mode = SelectionMode::adaptive;
+  const Scene scene = adaptive_wall_of_few_cells(64);
   Experiment experiment(scene);
   TEST_ASSERT(experiment.advance({{scene.loads[0].name, 1}}));
   const auto& last = experiment.solution().last;
@@ -114,8 +122,7 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
 // In a later step too a first look is rough where it releases points: 12 solves if it is as accurate as the last. All
 // of the first round but what it shows is thrown away.
 TEUCHOS_UNIT_TEST(SolveCounts, ALaterStepLooksRoughlyFirst) {
-  Scene scene = wall_scene(16);
-  scene.selection.mode = SelectionMode::adaptive;
+  const Scene scene = adaptive_wall(16);
   Experiment experiment(scene);
   const auto &weight = scene.loads[0].name, &push = scene.loads[1].name;
   TEST_ASSERT(experiment.advance({{weight, 1}}));
