@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/heap.hpp"
 #include "base/leaks.hpp"
 
 namespace voussoir {
@@ -58,6 +59,7 @@ inline void draw_picture(const std::string& script, const std::string& folder) {
 inline int run_study(int argc, char** argv,
                      const std::function<void(const std::vector<std::string>&,
                                               const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&)>& study) {
+  keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);

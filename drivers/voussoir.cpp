@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "base/version.hpp"
 #include "linalg/gather.hpp"
@@ -168,6 +169,7 @@ int run_program(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);
