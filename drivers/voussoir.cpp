@@ -14,6 +14,7 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "base/version.hpp"
+#include "linalg/blas_memory.hpp"
 #include "linalg/gather.hpp"
 #include "output/hdf5_file.hpp"
 #include "scene/scene_printer.hpp"
@@ -147,6 +148,7 @@ int run_program(const std::vector<std::string>& words) {
       return exit_done;
     }
     listen_for_stop_signals();
+    reserve_blas_memory();
     const auto scene = read_on_all_ranks(a, *comm);
     return finish(a, scene, run(scene, a.run, comm, say), say);
   } catch (const InputError& error) {

@@ -74,6 +74,7 @@ void SparseCholesky::refactor(const LocalCsr& a) {
   const OneThread alone;
   auto lower = lower_triangle(a);
   if (!d.factor) d.factor = cholmod_analyze(&lower, &d.common);
+  if (!d.factor) throw std::bad_alloc();  // where METIS had too little, the status says that the order is invalid
   cholmod_factorize(&lower, d.factor, &d.common);
   if (d.common.status == CHOLMOD_NOT_POSDEF) {
     auto raised = a.value;
