@@ -49,6 +49,7 @@ class ActiveSet {
   bool same_statuses(const std::vector<PointStiffness>& resistance, const std::vector<double>& sliding) const;
   void set_statuses(const PointField& lambda, const PointField& gap, const std::vector<double>& before);
   void aim(const PointField& lambda);
+  double accuracy_of_next(double tolerance, const NewtonReport&) const;
   int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
   bool correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start, double known,
                        double& size, NewtonReport&);
@@ -64,6 +65,7 @@ class ActiveSet {
   int patience_;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
+  bool settled_ = false;         ///< statuses are those of the last solve
   std::vector<char> stops_;      ///< 1 where a loose stone has come to a stop
   PointField target_, force_, gap_, gap_direction_, admissible_;
   double scale_ = 1;   ///< [N]

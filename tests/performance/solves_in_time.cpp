@@ -9,7 +9,8 @@ using namespace voussoir;
 using namespace voussoir::test;
 
 // The first 0.4 s of xml/wall-shaken.xml at 6 g, in 100 steps, every point resolved. Active sets
-// took 457 solves, at most 7 in a step; the augmented Lagrangian, used before, 1167. The limit is a fifth above.
+// take 410 solves, at most 7 in a step, 456 before those with settled statuses were solved to the end; the augmented
+// Lagrangian, used at first, 1167. The limit is a fifth above.
 TEUCHOS_UNIT_TEST(SolvesInTime, OfAShakenWall) {
   Motion wall("wall-shaken", {"selection/mode=all", "loads/earthquake/scale=40", "steps/stages/shaking/duration=0.4",
                               "steps/stages/shaking/time step=4e-3"});
@@ -22,8 +23,8 @@ TEUCHOS_UNIT_TEST(SolvesInTime, OfAShakenWall) {
   }));
   out << solves << " solves, at most " << most << " in a step; "
       << cost.factorised << " factorised, " << cost.reused << " reused\n";
-  TEST_COMPARE(solves, <=, 560);
-  TEST_COMPARE(cost.factorised, <=, 315);  // 261 were; all of them before factors stayed where resistances do
+  TEST_COMPARE(solves, <=, 492);
+  TEST_COMPARE(cost.factorised, <=, 290);  // 241 were; all of them before factors stayed where resistances do
 }
 
 }  // namespace
