@@ -12,6 +12,15 @@ constexpr double trusted_after = 8;
 
 }  // namespace
 
+Rest rested(const std::vector<double>& gap, int points, int patience) {
+  Rest rest;
+  rest.place = gap;
+  rest.steps.assign(points, patience);
+  rest.needed.assign(points, patience);
+  rest.bonded.assign(points, 0.0);
+  return rest;
+}
+
 bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<double>& gap,
                      const std::vector<double>& stiffness, const std::vector<char>& calm, double energy,
                      int patience) {
@@ -20,10 +29,8 @@ bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<
   const std::size_t components = gap.size() / points;
   if (rest.place.size() != gap.size() || rest.steps.size() != points || rest.needed.size() != points ||
       rest.bonded.size() != points) {
-    rest.place = gap;
+    rest = rested(gap, static_cast<int>(points), patience);
     rest.steps.assign(points, 0.0);
-    rest.needed.assign(points, patience);
-    rest.bonded.assign(points, 0.0);
   }
   bool any = false;
   for (std::size_t k = 0; k < points; ++k) {

@@ -5,9 +5,39 @@
 // its gap and slip stay what they are. A point that is released again soon must rest twice as long the next time.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace voussoir {
+
+/// The error of a selection follows the root of the decreases that releases would bring, whose ratio to it is known
+/// since it was last computed. The farther the root has travelled since, to and fro, the less is that ratio worth; of a
+/// root that has grown to more than twice what it was then it says nothing.
+struct KnownError {
+  double ratio = 0;       ///< 0 = not known
+  double root_known = 0;  ///< [-] relative to the energy, when the error was computed
+  double root = 0;        ///< [-] now
+  double travelled = 0;   ///< [-] by the root since then
+
+  void follow(double new_root) {
+    travelled += std::abs(new_root - root);
+    root = new_root;
+  }
+  /// The error was computed at the root there is now.
+  void learn(double error) {
+    ratio = root > 0 ? error / root : 0.0;
+    root_known = root;
+    travelled = 0;
+  }
+  /// Bound of the error now [-].
+  /// @param unknown  error by root where it was not computed
+  double bound(double unknown) const {
+    constexpr double growth = 2, margin = 1.5, distrust = 2;
+    if (ratio == 0 || root > growth * root_known) return unknown * root;
+    return ratio * std::min(margin * root, root + distrust * travelled);
+  }
+};
 
 /// What is remembered of each point; part of the state of a run.
 struct Rest {
@@ -15,9 +45,12 @@ struct Rest {
   std::vector<double> steps;   ///< steps of rest, or since it was bonded
   std::vector<double> needed;  ///< steps of rest before it is bonded
   std::vector<double> bonded;  ///< 1 where it was bonded again
-  /// Error of this selection by the root of its predicted decreases, when it was last computed; 0 = not known.
-  double error_by_decreases = 0;
+  KnownError error;            ///< of this selection
 };
+
+/// Points that have been at their places for as many steps as they need to.
+/// @param gap  [m, points x components]
+Rest rested(const std::vector<double>& gap, int points, int patience);
 
 /// Counts a step; deselects the points that have rested long enough. Ghosts do what their owners do.
 /// @param gap        gap and slip after the step [m, points x components]

@@ -20,9 +20,8 @@ namespace {
 constexpr double share_of_violation = 0.1, coarsest_tolerance = 1e-2;
 // A first look is as accurate as the violations that it is to show.
 constexpr double accuracy_of_a_look = 1e-4;
-// The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md); once it
-// was computed for a selection it follows the root within this margin.
-constexpr double decreases_in_error = 5, margin = 1.5;
+// The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md).
+constexpr double decreases_in_error = 5;
 // Once stones have moved the error is 5 to 14 times the root of the decreases of what a release left: where so much
 // will do, a rough round is not looked at.
 constexpr double rest_in_error = 10;
@@ -175,7 +174,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
   law_ = current_law(state);
   const auto& selection = scene.selection;
   const double tolerance = scene.newton.tolerance;
-  const double allowed = (in_time ? share_of_a_time_step : 1.0) * selection.error_tolerance;
+  const double allowed = (in_time || any_time(scene.stages) ? share_of_a_time_step : 1.0) * selection.error_tolerance;
   double wanted = tolerance;
   const long long selected_before = count_selected(model_, state);
   if (looks_first(selected_before)) wanted = std::max(tolerance, accuracy_of_a_look);
@@ -217,8 +216,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     const bool may_release =
         selection.mode == SelectionMode::adaptive && report.selection_rounds < selection.largest_rounds;
     const double root = in_time || may_release ? root_of(decrease, state) : 0.0;
-    auto& ratio = state.rest.error_by_decreases;
-    report.error_estimate = root * (ratio > 0 ? margin * ratio : decreases_in_error);
+    auto& known = state.rest.error;
+    known.follow(root);
+    report.error_estimate = known.bound(decreases_in_error);
     const bool small = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);
     const bool large = !in_time && (release_rest || is_too_large(root, allowed));
     const auto estimate = [&] {
@@ -227,7 +227,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       report.newton.krylov_iterations += error.krylov_iterations;
       report.cost.add(error.cost);
       report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
-      ratio = in_time && root > 0 ? report.error_estimate / root : 0.0;
+      if (in_time) known.learn(report.error_estimate);
     };
     if (large)
       report.error_estimate = beside_what_follows(root);
@@ -253,7 +253,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     } else if (report.error_estimate > allowed && may_release) {
       const auto released = release(model_, law_, cluster, decrease, state);
       more = released > 0;
-      if (more) ratio = 0;
+      if (more) known = {};
       if (more) wanted = std::clamp(share_of_violation * violations.largest, tolerance, coarsest_tolerance);
       suffices = more && rest_in_error * root_of_rest(decrease, state) <= allowed;
       const auto most = selection.largest_share * static_cast<double>(model_.points().total());

@@ -20,6 +20,9 @@ constexpr double share_of_fastest = 1e-6, share_of_energy = 1e-9;
 // If all selected points moved by what counts as rest, the error would be this share of what the selection may cost.
 constexpr double share_of_tolerance = 0.15;
 
+// Gaps that press the stones beside them by so many times the tolerance of load steps may be what these leave.
+constexpr double left_by_solver = 10;
+
 template <int dim>
 Structure<dim> structure_of_mass(const Model<dim>& model) {
   Phase phase("blocks");
@@ -64,7 +67,7 @@ double DynamicStep<dim>::courant_time() const {
 }
 
 template <int dim>
-double DynamicStep<dim>::begin(ContactState& state) const {
+double DynamicStep<dim>::begin(ContactState& state) {
   if (in_motion(*mass_.comm(), state)) return 0;
   const auto& s = at_rest_.structure();
   auto& v = state.velocity;
@@ -86,7 +89,14 @@ double DynamicStep<dim>::begin(ContactState& state) const {
   for (int k = 0; k < points.size(); ++k)
     for (int c = 0; c < dim; ++c)
       if (v[dim * points.points()[k].node_i + c] != v[dim * points.points()[k].node_j + c]) state.selected[k] = 1;
-  return velocities_.kinetic_energy(v);
+  const double given = velocities_.kinetic_energy(v);
+  if (given == 0) {  // what has stood so far has rested
+    const auto gap = at_rest_.gaps(state.displacement);
+    state.rest = rested(gap, points.size(), at_rest_.scene().selection.rest);
+    bond_what_rests(state, gap, 0.0, 0.0);
+    state.rest.bonded.assign(points.size(), 0.0);  // those that soon let go need not rest longer for that
+  }
+  return given;
 }
 
 template <int dim>
@@ -101,13 +111,20 @@ void DynamicStep<dim>::set_time_step(double time_step) {
   step_->in_time = true;
 }
 
-/// The gaps that the points of the time step have at w = 0.
+/// The gaps that the points of the time step have at w = 0: none where points are closed, which is so up to round-off,
+/// or up to what load steps leave between points that press.
 template <int dim>
-void DynamicStep<dim>::offset_gaps(const PointField& gap) {
+void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
+  double mine = 0;
+  for (int k = 0; k < at_rest_.points().owned(); ++k) mine = std::max(mine, std::abs(lambda[dim * k]));
+  const double left = left_by_solver * at_rest_.scene().newton.tolerance * largest_over_ranks(*mass_.comm(), mine);
   std::vector<double> offset(at_rest_.points().size());
-  for (std::size_t k = 0; k < offset.size(); ++k)
-    offset[k] = std::abs(gap[dim * k]) > round_off ? gap[dim * k] / 2 : 0.0;
+  for (std::size_t k = 0; k < offset.size(); ++k) {
+    const double g = gap[dim * k], force = at_rest_.local_stiffness()[k] * g;
+    const bool presses = g > 0 && force <= left && force < lambda[dim * k];
+    offset[k] = std::abs(g) > round_off && !presses ? g / 2 : 0.0;
+  }
   model_->set_initial_gap(std::move(offset));
 }
 
@@ -201,7 +218,7 @@ double DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& 
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
                                               velocities_.calm(state, negligible, resting), negligible, selection.rest);
   if (largest_over_ranks(*mass_.comm(), mine) == 0) return 0;
-  state.rest.error_by_decreases = 0;
+  state.rest.error = {};
   return velocities_.settle(state, resting);
 }
 
@@ -220,7 +237,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   const auto& s = at_rest_.structure();
   const auto velocity_before = state.velocity;
   TimeStepReport report;
-  offset_gaps(at_rest_.gaps(state.displacement));
+  offset_gaps(at_rest_.gaps(state.displacement), state.lambda);
   std::vector<double> half(load.size(), 0.0), effective, mv;
   s.apply_stiffness(state.displacement, effective);
   mass_.apply_stiffness(state.velocity, mv);
@@ -239,7 +256,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   mid.selected = state.selected;
   mid.broken = state.broken;
   mid.fast_way = state.fast_way;
-  mid.rest.error_by_decreases = state.rest.error_by_decreases;
+  mid.rest.error = state.rest.error;
   step_->narrate = narrate;
   step_->narrate_round = narrate_round;
   step_->known_energy = total(elastic) + total(kinetic);
@@ -256,7 +273,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   state.selected = mid.selected;
   state.broken = mid.broken;
   state.fast_way = mid.fast_way;
-  state.rest.error_by_decreases = mid.rest.error_by_decreases;
+  state.rest.error = mid.rest.error;
   const auto gap = at_rest_.gaps(state.displacement);
   for (std::size_t k = 0; k < state.slip_origin.size() / dim; ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];

@@ -33,7 +33,7 @@ class DynamicStep {
   double courant_time() const;
   /// Gives a state at rest the initial velocities of the scene; joints whose sides differ in velocity are selected.
   /// Returns the kinetic energy given [J]. Collective.
-  double begin(ContactState&) const;
+  double begin(ContactState&);
   /// Builds what depends on the time step, when it changed. Collective.
   void set_time_step(double);
 
@@ -46,7 +46,7 @@ class DynamicStep {
   const Model<dim>& step_model() const { return *model_; }
 
  private:
-  void offset_gaps(const PointField& gap);
+  void offset_gaps(const PointField& gap, const PointField& lambda);
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
   double book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
               const std::vector<double>& effective, TimeStepReport&) const;

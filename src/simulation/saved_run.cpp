@@ -61,7 +61,10 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);
   checkpoint.rows("selected", points, 1, state.selected);
   checkpoint.rows("broken", points, 1, state.broken);
-  checkpoint.value("rest.error_by_decreases", state.rest.error_by_decreases);
+  checkpoint.value("rest.error.ratio", state.rest.error.ratio);
+  checkpoint.value("rest.error.root_known", state.rest.error.root_known);
+  checkpoint.value("rest.error.root", state.rest.error.root);
+  checkpoint.value("rest.error.travelled", state.rest.error.travelled);
   checkpoint.rows("rest.place", points, dim, state.rest.place);
   checkpoint.rows("rest.steps", points, 1, state.rest.steps);
   checkpoint.rows("rest.needed", points, 1, state.rest.needed);

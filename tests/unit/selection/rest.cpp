@@ -65,4 +65,41 @@ TEUCHOS_UNIT_TEST(Rest, APointReleasedSoonMustRestTwiceAsLongUntilItIsTrustedAga
   TEST_COMPARE_ARRAYS(needed, expected);
 }
 
+TEUCHOS_UNIT_TEST(Rest, APointThatHasRestedIsBondedAtOnceWhereItIs) {
+  Point p;
+  p.rest = rested({7, 0}, 1, 3);
+  TEST_ASSERT(p.step(7, 0));
+  Point moved;
+  moved.rest = rested({7, 0}, 1, 3);
+  TEST_ASSERT(!moved.step(8, 0) && moved.selected[0]);
+}
+
+TEUCHOS_UNIT_TEST(KnownError, IsSoManyTimesTheRootUntilItIsComputed) {
+  KnownError error;
+  error.follow(0.1);
+  TEST_EQUALITY(error.bound(5), 5 * 0.1);
+}
+
+TEUCHOS_UNIT_TEST(KnownError, IsItselfWhereNothingMovesAndLessSureTheMoreTheRootHasMoved) {
+  KnownError error;
+  error.follow(0.1);
+  error.learn(0.3);
+  TEST_FLOATING_EQUALITY(error.bound(5), 0.3, 1e-15);
+  error.follow(0.101);
+  TEST_FLOATING_EQUALITY(error.bound(5), 3 * (0.101 + 2 * 0.001), 1e-12);
+  error.follow(0.1);  // there and back
+  TEST_FLOATING_EQUALITY(error.bound(5), 3 * (0.1 + 2 * 0.002), 1e-12);
+  error.follow(0.18);
+  TEST_FLOATING_EQUALITY(error.bound(5), 1.5 * 3 * 0.18, 1e-12);  // no further than the margin
+}
+
+// Else an error computed where next to nothing was wrong would be believed for ever.
+TEUCHOS_UNIT_TEST(KnownError, SaysNothingOfARootTwiceAsLarge) {
+  KnownError error;
+  error.follow(0.1);
+  error.learn(1e-6);
+  error.follow(0.21);
+  TEST_EQUALITY(error.bound(5), 5 * 0.21);
+}
+
 }  // namespace
