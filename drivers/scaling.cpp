@@ -11,6 +11,7 @@
 #include "output/safe_file.hpp"
 #include "scene/scene_reader.hpp"
 #include "simulation/accuracy_study.hpp"
+#include "simulation/motion_study.hpp"
 #include "simulation/scaling_study.hpp"
 #include "simulation/system_study.hpp"
 
@@ -28,6 +29,8 @@ const char* const usage =
   --systems=LIST      instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,
                       messages and bytes, on walls with more blocks, finer cells, larger contrast of stones (contrast),
                       more open joints (open), resistances further apart (spread)
+  --motions=LIST      instead, time steps at these peak accelerations [m/s2] of the ground, beside bonded ones: 0.4 s of
+                      shaking at 2.5 Hz in steps of 5 ms, of the walls and the bridge that are asked for
   --peers=LIST        instead, other programs on scenes W<courses> and A<voussoirs>, in turn with this one: GetFEM and
                       CalculiX where they are installed; see drivers/peers/compare.py
   --modes=LIST        of bonded, adaptive, all (default: adaptive,all)
@@ -44,6 +47,7 @@ struct Arguments {
   std::string folder = "out/scaling", draw = VOUSSOIR_SOURCE_DIR "/drivers/report/draw_scaling.py";
   std::vector<std::string> families{"walls", "openings", "storeys", "arches", "bridge"}, systems, overrides;
   std::vector<SelectionMode> modes{SelectionMode::adaptive, SelectionMode::all};
+  std::vector<double> motions;
   int smallest = 1, largest = 64;
   bool help = false;
   bool asks_for(const std::string& family) const {
@@ -81,11 +85,21 @@ int count_of(const std::string& option, const std::string& text) {
   return *value;
 }
 
+std::vector<double> peaks_of(const std::string& text) {
+  std::vector<double> peaks;
+  for (const auto& part : split(text, ",")) {
+    const auto peak = number_in(trimmed(part));
+    if (!peak || !(*peak > 0)) refuse("--motions = " + text, "must be numbers above 0 between commas, in m/s2.");
+    peaks.push_back(*peak);
+  }
+  return peaks;
+}
+
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
   const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes",
-                                       "--systems",  "--peers",   "--set",   "--out",
-                                       "--draw"};
+                                       "--systems",  "--motions", "--peers",    "--set",
+                                       "--out",      "--draw"};
   for (const auto& [option, value] : options_of("scaling", words, known)) {
     if (option == "--help") a.help = true;
     if (option == "--families") a.families = words_of(option, value, a.families);
@@ -94,6 +108,7 @@ Arguments parse(const std::vector<std::string>& words) {
     if (option == "--modes") a.modes = modes_of(value);
     if (option == "--systems")
       a.systems = words_of(option, value, {"blocks", "cells", "contrast", "open", "spread"});
+    if (option == "--motions") a.motions = peaks_of(value);
     if (option == "--peers") a.peers = value;
     if (option == "--set") a.overrides.push_back(value);
     if (option == "--out") a.folder = value;
@@ -149,11 +164,38 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
   say << "\nResults are in " << a.folder << "/scaling.csv and scaling.json\n";
 }
 
+/// What shakes the ground along x, by the name of a load and of the stage in which it acts.
+std::vector<std::string> shaken(const std::string& load, const std::string& stage, double peak) {
+  const auto in = [](const std::string& where, const std::string& what) { return where + "/" + what; };
+  return {in("loads/" + load, "x record="), in("loads/" + load, "scale=1"),
+          in("loads/" + load, "ax=" + number_text(peak)), in("loads/" + load, "time function/type=sine"),
+          in("loads/" + load, "time function/frequency=2.5"), in("steps/stages/" + stage, "duration=0.4"),
+          in("steps/stages/" + stage, "time step=5e-3")};
+}
+
+void study_motions(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
+  on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
+  MotionStudy motions(a.folder, comm, say);
+  for (int n = 16; a.asks_for("walls") && n <= a.largest; n *= 2)
+    for (const double peak : a.motions) {
+      const auto scene = scene_of(a, "wall-shaken.xml", shaken("earthquake", "shaking", peak));
+      if (n >= a.smallest) motions.add("walls", n, peak, wall_of(scene, n));
+    }
+  for (const double peak : a.motions) {
+    if (!a.asks_for("bridge")) continue;
+    auto changes = shaken("along", "earthquake", peak);
+    changes.emplace_back("loads/upwards/scale=0");
+    motions.add("bridge", 1, peak, scene_of(a, "clare-college-bridge-earthquake.xml", changes));
+  }
+  say << "\nResults are in " << a.folder << "/motions.csv and motions.json\n";
+}
+
 /// One property of a wall of N courses at a time.
 void study_systems(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
   on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
   SystemStudy systems(a.folder, comm, say);
-  const auto scene = scene_of(a, "wall.xml");
+  // Iterations of the preconditioner's parts: the program factors whole what takes more than 20.
+  const auto scene = scene_of(a, "wall.xml", {"preconditioner/factored up to=0"});
   const auto wall = wall_of(scene, a.largest);
   const double size = a.largest;
   for (const auto& family : a.systems) {
@@ -195,6 +237,10 @@ void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const
   }
   if (!a.systems.empty()) {
     study_systems(a, comm, say);
+    return;
+  }
+  if (!a.motions.empty()) {
+    study_motions(a, comm, say);
     return;
   }
   study(a, comm, say);
