@@ -39,7 +39,7 @@ TEUCHOS_UNIT_TEST(DynamicStep, StonesThatPressAreClosedWhateverALoadStepHasLeftB
   TEST_ASSERT(report.step.newton.outcome == NewtonOutcome::converged);
   double fastest = 0;
   for (const double v : state.velocity) fastest = std::max(fastest, std::abs(v));
-  out << "gap " << left << " m, velocity " << fastest << " m/s, " << report.step.newton.newton_iterations << " solves\n";
+  out << "gap " << left << " m, velocity " << fastest << " m/s\n";
   TEST_COMPARE(fastest, <, 1e-3 * 9.81 * time_step);
 }
 
