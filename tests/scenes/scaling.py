@@ -124,6 +124,39 @@ class Systems(unittest.TestCase):
             self.assertEqual((row["edge_cut"], row["unknowns_imbalance"], row["neighbours"]), (0, 1, 0))
 
 
+class Motions(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        done = study(FOLDER / "motions", "--families=walls", "--largest=16", "--motions=0.01,0.5")
+        assert done.returncode == 0, done.stderr
+        rows = json.loads((FOLDER / "motions/motions.json").read_text(encoding="utf-8"))
+        cls.rows = {(row["peak_m_s2"], row["mode"]): row for row in rows}
+
+    def test_every_run_is_there_and_done(self):
+        self.assertEqual(set(self.rows), {(peak, mode) for peak in (0.01, 0.5) for mode in ("bonded", "adaptive")})
+        self.assertEqual({(row["outcome"], row["steps"]) for row in self.rows.values()}, {("done", 80)})
+
+    def test_what_is_not_stirred_costs_what_a_bonded_wall_costs(self):
+        still, bonded = self.rows[0.01, "adaptive"], self.rows[0.01, "bonded"]
+        self.assertEqual((still["selected_points"], still["changed_points"]), (0, 0))
+        self.assertLessEqual(still["solves_per_step"], 1.05 * bonded["solves_per_step"])
+        self.assertLessEqual(still["krylov_per_step"], 1.05 * bonded["krylov_per_step"])
+
+    def test_what_is_stirred_is_selected_and_costs_solves(self):
+        stirred = self.rows[0.5, "adaptive"]
+        self.assertGreater(stirred["changed_points"], 50)
+        self.assertGreater(stirred["selected_points"], stirred["changed_points"])
+        self.assertLessEqual(stirred["solves_per_step"], 6.4)  # 5.3, and a fifth more
+        self.assertLessEqual(stirred["krylov_in_bonded"], 4)  # 3.35, and a fifth more
+        self.assertLessEqual(stirred["estimate"], 0.005)  # half of the error tolerance
+
+    def test_bonded_steps_are_the_measure(self):
+        for peak in (0.01, 0.5):
+            row, bonded = self.rows[peak, "adaptive"], self.rows[peak, "bonded"]
+            self.assertEqual((bonded["in_bonded"], bonded["krylov_in_bonded"], bonded["selected_points"]), (1, 1, 0))
+            self.assertAlmostEqual(row["in_bonded"] * bonded["seconds_per_step"] / row["seconds_per_step"], 1, places=9)
+
+
 class Peers(unittest.TestCase):
     def test_whoever_is_installed_finds_the_same_displacement(self):
         done = study(FOLDER / "peers", "--peers=W4")
@@ -142,10 +175,13 @@ class Peers(unittest.TestCase):
 class Command(unittest.TestCase):
     def test_wrong_options_are_refused_with_advice(self):
         for option, words in (("--families=domes", "must be words between commas"), ("--largest=0", "above 0"),
-                              ("--modes=some", "must be words"), ("--unknown=1", "is no option")):
+                              ("--modes=some", "must be words"), ("--motions=0.1,fast", "must be numbers above 0"),
+                              ("--motions=0", "must be numbers above 0"), ("--unknown=1", "is no option")):
             done = study(FOLDER / "refused", option)
             self.assertEqual(done.returncode, 2, option)
             self.assertIn(words, done.stderr)
+        done = study(FOLDER / "refused", "--families=arches", "--motions=1")
+        self.assertEqual((done.returncode, "moves walls and bridge" in done.stderr), (2, True))
         self.assertFalse((FOLDER / "refused").exists())
 
 
