@@ -76,7 +76,7 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesAsFarAsItIsSelected) {
   out << report.newton_iterations << " solves, " << report.krylov_iterations << " Krylov iterations, "
       << report.local_solves << " of patches\n";
   TEST_COMPARE(report.newton_iterations, <=, 7);
-  TEST_COMPARE(report.krylov_iterations, <=, 80);
+  TEST_COMPARE(report.krylov_iterations, <=, 63);
   TEST_COMPARE(report.local_solves, >, 0);
   TEST_COMPARE(report.local_solves, <=, 36);
 }
@@ -101,9 +101,9 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf128CoursesPushedAsHardAsItBears) {
 }
 
 // Where little of a wall parts, all of that is brought to rest together and solved directly, and after the first solve
-// already: 5 solves and 47 Krylov iterations, 14 of patches. Where it waited for a solve that gains less than half it
-// was 8, 59 and 7. Stuck stones alone took 44 solves. The rough round is not estimated, which takes 7 iterations more:
-// what the release leaves tells that it will do. Loose stones are moved on: along the interior path patches take three
+// already: 5 solves and 38 Krylov iterations, 15 of patches. Where it waited for a solve that gains less than half it
+// was 8, 59 and 7. Stuck stones alone took 44 solves. Only the solution is estimated, not the bonded wall (7 iterations
+// more), whose decreases tell that it will not do, nor the rough round (7 more): what the release leaves tells that. Loose stones are moved on: along the interior path patches take three
 // times as many.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   const Scene scene = adaptive_wall_of_few_cells(64);
@@ -113,10 +113,10 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   out << last.newton.newton_iterations << " solves, " << last.newton.krylov_iterations << " Krylov iterations, "
       << last.newton.local_solves << " of patches, " << last.cost.motion_bytes << " bytes of motions\n";
   TEST_COMPARE(last.newton.newton_iterations, <=, 6);
-  TEST_COMPARE(last.newton.krylov_iterations, <=, 56);
+  TEST_COMPARE(last.newton.krylov_iterations, <=, 46);
   TEST_COMPARE(last.newton.local_solves, >, 0);
   TEST_COMPARE(last.newton.local_solves, <=, 17);
-  TEST_EQUALITY(last.estimate_solves, 2);
+  TEST_EQUALITY(last.estimate_solves, 1);
 }
 
 // In a later step too a first look is rough where it releases points: 12 solves if it is as accurate as the last. All
