@@ -174,7 +174,8 @@ std::vector<std::string> shaken(const std::string& load, const std::string& stag
 }
 
 void study_motions(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
-  if (!a.asks_for("walls") && !a.asks_for("bridge")) refuse("--motions", "moves walls and bridge; name one in --families.");
+  if (!a.asks_for("walls") && !a.asks_for("bridge"))
+    refuse("--motions", "moves walls and bridge; name one in --families.");
   on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
   MotionStudy motions(a.folder, comm, say);
   for (int n = 16; a.asks_for("walls") && n <= a.largest; n *= 2)

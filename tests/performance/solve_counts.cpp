@@ -102,9 +102,9 @@ TEUCHOS_UNIT_TEST(SolveCounts, AWallOf128CoursesPushedAsHardAsItBears) {
 
 // Where little of a wall parts, all of that is brought to rest together and solved directly, and after the first solve
 // already: 5 solves and 38 Krylov iterations, 15 of patches. Where it waited for a solve that gains less than half it
-// was 8, 59 and 7. Stuck stones alone took 44 solves. Only the solution is estimated, not the bonded wall (7 iterations
-// more), whose decreases tell that it will not do, nor the rough round (7 more): what the release leaves tells that. Loose stones are moved on: along the interior path patches take three
-// times as many.
+// was 8, 59 and 7. Stuck stones alone took 44 solves. Only the solution is estimated (7 iterations): not the bonded
+// wall, whose decreases tell that it will not do, nor the rough round, where what the release leaves tells that it
+// will. Loose stones are moved on: along the interior path patches take three times as many.
 TEUCHOS_UNIT_TEST(SolveCounts, AWallOf64CoursesOfWhichLittleParts) {
   const Scene scene = adaptive_wall_of_few_cells(64);
   Experiment experiment(scene);
