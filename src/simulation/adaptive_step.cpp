@@ -26,7 +26,7 @@ constexpr double decreases_in_error = 5;
 // will do, a rough round is not looked at.
 constexpr double rest_in_error = 10;
 // A root of decreases so many times what is allowed is too large: errors are 0.7 (brittle joints) to 5 times the root.
-// Where nothing is selected yet they are 1.06 to 2 times the root, and to know it costs half as much as to release.
+// Where nothing is selected yet they are 1.06 to 2 times the root, and to know it costs a third of what releasing does.
 constexpr double too_large = 2, too_large_bonded = 0.8;
 // An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
 // the shaken wall of tests/analytic/rest_in_time was up to 2.2 % beside the solution with all points.
