@@ -18,6 +18,10 @@ from runs import SCENE, SETTINGS, STEPS, Program, differences, empty, history, l
 
 PROGRAM = None
 PATIENCE = 1000  # seconds, also under sanitizers
+# Pushed less the wall has one equilibrium in every step. Under 2.2 m/s2 all joints let go at once in the thirteenth,
+# and what is left of them hangs on round-off: begun on 2 ranks, stopped after six steps and finished on one, the wall ended
+# 0.7 % beside itself; under 2.3 m/s2 always.
+PUSHED_LESS = [s for s in SETTINGS if not s.startswith("loads/")] + ["loads/sideways/ax=1.6"]
 INPUT, NO_CONVERGENCE, RESOURCE, INTERRUPTED = 2, 3, 4, 5
 
 
@@ -26,9 +30,9 @@ def rows(folder):
     return len(path.read_text().splitlines()) - 1 if path.exists() else 0
 
 
-def stop_after(steps, out, sign, ranks=1, options=()):
+def stop_after(steps, out, sign, options=(), **how):
     """Starts a run, sends it a signal when so many steps are in its history, and returns its exit code."""
-    process = PROGRAM.start(out, *options, ranks=ranks)
+    process = PROGRAM.start(out, *options, **how)
     while process.poll() is None and rows(out) < steps:
         time.sleep(0.01)
     process.send_signal(sign)
@@ -77,24 +81,24 @@ class Restart(unittest.TestCase):
         self.assertEqual(differences(out, self.reference), [])
 
     def test_another_number_of_ranks_goes_on_to_the_tolerance_of_the_solver(self):
-        other = self.interrupted("ranks-on-2")
-        done = PROGRAM.run(other, "--restart", ranks=2)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.check_near(other)
-        # And back: begun on 2 ranks, to which mpiexec passes SIGUSR1 on, finished on 1.
-        back = empty("restart/ranks-back")
-        stop_after(6, back, signal.SIGUSR1, ranks=2)
-        self.assertTrue((back / "checkpoint.h5").exists())
-        self.assertFalse((back / "result.json").exists())
-        self.assertEqual(PROGRAM.run(back, "--restart").returncode, 0)
-        self.check_near(back)
+        reference = empty("restart/pushed-less")
+        self.assertEqual(PROGRAM.run(reference, settings=PUSHED_LESS).returncode, 0)
+        self.assertGreater(float(history(reference)[-1]["friction_J"]), 0)
+        self.assertNotEqual(float(history(reference)[-1]["fracture_J"]), 0)
+        for before, after in ((1, 2), (2, 1)):  # mpiexec passes SIGUSR1 on
+            out = empty(f"restart/ranks-{before}-{after}")
+            stop_after(6, out, signal.SIGUSR1, ranks=before, settings=PUSHED_LESS)
+            self.assertTrue((out / "checkpoint.h5").exists())
+            self.assertFalse((out / "result.json").exists())
+            self.assertEqual(PROGRAM.run(out, "--restart", ranks=after, settings=PUSHED_LESS).returncode, 0)
+            self.check_near(out, reference)
 
-    def check_near(self, out):
+    def check_near(self, out, reference):
         # Newton stops at 1e-8 of the largest force; 12 steps with friction may add up what each leaves open.
         self.assertEqual(rows(out), STEPS)
-        self.assertLess(largest_difference(out, self.reference, "displacement"), 1e-6)
-        self.assertLess(largest_difference(out, self.reference, "joint_gap_m"), 1e-5)
-        mine, theirs = result(out)["energy"], result(self.reference)["energy"]
+        self.assertLess(largest_difference(out, reference, "displacement"), 1e-6)
+        self.assertLess(largest_difference(out, reference, "joint_gap_m"), 1e-5)
+        mine, theirs = result(out)["energy"], result(reference)["energy"]
         for key in ("friction_J", "fracture_J", "elastic_J", "external_work_J"):
             self.assertLess(abs(mine[key] - theirs[key]), 1e-6 * theirs["elastic_J"])  # parts of one book
 
