@@ -80,8 +80,9 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
   const auto resistance = std::move(resistance_);
   const auto sliding = std::move(sliding_);
   set_statuses(lambda, gap, sliding);
-  settled_ = same_statuses(resistance, sliding);
-  if (in_time() || (!in_balance && augmentation_ == augmentation_at_rest)) return;
+  const bool may_creep = !in_time() && (in_balance || augmentation_ != augmentation_at_rest);
+  settled_ = (in_time() || may_creep) && same_statuses(resistance, sliding);
+  if (!may_creep) return;
   const double wanted = !settled_ ? augmentation_at_rest : in_balance ? augmentation_of_creeping : augmentation_;
   if (wanted == augmentation_) return;
   augmentation_ = wanted;

@@ -65,7 +65,7 @@ class ActiveSet {
   int patience_;
   std::vector<PointStiffness> resistance_;
   std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
-  bool settled_ = false;         ///< statuses are those of the last solve
+  bool settled_ = false;         ///< statuses are those of the last solve; where that is asked
   std::vector<char> stops_;      ///< 1 where a loose stone has come to a stop
   PointField target_, force_, gap_, gap_direction_, admissible_;
   double scale_ = 1;   ///< [N]
