@@ -178,11 +178,11 @@ void study_motions(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<in
     refuse("--motions", "moves walls and bridge; name one in --families.");
   on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
   MotionStudy motions(a.folder, comm, say);
-  for (int n = 16; a.asks_for("walls") && n <= a.largest; n *= 2)
-    for (const double peak : a.motions) {
-      const auto scene = scene_of(a, "wall-shaken.xml", shaken("earthquake", "shaking", peak));
-      if (n >= a.smallest) motions.add("walls", n, peak, wall_of(scene, n));
-    }
+  for (int n = 16; a.asks_for("walls") && n <= a.largest; n *= 2) {
+    if (n < a.smallest) continue;
+    for (const double peak : a.motions)
+      motions.add("walls", n, peak, wall_of(scene_of(a, "wall-shaken.xml", shaken("earthquake", "shaking", peak)), n));
+  }
   for (const double peak : a.motions) {
     if (!a.asks_for("bridge")) continue;
     auto changes = shaken("along", "earthquake", peak);

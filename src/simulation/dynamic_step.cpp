@@ -8,6 +8,7 @@
 
 #include "blocks/assembly.hpp"
 #include "linalg/reduce.hpp"
+#include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
 #include "simulation/scene_fit.hpp"
@@ -116,9 +117,8 @@ void DynamicStep<dim>::set_time_step(double time_step) {
 template <int dim>
 void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
-  double mine = 0;
-  for (int k = 0; k < at_rest_.points().owned(); ++k) mine = std::max(mine, std::abs(lambda[dim * k]));
-  const double left = left_by_solver * at_rest_.scene().newton.tolerance * largest_over_ranks(*mass_.comm(), mine);
+  const double left =
+      left_by_solver * at_rest_.scene().newton.tolerance * largest_normal_force(at_rest_, lambda);
   std::vector<double> offset(at_rest_.points().size());
   for (std::size_t k = 0; k < offset.size(); ++k) {
     const double g = gap[dim * k], force = at_rest_.local_stiffness()[k] * g;
@@ -223,6 +223,15 @@ double DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& 
 }
 
 template <int dim>
+void loads_of_time_step(const Model<dim>& model, const LoadSteps& steps, std::vector<double>& load,
+                        std::vector<double>& prescribed) {
+  const double end = steps.target(), middle = (steps.reached() + end) / 2;
+  std::vector<double> unused;
+  model.loads(steps.factors(middle), steps.time(middle), load, unused);
+  model.loads(steps.factors(end), steps.time(end), unused, prescribed);
+}
+
+template <int dim>
 void untie_what_moved(const Model<dim>& model, ContactState& state) {
   const auto gap = model.gaps(state.displacement);
   for (std::size_t k = 0; k < state.selected.size(); ++k)
@@ -296,6 +305,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   return report;
 }
 
+template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&, std::vector<double>&);
 template void untie_what_moved<2>(const Model<2>&, ContactState&);
 template class DynamicStep<2>;
 

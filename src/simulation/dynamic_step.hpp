@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "dynamics/load_steps.hpp"
 #include "simulation/adaptive_step.hpp"
 #include "simulation/velocity_update.hpp"
 
@@ -64,10 +65,17 @@ class DynamicStep {
   std::unique_ptr<AdaptiveStep<dim>> step_;
 };
 
+/// What DynamicStep::solve takes, for the next step of a stage with a duration.
+template <int dim>
+void loads_of_time_step(const Model<dim>&, const LoadSteps&, std::vector<double>& load,
+                        std::vector<double>& prescribed);
+
 /// Selects points that are tied where they have moved: load steps tie places, not increments.
 template <int dim>
 void untie_what_moved(const Model<dim>&, ContactState&);
 
+extern template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&,
+                                           std::vector<double>&);
 extern template void untie_what_moved<2>(const Model<2>&, ContactState&);
 extern template class DynamicStep<2>;
 

@@ -45,15 +45,21 @@ void release_violating(const ContactPoints<dim>& points, const std::vector<int>&
 }  // namespace
 
 template <int dim>
+double largest_normal_force(const Model<dim>& model, const PointField& lambda) {
+  double mine = 0;
+  for (int k = 0; k < model.points().owned(); ++k) mine = std::max(mine, std::abs(lambda[dim * k]));
+  return largest_over_ranks(*model.structure().comm(), mine);
+}
+
+template <int dim>
 TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, const ContactState& state,
                                const std::vector<int>& cluster) {
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
   TiedViolations v;
   v.force.assign(points.owned(), 0.0);
-  double force = 0, worst = 0;
-  for (int k = 0; k < points.owned(); ++k) force = std::max(force, std::abs(state.lambda[dim * k]));
-  force = largest_over_ranks(comm, force);
+  double worst = 0;
+  const double force = largest_normal_force(model, state.lambda);
   v.noise = std::max(noise * model.scene().newton.tolerance, least_noise) * force;
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
@@ -136,6 +142,7 @@ double relative_error(const Structure<dim>& structure, const std::vector<double>
   return std::sqrt(changed) < largest_error * std::sqrt(energy) ? std::sqrt(changed / energy) : largest_error;
 }
 
+template double largest_normal_force<2>(const Model<2>&, const PointField&);
 template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
                                            const std::vector<int>&);
 template std::vector<char> open_points<2>(const Model<2>&);

@@ -57,6 +57,11 @@ template <int dim>
 double relative_error(const Structure<dim>&, const std::vector<double>& displacement, const TieError&,
                       double known_energy);
 
+/// Largest normal force of all points, tied ones too [N]. Collective.
+template <int dim>
+double largest_normal_force(const Model<dim>&, const PointField& lambda);
+
+extern template double largest_normal_force<2>(const Model<2>&, const PointField&);
 extern template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&,
                                                   const ContactState&, const std::vector<int>&);
 extern template std::vector<char> open_points<2>(const Model<2>&);

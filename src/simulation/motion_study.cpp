@@ -90,7 +90,7 @@ void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
   LoadSteps steps(model.scene().stages, model.scene().load_steps);
   auto state = at_rest.initial_state();
   row.outcome = "done";
-  std::vector<double> load, prescribed, unused;
+  std::vector<double> load, prescribed;
   std::vector<char> status;
   for (; !steps.finished() && row.outcome == "done"; steps.accept()) {
     if (!steps.dynamic()) {
@@ -106,9 +106,7 @@ void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
     const double time_step = steps.stage_parameters().time_step;
     steps.set_time_step(time_step);
     in_time.set_time_step(time_step);
-    const double middle = (steps.reached() + steps.target()) / 2;
-    model.loads(steps.factors(middle), steps.time(middle), load, unused);
-    model.loads(steps.factors(), steps.time(steps.target()), unused, prescribed);
+    loads_of_time_step(model, steps, load, prescribed);
     const ProcessorClock clock(*comm_);
     const auto report = in_time.solve(state, load, prescribed);
     row.seconds += clock.seconds();

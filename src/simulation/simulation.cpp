@@ -184,11 +184,9 @@ class Run {
     steps_.set_time_step(time_step);
     dynamics_->set_time_step(time_step);
     const std::string stage = steps_.stage();
-    const double reached = steps_.reached(), target = steps_.target(), time = steps_.time(target);
-    const double middle = (reached + target) / 2;
-    std::vector<double> load, prescribed, unused;
-    model_.loads(steps_.factors(middle), steps_.time(middle), load, unused);
-    model_.loads(steps_.factors(target), time, unused, prescribed);
+    const double target = steps_.target(), time = steps_.time(target);
+    std::vector<double> load, prescribed;
+    loads_of_time_step(model_, steps_, load, prescribed);
     narrator_->begin(recorder_->summary().steps + 1, stage, time, steps_.progress());
     Teuchos::Time clock("step", true);
     const auto report = dynamics_->solve(state_, load, prescribed);
@@ -206,7 +204,7 @@ class Run {
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
     const double duration = steps_.stage_parameters().duration;
     steps_.accept();
-    model_.loads(steps_.last_factors(), time, load_, unused);
+    model_.loads(steps_.last_factors(), time, load_, prescribed);
     const bool write = writes();
     recorder_->record(before, state_, report, stage, target, time, write, seconds);
     narrator_->end(report.step, recorder_->status(), seconds, recorder_->summary(), write);

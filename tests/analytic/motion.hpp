@@ -32,7 +32,7 @@ class Motion {
   bool run(const std::function<void()>& watch) {
     LoadSteps steps(scene_.stages, scene_.load_steps);
     DynamicStep<2> in_time(model_);
-    std::vector<double> load, prescribed, unused;
+    std::vector<double> load, prescribed;
     while (!steps.finished()) {
       if (!steps.dynamic()) {
         model_.loads(steps.factors(), 0.0, load, prescribed);
@@ -45,9 +45,7 @@ class Motion {
       const double time_step = steps.stage_parameters().time_step;
       steps.set_time_step(time_step);
       in_time.set_time_step(time_step);
-      const double middle = (steps.reached() + steps.target()) / 2;
-      model_.loads(steps.factors(middle), steps.time(middle), load, unused);
-      model_.loads(steps.factors(), steps.time(steps.target()), unused, prescribed);
+      loads_of_time_step(model_, steps, load, prescribed);
       report = in_time.solve(state_, load, prescribed);
       if (report.step.newton.outcome != NewtonOutcome::converged) return false;
       steps.accept();
