@@ -115,6 +115,15 @@ Scene read_on_all_ranks(const Arguments& a, const Teuchos::Comm<int>& comm) {
   return read_scene_from_text(text, a.xml, a.overrides);
 }
 
+/// What stands beside the word equilibrium.
+std::string doubts(const Warnings& warnings) {
+  if (warnings.empty()) return "";
+  const auto& first = warnings.front();
+  std::string text = " WARNING: " + first.where + ": " + first.text + ".";
+  if (warnings.size() > 1) text += " And " + std::to_string(warnings.size() - 1) + " more in result.json.";
+  return text;
+}
+
 int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, std::ostream& say) {
   if (a.run.validate || a.run.dry_run) return exit_done;
   say << "\n";
@@ -124,9 +133,10 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
     return exit_interrupted;
   }
   if (summary.outcome == Outcome::equilibrium)
-    say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.")
+    say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.") << doubts(summary.warnings)
         << (summary.collapse ? " No collapse: " + summary.message + "." : "");
   if (summary.outcome == Outcome::collapse) say << "Collapse: " << summary.message << ".";
+  if (summary.outcome == Outcome::out_of_range) say << "Out of range: " << summary.message << ".";
   if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
   say << " Results are in " << a.run.folder << "\n";
   if (summary.outcome == Outcome::equilibrium) return exit_done;

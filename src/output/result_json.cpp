@@ -20,6 +20,8 @@ const char* word(Outcome outcome) {
       return "equilibrium";
     case Outcome::collapse:
       return "collapse";
+    case Outcome::out_of_range:
+      return "out_of_range";
     case Outcome::interrupted:
       return "interrupted";
     case Outcome::not_converged:
@@ -70,6 +72,10 @@ std::string result_json(const RunSummary& run) {
   json["outcome"] = word(run.outcome);
   json["load_factor"] = run.load_factor;
   if (!run.message.empty()) json["message"] = run.message;
+  json["warnings"] = Json::array();
+  for (const auto& w : run.warnings)
+    json["warnings"].push_back(
+        {{"what", w.what}, {"where", w.where}, {"when", w.when}, {"how_much", w.how_much}, {"text", w.text}});
   if (run.mechanism)
     json["mechanism"] = {{"largest_mover_block", run.mechanism->largest_mover},
                          {"largest_mover_name", run.mechanism->name},

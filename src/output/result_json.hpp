@@ -9,10 +9,12 @@
 
 #include <Teuchos_Comm.hpp>
 
+#include "base/warning.hpp"
+
 namespace voussoir {
 
-/// An interrupted run has no result.json yet.
-enum class Outcome { equilibrium, collapse, not_converged, interrupted };
+/// An interrupted run has no result.json yet. Out of range: the model cannot tell how it goes on.
+enum class Outcome { equilibrium, collapse, not_converged, out_of_range, interrupted };
 
 /// Energy book at the end of the run. [J]
 struct EnergySummary {
@@ -102,6 +104,7 @@ struct RunSummary {
   Outcome outcome = Outcome::not_converged;
   double load_factor = 0.0;  ///< of the last stage, reached
   std::string message;       ///< why the run ended as it did; not written when empty
+  Warnings warnings;         ///< what the result leaves open, of the input first
   std::optional<MechanismSummary> mechanism;
   std::optional<StaticsSummary> statics;    ///< of a run that ends in statics
   std::optional<CollapseSummary> collapse;  ///< when the scene asks for a load factor

@@ -68,6 +68,10 @@ void Narrator::end(const StepReport& report, const StatusCount& count, double se
 
 void Narrator::say(const std::string& line) { say_ << line << std::endl; }
 
+void Narrator::warn(const Warning& w) {
+  say_ << "  WARNING: " << w.where << (w.when.empty() ? "" : ", " + w.when) << ": " << w.text << "." << std::endl;
+}
+
 void Narrator::failed(const StepReport& report, const std::string& stage, double target) {
   print(say_, "step %d, stage '%s' at %.4g: %s\n", step_, stage.c_str(), target,
         report.newton.outcome == NewtonOutcome::collapse ? "collapse" : "stopped");

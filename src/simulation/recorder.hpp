@@ -54,6 +54,9 @@ class Recorder {
   void record_mechanism(const std::vector<double>& mechanism, const ContactState&, const std::string& stage,
                         double load_factor);
 
+  /// Adds a warning to those of the run, and tells whether nobody has been told yet. The same on all ranks.
+  bool warn(const Warning& w) { return add_warning(record_.summary.warnings, w); }
+
   const RunSummary& summary() const { return record_.summary; }
   RunSummary& summary() { return record_.summary; }
   const StatusCount& status() const { return record_.count; }
@@ -107,6 +110,19 @@ void Record::keep(Archive& archive) {
   archive.within("stick_points", count.stick, 0, largest_count);
   archive.within("slip_points", count.slip, 0, largest_count);
   archive.within("fields_written", written, 0, most_steps);
+  constexpr double most_warnings = 1000;
+  auto warnings = static_cast<long long>(summary.warnings.size());
+  archive.within("warnings", warnings, 0, most_warnings);
+  summary.warnings.resize(static_cast<std::size_t>(warnings));
+  for (std::size_t k = 0; k < summary.warnings.size(); ++k) {
+    const std::string name = "warning." + std::to_string(k);
+    auto& w = summary.warnings[k];
+    archive.value(name + ".what", w.what);
+    archive.value(name + ".where", w.where);
+    archive.value(name + ".when", w.when);
+    archive.value(name + ".how_much", w.how_much);
+    archive.value(name + ".text", w.text);
+  }
   summary.selected_points = count.selected;
   summary.open_points = count.open;
   summary.stick_points = count.stick;

@@ -20,6 +20,7 @@
 #include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
 #include "simulation/finite_rotations.hpp"
+#include "simulation/input_warnings.hpp"
 #include "simulation/load_factor_analysis.hpp"
 #include "simulation/masonry_statics.hpp"
 #include "simulation/mechanism_words.hpp"
@@ -83,6 +84,11 @@ class Run {
   }
 
   const RunSummary& summary() const { return recorder_->summary(); }
+
+  /// Tells and keeps what the result leaves open. The same on all ranks.
+  void warn(const Warning& warning) {
+    if (recorder_->warn(warning)) narrator_->warn(warning);
+  }
 
   const RunSummary& all_steps() {
     auto& summary = recorder_->summary();
@@ -352,6 +358,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
       << comm->getSize() << (comm->getSize() == 1 ? " rank\n" : " ranks\n");
   for (const auto& remark : model.loads().remarks()) say << remark << "\n";
   Run run(model, options, clock, say);
+  for (const auto& warning : input_warnings(model)) run.warn(warning);
   if (options.restart) {
     on_first_rank(*comm, [&] { std::filesystem::remove(options.folder + "/" + result_file); });
     write_scene_file(scene, options.folder, *comm);
