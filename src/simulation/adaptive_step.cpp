@@ -11,6 +11,7 @@
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
+#include "simulation/tie_balance.hpp"
 
 namespace voussoir {
 namespace {
@@ -164,6 +165,21 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
   return true;
 }
 
+/// Releases the stones that nothing but ties balances, where that is allowed; returns how many points that selects.
+template <int dim>
+long long AdaptiveStep<dim>::release_loose(ContactState& state, const std::vector<double>& load,
+                                           const std::vector<int>& cluster, StepReport& report,
+                                           bool may_release) const {
+  report.tied_share = 0;
+  if (model_.scene().selection.mode == SelectionMode::bonded) return 0;
+  if (count_selected(model_, state) == model_.points().total()) return 0;
+  const auto& own = own_load ? *own_load : load;
+  const auto balance = tie_balance(model_, law_, state, cluster, borne_by_joints(state, load), own);
+  report.tied_share = balance.largest;
+  report.tied_block = balance.where;
+  return may_release && balance.largest > largest_tied_share ? release_blocks(model_, law_, balance.loose, state) : 0;
+}
+
 template <int dim>
 StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vector<double>& load,
                                              const std::vector<double>& prescribed) {
@@ -269,7 +285,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     }
     if (!more) {
       if (large) estimate();
-      if (wanted <= tolerance) return report;
+      if (wanted <= tolerance && release_loose(state, load, cluster, report, may_release) == 0) return report;
       wanted = tolerance;
     }
   }

@@ -15,6 +15,8 @@ struct StepReport {
   int selection_rounds = 0;
   int estimate_solves = 0;  ///< linear solves for error estimates, besides those of newton
   double error_estimate = 0;  ///< [-] relative, energy norm
+  double tied_share = 0;  ///< [-] the largest share of a stone's load that ties bear beyond their law
+  int tied_block = -1;    ///< that stone
   long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
   SystemCost cost;
 
@@ -24,6 +26,8 @@ struct StepReport {
     selection_rounds += again.selection_rounds;
     estimate_solves += again.estimate_solves;
     error_estimate = again.error_estimate;
+    tied_share = again.tied_share;
+    tied_block = again.tied_block;
     largest_clusters = again.largest_clusters;
     cost.add(again.cost);
   }
@@ -41,6 +45,8 @@ class AdaptiveStep {
   double known_energy = 0;
   /// In time steps: ties hold what has moved where it is, so their forces go on from what they were.
   bool in_time = false;
+  /// [N] Loads on the stones, where those given to solve() hold inertia too; else null.
+  const std::vector<double>* own_load = nullptr;
 
   /// State before the first load step: nothing has moved; everything or nothing is selected, as the scene asks.
   ContactState initial_state() const;
@@ -66,6 +72,8 @@ class AdaptiveStep {
   double root_of_violations(const ContactState&, const std::vector<int>& cluster) const;
   bool looks_first(long long selected) const;
   double root_of_rest(std::vector<double> decrease, const ContactState&) const;
+  long long release_loose(ContactState&, const std::vector<double>& load, const std::vector<int>& cluster, StepReport&,
+                          bool may_release) const;
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
   bool solve_round(const typename ContactProblem<dim>::Parts&, ContactState&, const std::vector<double>& load,
                    const std::vector<double>& prescribed, double tolerance, const PointField* known_gap,

@@ -266,6 +266,7 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   mid.broken = state.broken;
   mid.fast_way = state.fast_way;
   mid.rest.error = state.rest.error;
+  step_->own_load = &load;
   step_->narrate = narrate;
   step_->narrate_round = narrate_round;
   step_->known_energy = total(elastic) + total(kinetic);

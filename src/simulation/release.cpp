@@ -79,6 +79,22 @@ bool release_mortar(const Model<dim>& model, const PointLaws& law, ContactState&
 }
 
 template <int dim>
+long long release_blocks(const Model<dim>& model, const PointLaws& law, const std::vector<char>& marked,
+                         ContactState& state) {
+  const auto before = count_selected(model, state);
+  const auto& block = model.structure().block_of_node();
+  std::vector<double> selected(state.selected.begin(), state.selected.end());
+  for (int k = 0; k < model.points().owned(); ++k) {
+    const auto& p = model.points().points()[k];
+    if (marked[block[p.node_i]] || marked[block[p.node_j]]) selected[k] = 1;
+  }
+  model.points().exchange().update(selected, 1);
+  for (std::size_t k = 0; k < selected.size(); ++k) state.selected[k] = selected[k] != 0;
+  admit<dim>(law, state);
+  return count_selected(model, state) - before;
+}
+
+template <int dim>
 long long count_selected(const Model<dim>& model, const ContactState& state) {
   const auto owned = state.selected.begin() + model.points().owned();
   return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
@@ -88,6 +104,7 @@ template long long release<2>(const Model<2>&, const PointLaws&, const std::vect
                               const std::vector<double>&, ContactState&);
 template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
 template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
+template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&, ContactState&);
 template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

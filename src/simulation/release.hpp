@@ -23,6 +23,11 @@ bool release_all(const Model<dim>&, const PointLaws&, ContactState&);
 template <int dim>
 bool release_mortar(const Model<dim>&, const PointLaws&, ContactState&);
 
+/// Selects all points of the blocks marked [per local block], with admissible forces; returns how many were newly
+/// selected. Collective.
+template <int dim>
+long long release_blocks(const Model<dim>&, const PointLaws&, const std::vector<char>& marked, ContactState&);
+
 /// Selected points of all ranks. Collective.
 template <int dim>
 long long count_selected(const Model<dim>&, const ContactState&);
@@ -31,6 +36,8 @@ extern template long long release<2>(const Model<2>&, const PointLaws&, const st
                                      const std::vector<double>&, ContactState&);
 extern template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
 extern template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
+extern template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&,
+                                            ContactState&);
 extern template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

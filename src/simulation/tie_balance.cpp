@@ -1,0 +1,160 @@
+#include "simulation/tie_balance.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
+#include "simulation/error_estimate.hpp"
+#include "simulation/stone_relaxation.hpp"
+
+namespace voussoir {
+namespace {
+
+// What a block lacks counts as nothing below this multiple of the tolerance to which forces are known.
+constexpr double noise = 10;
+// Loads of a stone that add up to less than this share of their magnitudes are in balance, up to round-off.
+constexpr double balanced = 1e-10;
+
+/// The points as springs, each with the nearest force that its law admits, normal part first; an open one bears none.
+std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, const ContactState& state,
+                                const std::vector<int>& cluster) {
+  std::vector<StonePoint> springs;
+  const auto open = open_points(model);
+  const auto gap = model.gaps(state.displacement);
+  for (int k = 0; k < model.points().size(); ++k) {
+    const auto& p = model.points().points()[k];
+    StonePoint spring;
+    spring.law = law[k];
+    for (int c = 0; c < 2; ++c) {
+      const double sigma = model.local_stiffness()[k];
+      spring.stiffness[c] = model.compliance().empty() ? sigma : sigma / (1 + sigma * model.compliance()[k].along(c));
+    }
+    const bool tied = cluster[p.node_i] == cluster[p.node_j];
+    if (!tied || (!open.empty() && open[k])) spring.gap = std::max(0.0, gap[2 * k]);
+    if (open.empty() || !open[k] || !tied) {
+      const double normal = project_normal(law[k], state.lambda[2 * k]);
+      const double bound = friction_bound(law[k], normal);
+      spring.force = {normal, std::clamp(state.lambda[2 * k + 1], -bound, bound)};
+      if (normal > -law[k].tension) spring.gap = 0;
+    }
+    springs.push_back(spring);
+  }
+  return springs;
+}
+
+StoneVector sum_over(const Structure<2>& s, const LocalBlock<2>& block, const Vector<2>& middle,
+                     const std::vector<double>& nodal) {
+  StoneVector sum{};
+  const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
+  for (int i = first; i < first + count; ++i) {
+    const Vector<2> f{nodal[2 * i], nodal[2 * i + 1]};
+    sum[0] += f[0];
+    sum[1] += f[1];
+    sum[2] += cross(s.position()[i] - middle, f);
+  }
+  return sum;
+}
+
+double size_of(const StoneVector& v, double radius) {
+  return std::max(std::hypot(v[0], v[1]), std::abs(v[2]) / radius);
+}
+
+/// Half the magnitudes of the forces of its points, per local block: what passes through a block. [N]
+std::vector<double> passing(const Model<2>& model, const std::vector<StonePoint>& points) {
+  std::vector<double> sum(model.structure().blocks().size(), 0.0);
+  const auto& block = model.structure().block_of_node();
+  for (int k = 0; k < model.points().size(); ++k) {
+    const auto& p = model.points().points()[k];
+    for (int node : {p.node_i, p.node_j}) sum[block[node]] += norm(points[k].force) / 2;
+  }
+  return sum;
+}
+
+/// The blocks as rigid bodies where they are.
+std::vector<Stone> stones_of(const Model<2>& model) {
+  const auto& s = model.structure();
+  std::vector<Stone> stones;
+  for (const auto& block : s.blocks()) {
+    Stone stone;
+    const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
+    for (int i = first; i < first + count; ++i) stone.middle = stone.middle + (1.0 / count) * s.position()[i];
+    const double held = block.material.young_modulus * s.model().thickness;  // as stiff as a point sees a block
+    for (int i = first; i < first + count; ++i) {
+      const Vector<2> arm = s.position()[i] - stone.middle;
+      stone.radius = std::max(stone.radius, norm(arm));
+      for (int c = 0; c < 2; ++c) {
+        if (!model.held()[2 * i + c]) continue;
+        stone.support[c] += held;
+        stone.support[2] += held * arm[1 - c] * arm[1 - c];
+      }
+    }
+    stones.push_back(stone);
+  }
+  return stones;
+}
+
+/// Marks the stones that lack more than they may, on every rank that sees them.
+std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<Stone>& stones) {
+  std::vector<double> flag(s.nodes(), 0.0);
+  for (int b = 0; b < s.owned_blocks(); ++b) flag[s.blocks()[b].first_local] = lacks[b] > stones[b].bearable;
+  s.node_exchange().update(flag, 1);
+  std::vector<char> loose;
+  for (const auto& block : s.blocks()) loose.push_back(flag[block.first_local] != 0);
+  return loose;
+}
+
+}  // namespace
+
+TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const ContactState& state,
+                       const std::vector<int>& cluster, const std::vector<double>& borne,
+                       const std::vector<double>& load) {
+  const auto& s = model.structure();
+  const auto points = springs(model, law, state, cluster);
+  PointField forces;
+  for (const auto& p : points) forces.insert(forces.end(), p.force.begin(), p.force.end());
+  auto lacking = borne;
+  add_contact_forces(model.points(), {}, forces, -1.0, lacking);
+  for (std::size_t i = 0; i < lacking.size(); ++i)
+    if (model.held()[i]) lacking[i] = 0;
+  const double unknown = noise * model.scene().newton.tolerance * largest_normal_force(model, state.lambda);
+  const auto through = passing(model, points);
+  auto stones = stones_of(model);
+  std::vector<double> own(s.owned_blocks());
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    auto& stone = stones[b];
+    const auto& block = s.blocks()[b];
+    const auto sum = sum_over(s, block, stone.middle, load);
+    double magnitudes = 0;
+    for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
+      magnitudes += std::hypot(load[2 * (block.first_local + i)], load[2 * (block.first_local + i) + 1]);
+    // A stone without load, or whose loads are in balance as those of heat are, is measured by what passes through it.
+    own[b] = size_of(sum, stone.radius);
+    if (own[b] <= balanced * magnitudes) own[b] = through[b];
+    stone.lacks = sum_over(s, block, stone.middle, lacking);
+    for (double& l : stone.lacks) l = -l;
+    stone.bearable = std::max(unknown, largest_tied_share * own[b]);
+  }
+  const auto lacks = StoneRelaxation(model, stones, points).relax();
+  TieBalance balance;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (lacks[b] <= unknown) continue;
+    const double share = own[b] > 0 ? lacks[b] / own[b] : std::numeric_limits<double>::infinity();
+    if (share <= balance.largest) continue;
+    balance.largest = share;
+    balance.where = s.blocks()[b].mesh.id;
+  }
+  balance.loose = marked(s, lacks, stones);
+  const double mine = balance.largest;
+  balance.largest = largest_over_ranks(*s.comm(), mine);
+  // The lowest number of those that share it, so that all ranks name the same.
+  const int none = std::numeric_limits<int>::max();
+  const int here = balance.where >= 0 && mine == balance.largest ? balance.where : none;
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(balance.where));
+  if (balance.where == none) balance.where = -1;
+  return balance;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,42 @@
+// What stones owe to tied points beyond their law: the local criterion beside the error in the energy norm.
+//
+// An energy norm cannot see a local mechanism. A stone that hangs from a tied joint violates the law of that joint by
+// its own weight, however small a part of the energy of the structure that is, and without the tie it falls. So every
+// point is given no more than its law admits, and what a block then lacks is held against its own load:
+//
+//     z = K u - f - B^T P(lambda)        on node copies [N], P the projection on the law; 0 where supports hold
+//     share of a block = max(|sum z|, |sum x cross z| / radius) / max(|sum f|, |sum x cross f| / radius)
+//
+// With z added to the loads the lawful forces P(lambda) are in balance on every block. So a bound on the shares of
+// blocks is a statement about loads: what stands stands under loads that differ by no more than that share of each
+// stone's own. The resultants of a group of blocks are the sums of theirs, since what two of them exchange cancels: the
+// bound holds for every group too.
+//
+// Where shares are larger, stones are let go as rigid bodies between springs (stone_relaxation.hpp): most find their
+// balance at the next joint. Those that do not are loose.
+#pragma once
+
+#include "simulation/contact_problem.hpp"
+#include "simulation/model.hpp"
+
+namespace voussoir {
+
+/// A tie may bear so much of the load of a stone beyond the law of its joint [-]. What it is worth: src/selection/README.md.
+constexpr double largest_tied_share = 0.03;
+
+/// Which blocks owe more to ties than they may.
+struct TieBalance {
+  std::vector<char> loose;  ///< per local block, halo included: 1 where nothing but ties balances it
+  double largest = 0;       ///< [-] largest share of all blocks once they have been let go
+  int where = -1;           ///< the block that has it, the lowest number of several
+};
+
+/// Collective.
+/// @param state    with forces of all points, tied ones too, ghosts up to date
+/// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
+/// @param borne    K u - f of each block alone [N, dim x local node copies]: what joints and supports bear
+/// @param load     forces on the stones from outside, which shares refer to [N, dim x local node copies]
+TieBalance tie_balance(const Model<2>&, const PointLaws&, const ContactState& state, const std::vector<int>& cluster,
+                       const std::vector<double>& borne, const std::vector<double>& load);
+
+}  // namespace voussoir
