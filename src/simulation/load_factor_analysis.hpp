@@ -5,6 +5,9 @@
 // which it finds neither is no proof of anything and is told apart.
 #pragma once
 
+#include <functional>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "dynamics/factor_search.hpp"
@@ -25,6 +28,8 @@ struct Attempting {
   std::vector<double>& load;  ///< [N] its nodal loads
   Recorder<2>& recorder;
   Narrator& narrator;
+  /// Warns of what a state that stands under a load leaves open; why it cannot be told, empty when it can.
+  std::function<std::string(const std::vector<double>& load, double factor)> look;
 };
 
 class LoadFactorAnalysis {
@@ -43,6 +48,8 @@ class LoadFactorAnalysis {
   void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim) {
     const bool over = finished();
     search_.keep(archive);
+    archive.value("load_factor.beyond_at", beyond_at_);
+    archive.value("load_factor.beyond", beyond_);
     if (search_.found()) {  // then the tables are there
       mechanism_.resize(nodes.ids.size() * dim);
       failed_.lambda.resize(points.ids.size() * dim);
@@ -63,6 +70,8 @@ class LoadFactorAnalysis {
 
   LoadFactorParameters p_;
   FactorSearch search_;
+  double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
+  std::string beyond_;                                      ///< why that is; empty when there is none
   std::vector<double> mechanism_;  ///< of the smallest factor that collapses with a clear one, on node copies
   ContactState failed_;            ///< forces and selection there
 };

@@ -27,6 +27,7 @@
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
+#include "simulation/range_check.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/saved_run.hpp"
 #include "simulation/scene_fit.hpp"
@@ -46,7 +47,7 @@ void write_scene_file(const Scene& scene, const std::string& folder, const Teuch
   });
 }
 
-constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "output"};
+constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
 /// A signal was seen within a step; the step is given up.
 struct StopWithinStep {};
@@ -63,6 +64,7 @@ class Run {
         steps_(model.scene().stages, model.scene().load_steps),
         state_(step_.initial_state()),
         construction_(model),
+        range_(model),
         load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
         saved_(model, options.folder) {
@@ -113,7 +115,7 @@ class Run {
       saved_.save_when_due(here());
     }
     if (load_factor_) load_factor_->conclude(attempting());
-    if (summary.outcome == Outcome::not_converged) saved_.save(here());
+    if (summary.outcome == Outcome::not_converged || summary.outcome == Outcome::out_of_range) saved_.save(here());
     return summary;
   }
 
@@ -175,6 +177,7 @@ class Run {
       fail(*failure_, target);
       return false;
     }
+    if (!in_range(at_factor(target), next_load, true, before)) return false;
     failure_.reset();
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
@@ -207,6 +210,7 @@ class Run {
       fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
       return false;
     }
+    if (!in_range(at_time(time), load, target == 1 || writes(), before)) return false;
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
     const double duration = steps_.stage_parameters().duration;
     steps_.accept();
@@ -245,11 +249,37 @@ class Run {
     return scene.load_factor.asked() ? std::make_unique<LoadFactorAnalysis>(scene.load_factor) : nullptr;
   }
   Attempting attempting() {
-    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_};
+    const auto look = [this](const std::vector<double>& load, double factor) {
+      return beyond_range(at_factor(factor), load, true);
+    };
+    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, look};
   }
 
   bool writes() const {
     return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
+  }
+
+  /// Warns of what a step that was solved leaves open; why it would be a mistake to carry on, empty when it is none.
+  /// @param outlines  whether those of stones are compared
+  std::string beyond_range(const std::string& when, const std::vector<double>& load, bool outlines) {
+    const bool in_time = dynamics_ != nullptr;
+    const auto found = range_.look({state_, load, construction_.absent(), when, in_time, outlines});
+    for (const auto& warning : found.warnings) warn(warning);
+    return found.out_of_range;
+  }
+  /// False when a step that was solved is one that the model cannot tell; then the run ends in the state before it.
+  bool in_range(std::string when, const std::vector<double>& load, bool outlines, const ContactState& before) {
+    when = "stage '" + steps_.stage() + "', " + when;
+    const auto why = beyond_range(when, load, outlines);
+    if (why.empty()) return true;
+    state_ = before;
+    go_back(model_, before);
+    saved_.save(here());
+    auto& summary = recorder_->summary();
+    summary.outcome = Outcome::out_of_range;
+    summary.load_factor = steps_.reached();
+    summary.message = when + ": " + why;
+    return false;
   }
 
   /// @param last  the load tried last; where a smaller one is not decided, the collapse under a larger one is told
@@ -300,6 +330,7 @@ class Run {
   TimeStepLevel level_;
   ContactState state_;
   Construction<2> construction_;
+  RangeCheck range_;
   std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
   /// The load step that failed while smaller ones are tried: a collapse where one was found. Not in checkpoints: a run
   /// stopped and restarted meanwhile tells what its last attempt came to.
