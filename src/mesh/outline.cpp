@@ -25,12 +25,12 @@ std::vector<Vector<2>> places_within(const Outline& one, const Outline& other, d
   return found;
 }
 
-/// The way out of a block along a direction from a place within it [m].
+/// The way from a place within a block along a direction until it first meets the border, corners included [m].
 double way_out(const Outline& outline, const Vector<2>& x, const Vector<2>& direction) {
   double nearest = none;
   for (const auto& edge : outline) {
     const double from = cross(direction, edge.from - x), to = cross(direction, edge.to - x);
-    if ((from > 0) == (to > 0)) continue;
+    if (from * to > 0 || from == to) continue;  // an edge along the way: its neighbours have its ends
     const auto meets = edge.from + (from / (from - to)) * (edge.to - edge.from);
     const double way = dot(meets - x, direction);
     if (way > 0) nearest = std::min(nearest, way);

@@ -55,7 +55,8 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const double seconds = clock.totalElapsedTime(true);
   const int solves = report.newton.newton_iterations + report.estimate_solves;
   const bool stands = report.newton.outcome == NewtonOutcome::converged;
-  const auto beyond = stands ? run.look(next_load, factor) : "";
+  const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
+  const auto beyond = stands ? run.range.beyond(end) : "";
   if (stands && !beyond.empty()) {  // neither an equilibrium nor a mechanism: it cannot be told
     run.narrator.say("  Out of range at load factor " + factor_text(factor) + ": " + beyond + ".");
     if (factor < beyond_at_) beyond_at_ = factor, beyond_ = beyond;

@@ -5,7 +5,6 @@
 // which it finds neither is no proof of anything and is told apart.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "dynamics/load_steps.hpp"
 #include "simulation/construction.hpp"
 #include "simulation/narrator.hpp"
+#include "simulation/range_check.hpp"
 #include "simulation/recorder.hpp"
 
 namespace voussoir {
@@ -28,8 +28,7 @@ struct Attempting {
   std::vector<double>& load;  ///< [N] its nodal loads
   Recorder<2>& recorder;
   Narrator& narrator;
-  /// Warns of what a state that stands under a load leaves open; why it cannot be told, empty when it can.
-  std::function<std::string(const std::vector<double>& load, double factor)> look;
+  RangeCheck& range;
 };
 
 class LoadFactorAnalysis {

@@ -25,9 +25,15 @@ std::string digits(const char* format, double value) {
 
 std::string three_digits(double value) { return digits("%.3g", value); }
 
-std::string at_time(double seconds) { return digits("%.6g s", seconds); }
+std::string place_text(const Vector<2>& x) { return "(" + digits("%.3f", x[0]) + ", " + digits("%.3f", x[1]) + ") m"; }
 
-std::string at_factor(double factor) { return digits("load factor %.6g", factor); }
+std::string at_time(const std::string& stage, double seconds) {
+  return "stage '" + stage + "', " + digits("%.6g s", seconds);
+}
+
+std::string at_factor(const std::string& stage, double factor) {
+  return "stage '" + stage + "', " + digits("load factor %.6g", factor);
+}
 
 void RangeCheck::measure() {
   const auto& s = model_.structure();
@@ -52,14 +58,15 @@ void RangeCheck::measure() {
   measured_ = true;
 }
 
-RangeFindings RangeCheck::look(const StepEnd& end) {
+std::string RangeCheck::beyond(const StepEnd& end) {
   Phase phase("range");
   if (!measured_) measure();
   RangeFindings found;
   found.add(look_at_slips(model_, end));
   found.add(look_at_turns(model_, end, sizes_.smallest_half_joint));
   if (end.outlines) found.add(look_at_outlines(model_, end, sizes_.shortest_side, sizes_.smallest_side));
-  return found;
+  for (const auto& warning : found.warnings) warn_(warning);
+  return found.out_of_range;
 }
 
 }  // namespace voussoir

@@ -6,7 +6,9 @@
 // (stone_overlap). README.md of this folder, "The range of the model", gives the numbers that decide and their reasons.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/warning.hpp"
@@ -36,17 +38,19 @@ struct RangeFindings {
   }
 };
 
-/// When a step ends, for the reader: "0.654 s", "load factor 0.25".
-std::string at_time(double seconds);
-std::string at_factor(double);
+/// When a step ends, for the reader: "stage 'shaking', 0.654 s", "stage 'push', load factor 0.25".
+std::string at_time(const std::string& stage, double seconds);
+std::string at_factor(const std::string& stage, double);
 
 /// Looks at every step; keeps what does not change from step to step.
 class RangeCheck {
  public:
-  explicit RangeCheck(const Model<2>& model) : model_(model) {}
+  /// @param warn  where warnings go
+  RangeCheck(const Model<2>& model, std::function<void(const Warning&)> warn)
+      : model_(model), warn_(std::move(warn)) {}
 
-  /// Collective.
-  RangeFindings look(const StepEnd&);
+  /// Warns of what a step leaves open; why it would be a mistake to carry on, empty when it is none. Collective.
+  std::string beyond(const StepEnd&);
 
  private:
   /// What is measured once, of this rank's owned blocks and joints and of the whole.
@@ -58,6 +62,7 @@ class RangeCheck {
   void measure();
 
   const Model<2>& model_;
+  std::function<void(const Warning&)> warn_;
   Sizes sizes_;
   bool measured_ = false;
 };

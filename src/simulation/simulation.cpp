@@ -64,7 +64,7 @@ class Run {
         steps_(model.scene().stages, model.scene().load_steps),
         state_(step_.initial_state()),
         construction_(model),
-        range_(model),
+        range_(model, [this](const Warning& w) { warn(w); }),
         load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
         saved_(model, options.folder) {
@@ -177,7 +177,7 @@ class Run {
       fail(*failure_, target);
       return false;
     }
-    if (!in_range(at_factor(target), next_load, true, before)) return false;
+    if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
     failure_.reset();
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
@@ -210,7 +210,8 @@ class Run {
       fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
       return false;
     }
-    if (!in_range(at_time(time), load, target == 1 || writes(), before)) return false;
+    const bool compares = target == 1 || writes();  // outlines of stones
+    if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
     const double duration = steps_.stage_parameters().duration;
     steps_.accept();
@@ -249,36 +250,24 @@ class Run {
     return scene.load_factor.asked() ? std::make_unique<LoadFactorAnalysis>(scene.load_factor) : nullptr;
   }
   Attempting attempting() {
-    const auto look = [this](const std::vector<double>& load, double factor) {
-      return beyond_range(at_factor(factor), load, true);
-    };
-    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, look};
+    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
   }
 
   bool writes() const {
     return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
   }
 
-  /// Warns of what a step that was solved leaves open; why it would be a mistake to carry on, empty when it is none.
-  /// @param outlines  whether those of stones are compared
-  std::string beyond_range(const std::string& when, const std::vector<double>& load, bool outlines) {
-    const bool in_time = dynamics_ != nullptr;
-    const auto found = range_.look({state_, load, construction_.absent(), when, in_time, outlines});
-    for (const auto& warning : found.warnings) warn(warning);
-    return found.out_of_range;
-  }
-  /// False when a step that was solved is one that the model cannot tell; then the run ends in the state before it.
-  bool in_range(std::string when, const std::vector<double>& load, bool outlines, const ContactState& before) {
-    when = "stage '" + steps_.stage() + "', " + when;
-    const auto why = beyond_range(when, load, outlines);
-    if (why.empty()) return true;
+  /// False when a step that was solved is beyond what the model can tell; then the run ends in the state before it.
+  bool in_range(const StepEnd& end, const ContactState& before) {
+    const auto beyond = range_.beyond(end);
+    if (beyond.empty()) return true;
     state_ = before;
     go_back(model_, before);
     saved_.save(here());
     auto& summary = recorder_->summary();
     summary.outcome = Outcome::out_of_range;
     summary.load_factor = steps_.reached();
-    summary.message = when + ": " + why;
+    summary.message = end.when + ": " + beyond;
     return false;
   }
 

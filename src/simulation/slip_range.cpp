@@ -137,8 +137,8 @@ RangeFindings look_at_slips(const Model<2>& model, const StepEnd& end) {
   found.warnings.push_back(
       {"slip_beyond_cell", names_of(model, worst.block_i, worst.block_j), end.when, worst.slip,
        std::to_string(worst.points) + (worst.points == 1 ? " point that presses has" : " points that press have") +
-           " slipped by up to " + three_digits(worst.slip) + " m, near (" + three_digits(worst.x) + ", " +
-           three_digits(worst.y) + ") m, where cells are " + three_digits(worst.cell) +
+           " slipped by up to " + three_digits(worst.slip) + " m, near " + place_text({worst.x, worst.y}) +
+           ", where cells are " + three_digits(worst.cell) +
            " m long: contact stays with the nodes that were drawn together, so forces and margins of this joint are "
            "those of pieces of face that are no longer opposite" + and_in_others(slips.size() - 1)});
   for (const auto& s : slips) {

@@ -42,5 +42,7 @@ inline std::string and_in_others(std::size_t others) {
 
 /// With the digits a reader can use.
 std::string three_digits(double);
+/// To the millimetre.
+std::string place_text(const Vector<2>&);
 
 }  // namespace voussoir
