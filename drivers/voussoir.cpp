@@ -40,7 +40,8 @@ const char* const usage =
   --verbose           a line for every linear solve
   --version, --help
 SIGTERM and SIGUSR1 save the state and stop; so does a step that does not converge.
-Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing, 5 stopped by a signal.
+Exit codes: 0 done, 2 the input is wrong, 3 no convergence or out of range, 4 a resource is missing,
+5 stopped by a signal.
 )";
 
 struct Arguments {
