@@ -38,7 +38,8 @@ double way_out(const Outline& outline, const Vector<2>& x, const Vector<2>& dire
   return nearest == none ? 0.0 : nearest;
 }
 
-/// Directions along which the first of two blocks may be drawn back: against its own outward normals, along the other's.
+/// Directions along which the first of two blocks may be drawn back: against its own outward normals, along those of
+/// the other.
 std::vector<Vector<2>> ways_back(const Outline& one, const Outline& other) {
   constexpr double same = 1e-6;  // [rad] normals of edges along one face
   std::vector<Vector<2>> ways;

@@ -19,8 +19,8 @@ struct NetworkJoint {
 /// Normal force (compression > 0), shear along the normal turned by +90 degrees and moment on stone j.
 using NetworkForce = std::array<double, 3>;
 
-/// What the joints bear so that every stone is in equilibrium: of all ways the one of least energy of the springs, that is
-/// of least squares weighted by one over their stiffness. What no joint can bear is left unborne.
+/// What the joints bear so that every stone is in equilibrium: of all ways the one of least energy of the springs, that
+/// is of least squares weighted by one over their stiffness. What no joint can bear is left unborne.
 /// @param load  per stone: force x, y and moment about its centre
 std::vector<NetworkForce> borne_by_network(int stones, const std::vector<NetworkJoint>&,
                                            const std::vector<std::array<double, 3>>& load);

@@ -143,9 +143,9 @@ RangeFindings look_at_slips(const Model<2>& model, const StepEnd& end) {
            "those of pieces of face that are no longer opposite" + and_in_others(slips.size() - 1)});
   for (const auto& s : slips) {
     if (s.uncovered <= borne_by_nothing && s.outside <= 0) continue;
-    const std::string where = s.uncovered > borne_by_nothing
-                                  ? three_digits(100 * s.uncovered) + " % of its force passes beyond the ends of its faces"
-                                  : "its force passes " + three_digits(s.outside) + " m beyond the end of a face";
+    const auto where = s.uncovered > borne_by_nothing
+                           ? three_digits(100 * s.uncovered) + " % of its force passes beyond the ends of its faces"
+                           : "its force passes " + three_digits(s.outside) + " m beyond the end of a face";
     found.out_of_range = "joint " + names_of(model, s.block_i, s.block_j) + " has slipped by " + three_digits(s.slip) +
                          " m, and " + where + ": contact stays with the nodes that were drawn together, so whether the "
                          "stones still bear each other there cannot be told";

@@ -161,8 +161,8 @@ struct Network {
     }
   }
 
-  /// Forces keep their places on stones that turn: the moment theta x r x f of each, shared out so that joints are asked
-  /// for as small a share of what they bear as can be. Returns for each joint that share.
+  /// Forces keep their places on stones that turn. The moments -theta r.f that makes are shared out so that joints are
+  /// asked for as small a share of what they bear as can be. Returns for each joint that share.
   std::vector<double> shares() {
     std::vector<std::array<double, 3>> moment(moving);
     double largest = 0;
