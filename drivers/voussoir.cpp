@@ -40,7 +40,8 @@ const char* const usage =
   --verbose           a line for every linear solve
   --version, --help
 SIGTERM and SIGUSR1 save the state and stop; so does a step that does not converge.
-Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing, 5 stopped by a signal.
+Exit codes: 0 done, 2 the input is wrong, 3 no convergence or out of range, 4 a resource is missing,
+5 stopped by a signal.
 )";
 
 struct Arguments {
@@ -135,7 +136,10 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
   if (summary.outcome == Outcome::equilibrium)
     say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.") << doubts(summary.warnings)
         << (summary.collapse ? " No collapse: " + summary.message + "." : "");
-  if (summary.outcome == Outcome::collapse) say << "Collapse: " << summary.message << ".";
+  if (summary.outcome == Outcome::collapse) {
+    say << "Collapse: " << summary.message << ".";
+    if (summary.collapse) say << doubts(summary.warnings);  // the factor that stands is an equilibrium
+  }
   if (summary.outcome == Outcome::out_of_range) say << "Out of range: " << summary.message << ".";
   if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
   say << " Results are in " << a.run.folder << "\n";

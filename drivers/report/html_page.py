@@ -53,6 +53,14 @@ class Page:
             items = "".join(f"<li>{escape(remark)}</li>" for remark in remarks)
             self.parts.append(f'<div class="remarks">What this report lacks:<ul>{items}</ul></div>')
 
+    def warnings(self, warnings):
+        """warnings: rows (kind, where, when, text) of what the result leaves open, in a box of their own."""
+        if not warnings:
+            return
+        items = "".join(f"<li>{escape(where)}{escape(', ' + when if when else '')}: {escape(text)}. <small>{escape(kind)}</small></li>"
+                        for kind, where, when, text in warnings)
+        self.parts.append(f'<div class="remarks">What this result leaves open:<ul>{items}</ul></div>')
+
     def figures_asked_first(self, facts):
         """facts: rows (name, value, further words)."""
         cells = "".join(f"<div><dt>{escape(name)}</dt><dd>{escape(value)}"

@@ -192,6 +192,7 @@ def make_report(folder):
     pictures.mkdir(exist_ok=True)
     page = Page(results.title)
     page.head(*tables.outcome(results))
+    page.warnings(tables.warnings(results))
     page.figures_asked_first(tables.facts_asked_first(results))
     page.remarks(results.remarks)
     rings = add_structure_sections(page, results, pictures) if results.mesh else []

@@ -33,7 +33,18 @@ def either(results, history_name, *names):
 def outcome(results):
     """Words and the kind of outcome: good, warn, bad or ''."""
     words = str(find(results.result, "outcome") or "outcome not recorded").replace("_", " ")
-    return words, {"equilibrium": "good", "collapse": "warn", "not converged": "bad"}.get(words, "")
+    kind = {"equilibrium": "good", "collapse": "warn", "not converged": "bad", "out of range": "bad"}.get(words, "")
+    return words, "warn" if kind == "good" and warnings(results) else kind
+
+
+def warnings(results):
+    """Rows (kind, where, when, text) of what the run could not vouch for, why it ended there first."""
+    said = find(results.result, "warnings")
+    rows = [tuple(str(w.get(key) or "") for key in ("what", "where", "when", "text"))
+            for w in (said if isinstance(said, list) else []) if isinstance(w, dict)]
+    if str(find(results.result, "outcome")) == "out_of_range":
+        rows.insert(0, ("out_of_range", "The run ended", "", str(find(results.result, "message") or "no reason was kept")))
+    return rows
 
 
 def seconds_of(results):

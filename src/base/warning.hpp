@@ -1,6 +1,7 @@
 // What a run cannot vouch for, said where the result stands: in the run, in result.json and at the top of the report.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,15 +18,27 @@ struct Warning {
 
 using Warnings = std::vector<Warning>;
 
-/// Adds a warning; of the same kind at the same place the larger one stays. Returns whether it is new there.
+/// Of one kind no more places are kept: who reads of five need not read of hundreds.
+inline constexpr int most_of_a_kind = 5;
+
+/// Adds a warning; of the same kind at the same place the larger one stays, and of a kind the largest ones. Returns
+/// whether a reader ought to be told: it is new at its place, and there are not enough of its kind.
 inline bool add_warning(Warnings& all, const Warning& more) {
   for (auto& known : all) {
     if (known.what != more.what || known.where != more.where) continue;
     if (more.how_much > known.how_much) known = more;
     return false;
   }
-  all.push_back(more);
-  return true;
+  const auto of_kind = [&](const Warning& w) { return w.what == more.what; };
+  if (std::count_if(all.begin(), all.end(), of_kind) < most_of_a_kind) {
+    all.push_back(more);
+    return true;
+  }
+  Warning* least = nullptr;
+  for (auto& known : all)
+    if (of_kind(known) && (!least || known.how_much < least->how_much)) least = &known;
+  if (more.how_much > least->how_much) *least = more;
+  return false;
 }
 
 }  // namespace voussoir

@@ -20,6 +20,8 @@ class Construction {
   /// Lets blocks appear and disappear as a stage wants them; nothing happens when they are as they should be. To be
   /// called before every step.
   void begin(const std::string& stage, Model<dim>&, ContactState&);
+  /// Whether each local block is not there; empty when a scene builds nothing.
+  const std::vector<char>& absent() const { return absent_; }
   /// Takes loads off blocks that are not there, and holds them where they are.
   void restrict(const ContactState&, std::vector<double>& force, std::vector<double>& prescribed) const;
 

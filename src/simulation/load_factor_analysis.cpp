@@ -54,7 +54,18 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const auto report = solve_load_step(run.model, run.step, run.state, next_load, prescribed);
   const double seconds = clock.totalElapsedTime(true);
   const int solves = report.newton.newton_iterations + report.estimate_solves;
-  if (report.newton.outcome == NewtonOutcome::converged) {
+  const bool stands = report.newton.outcome == NewtonOutcome::converged;
+  const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
+  const auto beyond = stands ? run.range.beyond(end) : "";
+  if (stands && !beyond.empty()) {  // neither an equilibrium nor a mechanism: it cannot be told
+    run.narrator.say("  Out of range at load factor " + factor_text(factor) + ": " + beyond + ".");
+    if (factor < beyond_at_) beyond_at_ = factor, beyond_ = beyond;
+    run.state = before;
+    go_back(run.model, before);
+    search_.add(Verdict::undecided, solves);
+    return;
+  }
+  if (stands) {
     search_.add(Verdict::equilibrium, solves);
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
     run.recorder.record(before, run.load, run.state, next_load, report, stage, factor, true, seconds);
@@ -87,11 +98,16 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
     summary.message = summary.outcome == Outcome::equilibrium
                           ? stands + ", the largest load factor asked for"
                           : stands + " times the pattern; beyond that neither an equilibrium nor a mechanism was found";
+    if (beyond_.empty()) return;
+    summary.outcome = Outcome::out_of_range;
+    summary.message = stands + " times the pattern; at " + factor_text(beyond_at_) + " times it " + beyond_;
     return;
   }
   summary.outcome = Outcome::collapse;
   summary.message = "at " + factor_text(search_.upper()) + " times the pattern no equilibrium exists; " + stands;
   if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
+  if (!beyond_.empty() && beyond_at_ > search_.lower() && beyond_at_ < search_.upper())
+    summary.message += ": at " + factor_text(beyond_at_) + " " + beyond_;
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
   summary.message += "; " + mechanism_in_words(run.model, mechanism_);

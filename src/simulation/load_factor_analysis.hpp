@@ -5,12 +5,15 @@
 // which it finds neither is no proof of anything and is told apart.
 #pragma once
 
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "dynamics/factor_search.hpp"
 #include "dynamics/load_steps.hpp"
 #include "simulation/construction.hpp"
 #include "simulation/narrator.hpp"
+#include "simulation/range_check.hpp"
 #include "simulation/recorder.hpp"
 
 namespace voussoir {
@@ -25,6 +28,7 @@ struct Attempting {
   std::vector<double>& load;  ///< [N] its nodal loads
   Recorder<2>& recorder;
   Narrator& narrator;
+  RangeCheck& range;
 };
 
 class LoadFactorAnalysis {
@@ -43,6 +47,8 @@ class LoadFactorAnalysis {
   void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim) {
     const bool over = finished();
     search_.keep(archive);
+    archive.value("load_factor.beyond_at", beyond_at_);
+    archive.value("load_factor.beyond", beyond_);
     if (search_.found()) {  // then the tables are there
       mechanism_.resize(nodes.ids.size() * dim);
       failed_.lambda.resize(points.ids.size() * dim);
@@ -63,6 +69,8 @@ class LoadFactorAnalysis {
 
   LoadFactorParameters p_;
   FactorSearch search_;
+  double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
+  std::string beyond_;                                      ///< why that is; empty when there is none
   std::vector<double> mechanism_;  ///< of the smallest factor that collapses with a clear one, on node copies
   ContactState failed_;            ///< forces and selection there
 };

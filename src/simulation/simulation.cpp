@@ -27,6 +27,7 @@
 #include "simulation/narrator.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/prediction.hpp"
+#include "simulation/range_check.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/saved_run.hpp"
 #include "simulation/scene_fit.hpp"
@@ -46,7 +47,7 @@ void write_scene_file(const Scene& scene, const std::string& folder, const Teuch
   });
 }
 
-constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "output"};
+constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
 /// A signal was seen within a step; the step is given up.
 struct StopWithinStep {};
@@ -63,6 +64,7 @@ class Run {
         steps_(model.scene().stages, model.scene().load_steps),
         state_(step_.initial_state()),
         construction_(model),
+        range_(model, [this](const Warning& w) { warn(w); }),
         load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
         saved_(model, options.folder) {
@@ -113,7 +115,7 @@ class Run {
       saved_.save_when_due(here());
     }
     if (load_factor_) load_factor_->conclude(attempting());
-    if (summary.outcome == Outcome::not_converged) saved_.save(here());
+    if (summary.outcome == Outcome::not_converged || summary.outcome == Outcome::out_of_range) saved_.save(here());
     return summary;
   }
 
@@ -175,6 +177,7 @@ class Run {
       fail(*failure_, target);
       return false;
     }
+    if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
     failure_.reset();
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
@@ -207,6 +210,8 @@ class Run {
       fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
       return false;
     }
+    const bool compares = target == 1 || writes();  // outlines of stones
+    if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
     const double duration = steps_.stage_parameters().duration;
     steps_.accept();
@@ -245,11 +250,25 @@ class Run {
     return scene.load_factor.asked() ? std::make_unique<LoadFactorAnalysis>(scene.load_factor) : nullptr;
   }
   Attempting attempting() {
-    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_};
+    return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
   }
 
   bool writes() const {
     return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
+  }
+
+  /// False when a step that was solved is beyond what the model can tell; then the run ends in the state before it.
+  bool in_range(const StepEnd& end, const ContactState& before) {
+    const auto beyond = range_.beyond(end);
+    if (beyond.empty()) return true;
+    state_ = before;
+    go_back(model_, before);
+    saved_.save(here());
+    auto& summary = recorder_->summary();
+    summary.outcome = Outcome::out_of_range;
+    summary.load_factor = steps_.reached();
+    summary.message = end.when + ": " + beyond;
+    return false;
   }
 
   /// @param last  the load tried last; where a smaller one is not decided, the collapse under a larger one is told
@@ -300,6 +319,7 @@ class Run {
   TimeStepLevel level_;
   ContactState state_;
   Construction<2> construction_;
+  RangeCheck range_;
   std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
   /// The load step that failed while smaller ones are tried: a collapse where one was found. Not in checkpoints: a run
   /// stopped and restarted meanwhile tells what its last attempt came to.

@@ -267,6 +267,46 @@ class InTime(unittest.TestCase):
         self.assertEqual(float(table[1][column]), 78)
 
 
+class Warned(unittest.TestCase):
+    """A block that slides farther than a cell: the report says what that leaves open before anything else."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = FOLDER / "warned"
+        subprocess.run([PROGRAM, f"--xml={ROOT / 'xml/sliding-block.xml'}", f"--out={cls.out}", "--overwrite", "--quiet",
+                        "--set=steps/stages/sliding/duration=0.15"], check=True)
+        cls.result = json.loads((cls.out / "result.json").read_text())
+
+    def report(self, result):
+        (self.out / "result.json").write_text(json.dumps(result))
+        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", self.out], check=True,
+                       stdout=subprocess.DEVNULL)
+        return (self.out / "report.html").read_text(encoding="utf-8")
+
+    def test_warnings_come_first_with_place_time_and_kind_and_names_are_shown_as_they_are(self):
+        (slip,) = self.result["warnings"]
+        self.assertEqual(slip["what"], "slip_beyond_cell")
+        hostile = {"what": "kind", "where": TITLE, "when": "", "how_much": 1, "text": STAGES[1]}
+        text = self.report({**self.result, "warnings": [slip, hostile]})
+        page = Page(text)
+        said = page.texts["li"]
+        self.assertEqual(said[0].strip(), f"{slip['where']}, {slip['when']}: {slip['text']}.")
+        self.assertEqual(said[1].strip(), f"{TITLE}: {STAGES[1]}.")
+        self.assertEqual(page.tags - TAGS, set())
+        self.assertIn("slip_beyond_cell", page.texts["small"][0])
+        self.assertLess(text.index("What this result leaves open"), text.index("<dl>"))
+        self.assertLess(text.index("What this result leaves open"), text.index("<h2>"))
+        self.assertIn('class="outcome warn"', text)
+
+    def test_where_a_run_left_the_range_of_the_model_the_reason_comes_first(self):
+        text = self.report({**self.result, "outcome": "out_of_range", "message": "the stone has left the table", "warnings": []})
+        self.assertIn("the stone has left the table", Page(text).texts["li"][0])
+        self.assertIn('class="outcome bad"', text)
+
+    def test_without_warnings_there_is_no_box(self):
+        self.assertFalse("What this result leaves open" in self.report({**self.result, "warnings": []}))
+
+
 class Collapse(unittest.TestCase):
     """How far an arch can be pushed: four hinges in its mechanism, forces of the last equilibrium."""
 
