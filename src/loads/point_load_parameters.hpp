@@ -14,9 +14,11 @@ struct PointLoadParameters : LoadKindParameters {
   double x = 0.0, y = 0.0;    ///< [m]
   double fx = 0.0, fy = 0.0;  ///< [N] on the modelled thickness
   double tolerance = 0.05;    ///< [m] largest distance to a node
+  std::string blocks = "all";  ///< a set of blocks, one of which bears it
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;
+  std::vector<SetOfLoad> sets() const { return {{"blocks", blocks, true}}; }
 };
 
 }  // namespace voussoir
