@@ -40,16 +40,16 @@ void add_crowd<2>(const Structure<2>& s, const CrowdParameters& load, const Face
                   std::vector<double>& force) {
   for (const auto& e : edges_of_set(s, facets)) {
     const Vector<2> traction{0, -factor * load.intensity * std::abs(e.x[1][0] - e.x[0][0]) / e.length};
-    add_along(e, part_between(e, 0, load.x_from, load.x_to), s.model().thickness,
-              [&](const Vector<2>&) { return traction; }, force);
+    add_along(
+        e, part_between(e, 0, load.x_from, load.x_to), s.model().thickness, [&](const Vector<2>&) { return traction; },
+        force);
   }
 }
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const CrowdParameters& p, const LoadSite<2>& site) {
-  return pattern_of(site.structure, [&](auto& unit) {
-    add_crowd(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit);
-  });
+  return pattern_of(site.structure,
+                    [&](auto& unit) { add_crowd(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit); });
 }
 
 }  // namespace voussoir

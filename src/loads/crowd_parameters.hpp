@@ -11,9 +11,9 @@ namespace voussoir {
 struct CrowdParameters : LoadKindParameters {
   static constexpr const char* word = "crowd";
   static constexpr const char* text = "Vertical force per horizontal area on a part of an edge";
-  std::string on;                     ///< a set of facets
-  std::string blocks;                 ///< a set of blocks whose facets alone are meant; "" for all of the set
-  double intensity = 5e3;             ///< [Pa] per horizontal area, downwards
+  std::string on;                      ///< a set of facets
+  std::string blocks;                  ///< a set of blocks whose facets alone are meant; "" for all of the set
+  double intensity = 5e3;              ///< [Pa] per horizontal area, downwards
   double x_from = -1e30, x_to = 1e30;  ///< [m]
   void declare(ParameterSection&);
   std::string summary() const;

@@ -11,10 +11,10 @@ namespace voussoir {
 
 /// An edge of a block on this rank or its halo.
 struct LoadedEdge {
-  int node[2];           ///< local node copies
-  Vector<2> x[2];        ///< [m] their positions
-  Vector<2> outward;     ///< unit normal that leaves the block
-  double length;         ///< [m]
+  int node[2];        ///< local node copies
+  Vector<2> x[2];     ///< [m] their positions
+  Vector<2> outward;  ///< unit normal that leaves the block
+  double length;      ///< [m]
 
   /// Position at s in [0, 1] from the first node to the second.
   Vector<2> at(double s) const { return x[0] + s * (x[1] - x[0]); }

@@ -16,9 +16,9 @@ namespace {
 
 /// An edge of the deck from left to right, known on every rank.
 struct DeckEdge {
-  double x[2];     ///< [m] rising
+  double x[2];      ///< [m] rising
   long long id[2];  ///< nodes
-  int local[2];    ///< the same on this rank, -1 elsewhere
+  int local[2];     ///< the same on this rank, -1 elsewhere
 };
 
 /// The same while the deck is put together.
@@ -40,10 +40,9 @@ class MovingTrain final : public Load<2> {
     for (const auto& e : edges_of_set(s, site.facet_set(p.on, p.blocks))) {
       if (e.node[0] >= s.owned_nodes() || e.x[0][0] == e.x[1][0]) continue;
       const int left = e.x[0][0] < e.x[1][0] ? 0 : 1;
-      mine.push_back({{{e.x[left][0], e.x[1 - left][0]},
-                       {s.node_id()[e.node[left]], s.node_id()[e.node[1 - left]]},
-                       {-1, -1}},
-                      s.blocks()[s.block_of_node()[e.node[0]]].mesh.id});
+      mine.push_back(
+          {{{e.x[left][0], e.x[1 - left][0]}, {s.node_id()[e.node[left]], s.node_id()[e.node[1 - left]]}, {-1, -1}},
+           s.blocks()[s.block_of_node()[e.node[0]]].mesh.id});
     }
     auto edges = all_gather(mine, *s.comm());
     std::sort(edges.begin(), edges.end(), [](const EdgeOfStone& a, const EdgeOfStone& b) {
@@ -88,8 +87,8 @@ class MovingTrain final : public Load<2> {
     return static_cast<int>(after - deck_.begin()) - 1;
   }
 
-  /// Axles that stand on the joint of two stones, or edges above each other: which stone bears them is chosen, not said.
-  /// Those that move pass joints in no time.
+  /// Axles that stand on the joint of two stones, or edges above each other: which stone bears them is chosen, not
+  /// said. Those that move pass joints in no time.
   void look_for_several_stones(const std::vector<EdgeOfStone>& edges, const LoadSite<2>& site) {
     const auto warn = [&](const std::string& place, const std::vector<BlockId>& stones, BlockId bearer) {
       if (warnings_.empty()) warnings_ = warning_of_bearer(site, "load_on_several_stones", place, stones, bearer);

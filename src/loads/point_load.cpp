@@ -54,8 +54,8 @@ void add_point_load<2>(const Structure<2>& s, const PointLoadParameters& load, d
   const auto node = nearest_node(s, Vector<2>{load.x, load.y}, among);
   if (node.distance > load.tolerance)
     throw InputError(where + " > tolerance = " + number_text(load.tolerance) +
-                     " [m]\n  is exceeded: the node nearest to (" + number_text(load.x) + ", " +
-                     number_text(load.y) + ") m is " + number_text(node.distance) +
+                     " [m]\n  is exceeded: the node nearest to (" + number_text(load.x) + ", " + number_text(load.y) +
+                     ") m is " + number_text(node.distance) +
                      " m away.\n  Move the point to the outside of the structure, or give a larger tolerance.");
   if (node.local < 0) return;
   force[2 * node.local] += factor * load.fx;

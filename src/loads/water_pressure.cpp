@@ -28,14 +28,13 @@ std::optional<FacetsOfLoad> WaterPressureParameters::facets() const {
 bool WaterPressureParameters::is_zero() const { return density == 0 || gravity == 0; }
 
 template <>
-void add_water_pressure<2>(const Structure<2>& s, const WaterPressureParameters& load, const FacetSet& facets, double factor,
-                           std::vector<double>& force) {
+void add_water_pressure<2>(const Structure<2>& s, const WaterPressureParameters& load, const FacetSet& facets,
+                           double factor, std::vector<double>& force) {
   for (const auto& e : edges_of_set(s, facets))
-    add_along(e, part_between(e, 1, -1e30, load.level), s.model().thickness,
-              [&](const Vector<2>& x) {
-                return (-factor * load.density * load.gravity * (load.level - x[1])) * e.outward;
-              },
-              force);
+    add_along(
+        e, part_between(e, 1, -1e30, load.level), s.model().thickness,
+        [&](const Vector<2>& x) { return (-factor * load.density * load.gravity * (load.level - x[1])) * e.outward; },
+        force);
 }
 
 template <>

@@ -1,8 +1,8 @@
 // How curves that a .geo divides by itself (Transfinite Curve) follow a wanted size of cells.
 //
 // Opposite sides of a transfinite surface must have equally many cells, each side perhaps of several curves. What keeps
-// all such sums right without knowing them is one factor for all curves: cells = m x (cells of the file / their greatest
-// common divisor), with the smallest m for which no cell is longer than wanted.
+// all such sums right without knowing them is one factor for all curves: cells = m x (cells of the file / their
+// greatest common divisor), with the smallest m for which no cell is longer than wanted.
 #pragma once
 
 #include <string>
@@ -24,8 +24,8 @@ struct Division {
 };
 
 /// Divisions with cells as long as wanted and not longer; empty when those of the file are.
-/// Throws InputError when the file's divisions are finer than wanted and cannot be joined, or graded in a way other than
-/// by a constant ratio.
+/// Throws InputError when the file's divisions are finer than wanted and cannot be joined, or graded in a way other
+/// than by a constant ratio.
 /// @param wanted  [m] length of cells
 /// @param file    for messages
 std::vector<Division> divisions_for(const std::vector<DividedCurve>&, double wanted, const std::string& file);

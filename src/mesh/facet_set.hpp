@@ -43,8 +43,8 @@ FacetSet facet_set(const BlockSource<dim>&, const FacetNames&);
 /// A facet of a joint of which a set has both sides, once.
 template <int dim>
 struct TwoSidedFacet {
-  BlockId block_i, block_j;          ///< ascending
-  std::array<Vector<dim>, 2> x;      ///< [m] its ends
+  BlockId block_i, block_j;      ///< ascending
+  std::array<Vector<dim>, 2> x;  ///< [m] its ends
   double length() const { return norm(x[1] - x[0]); }
 };
 

@@ -87,7 +87,8 @@ std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std:
                             : name == "element_size" ? "gmsh > element size"
                                                      : "gmsh > cells";
     const std::string shown = name == "recombine" && !in_geometry ? "quadrilateral" : in_words(value);
-    if (!std::isfinite(value)) refuse_mesh(key, shown, "must be a finite number.", "Give the value in the units of the file.");
+    if (!std::isfinite(value))
+      refuse_mesh(key, shown, "must be a finite number.", "Give the value in the units of the file.");
     if (!std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")))
       refuse_mesh(key, shown, "is no name a .geo file can have.", "Use letters, digits and _.");
     if (!may_be_elsewhere && defined.count(name) == 0)

@@ -29,8 +29,7 @@ void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& suppor
 
 /// The same on rank 0 for all ranks: every rank throws, or none. Collective.
 template <int dim>
-void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported,
-                  const Teuchos::Comm<int>&);
+void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported, const Teuchos::Comm<int>&);
 
 /// Throws InputError for blocks that hold no facet of a supported set and are not joined, directly or through others,
 /// to one that does. Blocks are joined when they share `dim` vertices. An empty list of sets means that

@@ -25,13 +25,15 @@ void GmshParameters::declare(ParameterSection& section) {
               Presence::required, "Give the path of a file of gmsh, such as meshes/clare-college-bridge.geo.");
   section.add_choice<double>("unit", unit, {{"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"ft", foot}},
                              "unit of the lengths in the file; everything else of a scene is in metres");
-  section.add("element size", element_size, "m", at_least(0.0),
-              "wanted length of cell edges: the number element_size where the .geo defines one, else gmsh's mesh size; 0 "
-              "keeps that of the file",
-              "a length", "Give 0 for the size the file has.");
+  section.add(
+      "element size", element_size, "m", at_least(0.0),
+      "wanted length of cell edges: the number element_size where the .geo defines one, else gmsh's mesh size; 0 "
+      "keeps that of the file",
+      "a length", "Give 0 for the size the file has.");
   add_cells(section, cells);
-  section.add_numbers("geometry", geometry, "", any_number(),
-                      "further numbers set in the .geo by their name, such as pier_settlement = 0.05, in the units of the file");
+  section.add_numbers(
+      "geometry", geometry, "", any_number(),
+      "further numbers set in the .geo by their name, such as pier_settlement = 0.05, in the units of the file");
 }
 
 void Opening::declare(ParameterSection& section) {

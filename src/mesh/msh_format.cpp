@@ -41,12 +41,13 @@ std::vector<char> one_of_each_group(const std::string& file, const std::string& 
   }
   for (const auto& [cell, count] : times) {
     if (count == groups.size()) continue;
-    refuse_mesh("gmsh > file", file,
-                "gives " + what + " to the physical groups " + list_of(groups) +
-                    ", and not each of its cells to all of them, so that several parts carry the number of one (they "
-                    "would be one block, or one set of edges, joined by nothing but that number).",
-                "Give every stone and every named line an elementary number of its own, the second tag of its cells; or "
-                "save the mesh from its geometry in gmsh, in format 4.1.");
+    refuse_mesh(
+        "gmsh > file", file,
+        "gives " + what + " to the physical groups " + list_of(groups) +
+            ", and not each of its cells to all of them, so that several parts carry the number of one (they "
+            "would be one block, or one set of edges, joined by nothing but that number).",
+        "Give every stone and every named line an elementary number of its own, the second tag of its cells; or "
+        "save the mesh from its geometry in gmsh, in format 4.1.");
   }
   return keep;
 }

@@ -1,8 +1,9 @@
 // What the format of a finished mesh tells of its surfaces, and what it does not.
 //
-// Format 4 lists surfaces and curves with their physical groups. Formats 1 and 2 have cells only, each with the number of
-// one physical group and of one surface ("elementary entity"): gmsh writes a cell once for every group of its surface,
-// and leaves out what is in no group while anything is in one. Converters often give all cells the same surface.
+// Format 4 lists surfaces and curves with their physical groups. Formats 1 and 2 have cells only, each with the number
+// of one physical group and of one surface ("elementary entity"): gmsh writes a cell once for every group of its
+// surface, and leaves out what is in no group while anything is in one. Converters often give all cells the same
+// surface.
 #pragma once
 
 #include <string>

@@ -55,7 +55,7 @@ void warn_of_sizes(const Scene& scene, const BlockSource<2>& source, Warnings& a
   for (BlockId b = 0; b < source.block_count(); ++b) {
     if (!from_file && b != 0 && b != source.block_count() - 1) continue;  // generated stones are alike
     const double size = extent(source.block(b));
-    large += size > large_stone;
+    large += size > large_stone && (from_file || b == 0);
     if (size > largest) {
       largest = size;
       where = b;
@@ -68,10 +68,11 @@ void warn_of_sizes(const Scene& scene, const BlockSource<2>& source, Warnings& a
                       std::string(scene.mesh.gmsh.unit == 1 ? "m" : number_text(scene.mesh.gmsh.unit) + " m") + ")"
                 : "; lengths of a scene are in metres";
   if (large > 0)
-    all.push_back({"large_stones", scene.file + ": scene > " + key, "", largest,
-                   name + " is " + size + " long" +
-                       (large > 1 && from_file ? " and " + std::to_string(large - 1) + " more exceed " : ", more than ") +
-                       number_text(large_stone) + " m" + question});
+    all.push_back(
+        {"large_stones", scene.file + ": scene > " + key, "", largest,
+         name + " is " + size + " long" +
+             (large > 1 && from_file ? " and " + std::to_string(large - 1) + " more exceed " : ", more than ") +
+             number_text(large_stone) + " m" + question});
   else if (largest < small_stone)
     all.push_back({"small_stones", scene.file + ": scene > " + key, "", largest,
                    "the largest stone, " + name + ", is " + size + " long" + question});
@@ -92,7 +93,8 @@ void warn_of_lone_stones(const Scene& scene, const BlockSource<2>& source, Warni
   }
   if (lone == 0 || lone == blocks) return;  // where all stand alone there are no joints, which is said
   all.push_back({"stones_without_joint", scene.file + ": scene > mesh", "", static_cast<double>(lone),
-                 source.block(first).name + (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
+                 source.block(first).name +
+                     (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
                      " no joint with any other stone: nothing passes between, and nothing keeps stones from moving "
                      "through each other; let stones that touch share the curve between them"});
 }

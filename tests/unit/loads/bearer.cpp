@@ -28,8 +28,9 @@ TEUCHOS_UNIT_TEST(PointLoad, OnAJointSaysWhichStoneBearsIt) {
   TEST_EQUALITY(warnings[0].what, "load_on_several_stones");
   TEST_EQUALITY(warnings[0].where, "scene > loads > tested");
   TEST_EQUALITY(warnings[0].how_much, 2.0);
-  TEST_ASSERT(says(warnings, "2 stones, block 14 (course 3, stone 1), block 15 (course 3, stone 2); block 14 (course 3, "
-                             "stone 1) bears the load"));
+  TEST_ASSERT(says(warnings,
+                   "2 stones, block 14 (course 3, stone 1), block 15 (course 3, stone 2); block 14 (course 3, "
+                   "stone 1) bears the load"));
   TEST_ASSERT(wall.made(at(0.5, 1.0))->warnings().empty());  // the middle of a stone
 }
 

@@ -1,6 +1,7 @@
 // The two sides of a curve between stones.
 #include "mesh/facet_set.hpp"
 
+#include "mesh/block_list.hpp"
 #include "mesh/mesh_check.hpp"
 #include "unit/mesh/gmsh_files.hpp"
 
@@ -39,7 +40,7 @@ TEUCHOS_UNIT_TEST(FacetSet, HoldsOnlyTheStonesOfItsSide) {
   list.block_sets = source->block_sets();
   list.facet_sets = source->facet_sets();
   for (VertexId& vertex : list.blocks[1].vertex) vertex += 1000;  // the stones are joined no more
-  const auto apart = make_source(list);
+  const auto apart = make_source<2>(list);
   TEST_EQUALITY(input_error([&] { check_supports(*apart, {"base"}); }), "");
   TEST_ASSERT(holds(input_error([&] { check_supports(*apart, {FacetNames("base", "west")}); }),
                     "mesh: surface 4 (group 7, both) has neither support nor joint"));

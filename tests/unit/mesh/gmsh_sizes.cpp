@@ -16,7 +16,8 @@ double longest_edge(const BlockSource<2>& source) {
     const auto block = source.block(b);
     for (const Cell& cell : block.cells)
       for (int k = 0; k < cell.count; ++k)
-        longest = std::max(longest, norm(block.position[cell.node[(k + 1) % cell.count]] - block.position[cell.node[k]]));
+        longest =
+            std::max(longest, norm(block.position[cell.node[(k + 1) % cell.count]] - block.position[cell.node[k]]));
   }
   return longest;
 }
@@ -33,7 +34,8 @@ Vector<2> far_corner(const BlockSource<2>& source) {
 const std::string plate = square + "Plane Surface(1) = {1}; Physical Curve(\"base\") = {1};\n";
 // Two plates of 1 by 0.5 upon each other, 4 cells along and 2 up.
 const std::string divided = R"(
-Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,0.5,0}; Point(4) = {0,0.5,0}; Point(5) = {1,1,0}; Point(6) = {0,1,0};
+Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,0.5,0}; Point(4) = {0,0.5,0};
+Point(5) = {1,1,0}; Point(6) = {0,1,0};
 Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1}; Line(5) = {3,5}; Line(6) = {5,6}; Line(7) = {6,4};
 Transfinite Curve{1,3,6} = 5; Transfinite Curve{2,4,5,7} = 3;
 Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1}; Curve Loop(2) = {-3,5,6,7}; Plane Surface(2) = {2};
@@ -79,10 +81,11 @@ TEUCHOS_UNIT_TEST(ElementSize, ReachesAFileThatHasNoNumberForIt) {
 }
 
 TEUCHOS_UNIT_TEST(ElementSize, OverridesPointsFieldsAndOptionsOfTheFile) {
-  GmshParameters p = written("fine.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 1, 1};\n"
-                                         "Field[1] = MathEval; Field[1].F = \"0.05\"; Background Field = 1;\n"
-                                         "Mesh.MeshSizeFactor = 0.5; Mesh.MeshSizeMax = 0.1;\n"
-                                         "Physical Curve(\"base\") = {1};\n");
+  GmshParameters p = written("fine.geo",
+                             "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 1, 1};\n"
+                             "Field[1] = MathEval; Field[1].F = \"0.05\"; Background Field = 1;\n"
+                             "Mesh.MeshSizeFactor = 0.5; Mesh.MeshSizeMax = 0.1;\n"
+                             "Physical Curve(\"base\") = {1};\n");
   p.element_size = 0.5;
   TEST_EQUALITY(facet_midpoints(*read(p), "base").size(), 2u);
 }
@@ -99,7 +102,7 @@ TEUCHOS_UNIT_TEST(ElementSize, RefinesAndCoarsensDivisionsOfTheFile) {
   };
   TEST_EQUALITY(nodes(0.25), 5 * 3);
   TEST_EQUALITY(nodes(0.125), 9 * 5);
-  TEST_EQUALITY(nodes(0.1), 11 * 6);   // cells of 0.1 m: five times the least division of 2 x 1
+  TEST_EQUALITY(nodes(0.1), 11 * 6);  // cells of 0.1 m: five times the least division of 2 x 1
   TEST_EQUALITY(nodes(0.5), 3 * 2);
   p.element_size = 1;
   TEST_ASSERT(holds(refusal(p), "gmsh > element size = 1 m\n  cannot be had"));
@@ -107,9 +110,10 @@ TEUCHOS_UNIT_TEST(ElementSize, RefinesAndCoarsensDivisionsOfTheFile) {
 }
 
 TEUCHOS_UNIT_TEST(ElementSize, KeepsTheGradingOfTheFile) {
-  GmshParameters p = written("graded.geo", square + "Transfinite Curve{1, -3} = 4 Using Progression 2;\n"
-                                                    "Transfinite Curve{2, 4} = 2; Plane Surface(1) = {1};\n"
-                                                    "Transfinite Surface{1}; Physical Curve(\"base\") = {1};\n");
+  GmshParameters p = written("graded.geo", square +
+                                               "Transfinite Curve{1, -3} = 4 Using Progression 2;\n"
+                                               "Transfinite Curve{2, 4} = 2; Plane Surface(1) = {1};\n"
+                                               "Transfinite Surface{1}; Physical Curve(\"base\") = {1};\n");
   p.element_size = 0.5;  // its cells are 1/7, 2/7 and 4/7 long, and 1
   const auto x = facet_midpoints(*read(p), "base");
   TEST_EQUALITY(x.size(), 6u);
@@ -129,8 +133,9 @@ TEUCHOS_UNIT_TEST(ElementSize, NumbersOfIncludedFilesAreFound) {
   p.element_size = 0.2;
   TEST_EQUALITY(facet_midpoints(*read(p), "base").size(), 5u);
   const std::string corners = written("corners.geo", square).file;
-  p = written("including_points.geo", "Include \"" + corners + "\";\nPlane Surface(1) = {1};\nPhysical Curve(\"base\") "
-                                      "= {1};\n");
+  p = written("including_points.geo", "Include \"" + corners +
+                                          "\";\nPlane Surface(1) = {1};\nPhysical Curve(\"base\") "
+                                          "= {1};\n");
   p.element_size = 0.25;
   TEST_EQUALITY(facet_midpoints(*read(p), "base").size(), 4u);  // no number anywhere: gmsh's own size
 }

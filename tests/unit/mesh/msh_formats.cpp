@@ -16,8 +16,8 @@ struct Line {
   int group, entity;
 };
 
-/// Two unit squares of two triangles one upon the other, nodes 1 2 / 3 4 / 5 6 from below; node 7 and 8 are copies of 3, 4,
-/// and 9 to 11 are the corners of a triangle that touches node 6 alone.
+/// Two unit squares of two triangles one upon the other, nodes 1 2 / 3 4 / 5 6 from below; node 7 and 8 are copies of
+/// 3, 4, and 9 to 11 are the corners of a triangle that touches node 6 alone.
 GmshParameters format_2(const std::string& name, const std::vector<Line>& lines) {
   std::ostringstream text;
   text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n1 3 \"ground\"\n1 4 \"top\"\n2 1 \"bed\"\n2 2 "
@@ -54,7 +54,8 @@ TEUCHOS_UNIT_TEST(MshFormats, StonesWithSurfacesOfTheirOwnAreRead) {
 
 TEUCHOS_UNIT_TEST(MshFormats, StonesOfTwoGroupsThatNameOneSurfaceAreRefused) {
   const std::string said = refusal(format_2("one.msh", squares(1, 7, 2, 7)));
-  TEST_ASSERT(holds(said, "one.msh\n  gives surface 7 to the physical groups bed, stone, and not each of its cells to all"));
+  TEST_ASSERT(
+      holds(said, "one.msh\n  gives surface 7 to the physical groups bed, stone, and not each of its cells to all"));
   TEST_ASSERT(holds(said, "Give every stone and every named line an elementary number of its own"));
 }
 
@@ -73,7 +74,8 @@ TEUCHOS_UNIT_TEST(MshFormats, ACellOnceForEachGroupOfItsSurfaceIsOneCell) {
   TEST_EQUALITY(source->block(1).cells.size(), 2u);
   TEST_EQUALITY(source->block(1).name, "surface 2 (bed, stone)");
   lines.pop_back();  // one cell in one group, the other in two
-  TEST_ASSERT(holds(refusal(format_2("once_and_twice.msh", lines)), "gives surface 2 to the physical groups bed, stone"));
+  TEST_ASSERT(
+      holds(refusal(format_2("once_and_twice.msh", lines)), "gives surface 2 to the physical groups bed, stone"));
 }
 
 TEUCHOS_UNIT_TEST(MshFormats, FormatFourMayPutASurfaceIntoTwoGroups) {
