@@ -9,6 +9,8 @@ void SupportParameters::declare(ParameterSection& section) {
               "Give a set of facets of the mesh; walls have base, top, left, right.");
   section.add_choice<std::string>("components", components, {{"xy", "xy"}, {"x", "x"}, {"y", "y"}},
                                   "components of the displacement that are held; the others are free");
+  section.add("blocks", blocks,
+              "set of blocks whose facets alone are held: says which side of a joint; all: both sides are meant");
 }
 
 }  // namespace voussoir

@@ -6,16 +6,17 @@
 
 #include "blocks/structure.hpp"
 #include "blocks/support_parameters.hpp"
+#include "mesh/facet_set.hpp"
 
 namespace voussoir {
 
 /// Calls visit(local node) for every node of a facet of the set, on blocks of this rank and its halo;
 /// a node of two facets is visited twice.
 template <int dim, class Visit>
-void for_each_node_on(const Structure<dim>& s, int facet_set, const Visit& visit) {
+void for_each_node_on(const Structure<dim>& s, const FacetSet& set, const Visit& visit) {
   for (const auto& b : s.blocks())
     for (const auto& f : b.mesh.facets)
-      if (f.set == facet_set)
+      if (set.has(b.mesh, f))
         for (int i = 0; i < f.count; ++i) visit(b.first_local + f.node[i]);
 }
 
@@ -26,8 +27,8 @@ inline bool holds(const SupportParameters& support, int c) {
 
 /// Marks held[dim node + component] for one support.
 template <int dim>
-void hold(const Structure<dim>& s, const SupportParameters& support, int facet_set, std::vector<char>& held) {
-  for_each_node_on(s, facet_set, [&](int node) {
+void hold(const Structure<dim>& s, const SupportParameters& support, const FacetSet& set, std::vector<char>& held) {
+  for_each_node_on(s, set, [&](int node) {
     for (int c = 0; c < dim; ++c)
       if (holds(support, c)) held[dim * node + c] = 1;
   });

@@ -4,9 +4,11 @@
 
 namespace voussoir {
 
-void declare_facet_set(ParameterSection& section, std::string& on) {
+void declare_facet_set(ParameterSection& section, std::string& on, std::string& blocks) {
   section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
               "Give a set of facets of the mesh; walls have base, top, left, right.");
+  section.add("blocks", blocks,
+              "set of blocks whose facets alone are loaded: says which side of a joint; all: both sides are meant");
 }
 
 void declare_block_set(ParameterSection& section, std::string& blocks) {

@@ -7,8 +7,8 @@ namespace voussoir {
 
 class ParameterSection;
 
-/// The set of facets `on` that a load acts on.
-void declare_facet_set(ParameterSection&, std::string& on);
+/// The set of facets `on` that a load acts on, and the set of `blocks` whose facets alone are meant.
+void declare_facet_set(ParameterSection&, std::string& on, std::string& blocks);
 
 /// The set of `blocks` that a load acts on; "all" unless the scene names one.
 void declare_block_set(ParameterSection&, std::string& blocks);

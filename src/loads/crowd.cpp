@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "loads/common_keys.hpp"
@@ -8,7 +10,7 @@
 namespace voussoir {
 
 void CrowdParameters::declare(ParameterSection& section) {
-  declare_facet_set(section, on);
+  declare_facet_set(section, on, blocks);
   section.add("intensity", intensity, "Pa", any_number(), "vertical force per horizontal area; a dense crowd has 5000");
   section.add("x from", x_from, "m", any_number(), "where it begins");
   section.add("x to", x_to, "m", any_number(), "where it ends");
@@ -22,23 +24,32 @@ std::string CrowdParameters::summary() const {
          " m to " + number_text(x_to) + " m";
 }
 
+std::optional<FacetsOfLoad> CrowdParameters::facets() const {
+  FacetsOfLoad facets{on, blocks};
+  facets.adds_up = true;
+  facets.reaches = [from = x_from, to = x_to](const Vector<2>& a, const Vector<2>& b) {
+    return has_width(a, b) && std::max(a[0], b[0]) > from && std::min(a[0], b[0]) < to;
+  };
+  return facets;
+}
+
 bool CrowdParameters::is_zero() const { return intensity == 0; }
 
 template <>
-void add_crowd<2>(const Structure<2>& s, const CrowdParameters& load, int facet_set, double factor,
+void add_crowd<2>(const Structure<2>& s, const CrowdParameters& load, const FacetSet& facets, double factor,
                   std::vector<double>& force) {
-  for (const auto& e : edges_of_set(s, facet_set)) {
+  for (const auto& e : edges_of_set(s, facets)) {
     const Vector<2> traction{0, -factor * load.intensity * std::abs(e.x[1][0] - e.x[0][0]) / e.length};
-    add_along(e, part_between(e, 0, load.x_from, load.x_to), s.model().thickness,
-              [&](const Vector<2>&) { return traction; }, force);
+    add_along(
+        e, part_between(e, 0, load.x_from, load.x_to), s.model().thickness, [&](const Vector<2>&) { return traction; },
+        force);
   }
 }
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const CrowdParameters& p, const LoadSite<2>& site) {
-  return pattern_of(site.structure, [&](auto& unit) {
-    add_crowd(site.structure, p, site.facet_set(p.on), 1.0, unit);
-  });
+  return pattern_of(site.structure,
+                    [&](auto& unit) { add_crowd(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit); });
 }
 
 }  // namespace voussoir

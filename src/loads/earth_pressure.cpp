@@ -1,5 +1,6 @@
 // Theory  J. Jaky, The coefficient of earth pressure at rest, J. Soc. Hung. Archit. Eng. 78 (1944) 355-358.
 //         W. J. M. Rankine, On the stability of loose earth, Phil. Trans. R. Soc. 147 (1857) 9-27.
+#include <algorithm>
 #include <cmath>
 
 #include "base/parameter_section.hpp"
@@ -12,19 +13,17 @@
 namespace voussoir {
 
 void EarthPressureParameters::declare(ParameterSection& section) {
-  declare_facet_set(section, on);
+  declare_facet_set(section, on, blocks);
   section.add("unit weight", unit_weight, "N/m3", at_least(0.0), "of the soil", "a weight",
               "Backfill has 16e3 to 20e3.");
   section.add("surface", surface, "m", any_number(), "height y of the surface of the soil; facets above bear nothing");
   section.add("surcharge", surcharge, "Pa", any_number(), "vertical pressure on that surface");
-  section.add_choice<State>("state", state,
-                            {{"at rest", State::at_rest},
-                             {"active", State::active},
-                             {"passive", State::passive},
-                             {"given", State::given}},
-                            "horizontal by vertical stress K: 1 - sin phi at rest, tan2(45 - phi / 2) where the wall "
-                            "gives way (active, the least), tan2(45 + phi / 2) where it is pushed in (passive, the "
-                            "largest), or given");
+  section.add_choice<State>(
+      "state", state,
+      {{"at rest", State::at_rest}, {"active", State::active}, {"passive", State::passive}, {"given", State::given}},
+      "horizontal by vertical stress K: 1 - sin phi at rest, tan2(45 - phi / 2) where the wall "
+      "gives way (active, the least), tan2(45 + phi / 2) where it is pushed in (passive, the "
+      "largest), or given");
   section.add("friction angle", friction_angle, "degrees", between(0, 60), "phi of the soil", "an angle of soil",
               "Loose sand has 30, gravel 40.");
   section.add("coefficient", given, "-", at_least(0.0), "K when state = given", "a soil pushes");
@@ -46,31 +45,39 @@ double EarthPressureParameters::coefficient() const {
 }
 
 std::string EarthPressureParameters::summary() const {
-  return "earth pressure with K " + number_text(coefficient()) + ", " + number_text(unit_weight) + " N/m3 below y = " +
-         number_text(surface) + " m, surcharge " + number_text(surcharge) + " Pa on " + in_quotes(on);
+  return "earth pressure with K " + number_text(coefficient()) + ", " + number_text(unit_weight) +
+         " N/m3 below y = " + number_text(surface) + " m, surcharge " + number_text(surcharge) + " Pa on " +
+         in_quotes(on);
 }
 
-bool EarthPressureParameters::is_zero() const {
-  return coefficient() == 0 || (unit_weight == 0 && surcharge == 0);
+std::optional<FacetsOfLoad> EarthPressureParameters::facets() const {
+  FacetsOfLoad facets{on, blocks};
+  facets.reaches = [surface = surface](const Vector<2>& a, const Vector<2>& b) {
+    return std::min(a[1], b[1]) < surface;
+  };
+  return facets;
 }
+
+bool EarthPressureParameters::is_zero() const { return coefficient() == 0 || (unit_weight == 0 && surcharge == 0); }
 
 template <>
-void add_earth_pressure<2>(const Structure<2>& s, const EarthPressureParameters& load, int facet_set, double factor,
-                           std::vector<double>& force) {
+void add_earth_pressure<2>(const Structure<2>& s, const EarthPressureParameters& load, const FacetSet& facets,
+                           double factor, std::vector<double>& force) {
   const double k = load.coefficient();
-  for (const auto& e : edges_of_set(s, facet_set))
-    add_along(e, part_between(e, 1, -1e30, load.surface), s.model().thickness,
-              [&](const Vector<2>& x) {
-                const double vertical = load.unit_weight * (load.surface - x[1]) + load.surcharge;
-                return Vector<2>{-factor * k * vertical * e.outward[0], 0};
-              },
-              force);
+  for (const auto& e : edges_of_set(s, facets))
+    add_along(
+        e, part_between(e, 1, -1e30, load.surface), s.model().thickness,
+        [&](const Vector<2>& x) {
+          const double vertical = load.unit_weight * (load.surface - x[1]) + load.surcharge;
+          return Vector<2>{-factor * k * vertical * e.outward[0], 0};
+        },
+        force);
 }
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const EarthPressureParameters& p, const LoadSite<2>& site) {
   return pattern_of(site.structure, [&](auto& unit) {
-    add_earth_pressure(site.structure, p, site.facet_set(p.on), 1.0, unit);
+    add_earth_pressure(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit);
   });
 }
 

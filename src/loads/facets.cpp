@@ -4,11 +4,11 @@
 
 namespace voussoir {
 
-std::vector<LoadedEdge> edges_of_set(const Structure<2>& s, int facet_set) {
+std::vector<LoadedEdge> edges_of_set(const Structure<2>& s, const FacetSet& set) {
   std::vector<LoadedEdge> edges;
   for (const auto& b : s.blocks())
     for (const auto& f : b.mesh.facets) {
-      if (f.set != facet_set) continue;
+      if (!set.has(b.mesh, f)) continue;
       const auto& x0 = b.mesh.position[f.node[0]];
       const auto& x1 = b.mesh.position[f.node[1]];
       const auto along = x1 - x0;

@@ -5,23 +5,28 @@
 #include <vector>
 
 #include "blocks/structure.hpp"
+#include "mesh/facet_set.hpp"
 
 namespace voussoir {
 
 /// An edge of a block on this rank or its halo.
 struct LoadedEdge {
-  int node[2];           ///< local node copies
-  Vector<2> x[2];        ///< [m] their positions
-  Vector<2> outward;     ///< unit normal that leaves the block
-  double length;         ///< [m]
+  int node[2];        ///< local node copies
+  Vector<2> x[2];     ///< [m] their positions
+  Vector<2> outward;  ///< unit normal that leaves the block
+  double length;      ///< [m]
 
   /// Position at s in [0, 1] from the first node to the second.
   Vector<2> at(double s) const { return x[0] + s * (x[1] - x[0]); }
 };
 
+/// Whether an edge has a horizontal projection. Corners of a vertical joint differ by the rounding of a drawing, 1e-16
+/// of coordinates and up to 1e-12 of an edge; what is steeper than this carries nothing that could be measured.
+inline bool has_width(const Vector<2>& a, const Vector<2>& b) { return std::abs(a[0] - b[0]) > 1e-9 * norm(b - a); }
+
 /// All edges of a set, on blocks of this rank and its halo. The outward side is where the block is not, judged from the
 /// cell an edge belongs to, so that the order in which a file names the nodes does not matter.
-std::vector<LoadedEdge> edges_of_set(const Structure<2>&, int facet_set);
+std::vector<LoadedEdge> edges_of_set(const Structure<2>&, const FacetSet&);
 
 /// Share [from, to] of an edge, as s in [0, 1], where low <= component c of the position <= high; from >= to for none.
 struct PartOfEdge {

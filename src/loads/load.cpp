@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
-#include "base/check.hpp"
-
 namespace voussoir {
 
 template <int dim>
-int LoadSite<dim>::facet_set(const std::string& name) const {
-  const auto& sets = source.facet_sets();
-  const auto it = std::find(sets.begin(), sets.end(), name);
-  VOUSSOIR_CHECK(it != sets.end());
-  return static_cast<int>(it - sets.begin());
+FacetSet LoadSite<dim>::facet_set(const std::string& on, const std::string& blocks) const {
+  return voussoir::facet_set(source, {on, blocks});
 }
 
 template <int dim>

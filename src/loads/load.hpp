@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/warning.hpp"
 #include "blocks/structure.hpp"
 #include "blocks/support_parameters.hpp"
 #include "loads/load_parameters.hpp"
+#include "mesh/facet_set.hpp"
 
 namespace voussoir {
 
@@ -22,7 +24,7 @@ struct LoadSite {
   const std::vector<std::pair<std::string, SupportParameters>>& supports;
   std::string where;                      ///< "xml/wall.xml: scene > loads > push"
 
-  int facet_set(const std::string& name) const;
+  FacetSet facet_set(const std::string& on, const std::string& blocks) const;
   bool in_block_set(const Block<dim>&, const std::string& name) const;
 };
 
@@ -43,6 +45,8 @@ class Load {
   virtual std::size_t bytes() const = 0;
   /// What a user should know of the load before the run; "" for nothing. The same on every rank.
   virtual std::string remark() const { return ""; }
+  /// What the result will not vouch for because of this load. The same on every rank.
+  virtual Warnings warnings() const { return {}; }
 };
 
 /// Makes a load of any type. Collective; throws InputError on every rank alike.

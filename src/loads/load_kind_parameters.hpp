@@ -9,8 +9,12 @@
 // and, where it names any, the functions below.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "base/tensor.hpp"
 
 namespace voussoir {
 
@@ -22,6 +26,15 @@ struct SetOfLoad {
   bool of_blocks = false;  ///< else of facets
 };
 
+/// Facets that a load acts on.
+struct FacetsOfLoad {
+  std::string on, blocks;
+  /// Whether forces on the two sides of a joint add up, so that one load would act twice; else they balance.
+  bool adds_up = false;
+  /// Whether the load acts on a facet between two points [m] at all.
+  std::function<bool(const Vector<2>&, const Vector<2>&)> reaches = [](const auto&, const auto&) { return true; };
+};
+
 /// A file that a load names; made absolute when the scene is read.
 struct FileOfLoad {
   std::string key;
@@ -31,6 +44,14 @@ struct FileOfLoad {
 struct LoadKindParameters {
   std::vector<SetOfLoad> sets() const { return {}; }
   std::vector<FileOfLoad> files() { return {}; }
+  std::optional<FacetsOfLoad> facets() const { return {}; }
+
+ protected:
+  /// The sets of a load on facets.
+  static std::vector<SetOfLoad> sets_of(const std::string& on, const std::string& blocks) {
+    if (blocks.empty()) return {{"on", on}};
+    return {{"on", on}, {"blocks", blocks, true}};
+  }
 };
 
 }  // namespace voussoir

@@ -69,6 +69,10 @@ std::vector<SetOfLoad> LoadParameters::sets() const {
   return std::visit([](const auto& k) { return k.sets(); }, kind);
 }
 
+std::optional<FacetsOfLoad> LoadParameters::facets() const {
+  return std::visit([](const auto& k) { return k.facets(); }, kind);
+}
+
 std::vector<FileOfLoad> LoadParameters::files() {
   auto files = std::visit([](auto& k) { return k.files(); }, kind);
   if (time_function.type == TimeFunctionType::record) files.push_back({"time function > file", &time_function.file});

@@ -2,6 +2,7 @@
 // A new type of load: its files, and a word in the list below.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +40,8 @@ struct LoadParameters {
   std::string summary() const;
   bool is_zero() const;
   std::vector<SetOfLoad> sets() const;
+  /// Nothing for a load that acts on no facets.
+  std::optional<FacetsOfLoad> facets() const;
   /// Files of the load and of its time function.
   std::vector<FileOfLoad> files();
 };

@@ -9,6 +9,7 @@
 #include "blocks/structure.hpp"
 #include "blocks/support_parameters.hpp"
 #include "loads/load_parameters.hpp"
+#include "mesh/facet_set.hpp"
 
 namespace voussoir {
 
@@ -23,19 +24,20 @@ void add_self_weight(const Structure<dim>&, const SelfWeightParameters&, double 
 
 /// Dead traction on a set of facets of the undeformed structure.
 template <int dim>
-void add_traction(const Structure<dim>&, const TractionParameters&, int facet_set, double factor,
+void add_traction(const Structure<dim>&, const TractionParameters&, const FacetSet&, double factor,
                   std::vector<double>& force);
 
 /// Moves the held components of a support.
 /// @param displacement  prescribed values [m, dim x local node copies]
 template <int dim>
-void add_settlement(const Structure<dim>&, const SettlementParameters&, const SupportParameters&, int facet_set,
+void add_settlement(const Structure<dim>&, const SettlementParameters&, const SupportParameters&, const FacetSet&,
                     double factor, std::vector<double>& displacement);
 
 /// A force at the node nearest to a point. Collective; throws InputError on every rank when it is too far.
+/// @param among  1 for each local node that may bear it; empty for all
 template <int dim>
 void add_point_load(const Structure<dim>&, const PointLoadParameters&, double factor, const std::string& where,
-                    std::vector<double>& force);
+                    std::vector<double>& force, const std::vector<char>& among = {});
 
 /// The node nearest to a point, of equally near ones the one with the lowest number. Collective.
 /// @param among  1 for each local node that counts; empty for all
@@ -48,17 +50,17 @@ NearestNode nearest_node(const Structure<dim>&, const Vector<dim>& point, const 
 
 /// Vertical force per horizontal area on a part of an edge.
 template <int dim>
-void add_crowd(const Structure<dim>&, const CrowdParameters&, int facet_set, double factor,
+void add_crowd(const Structure<dim>&, const CrowdParameters&, const FacetSet&, double factor,
                std::vector<double>& force);
 
 /// Horizontal pressure of soil.
 template <int dim>
-void add_earth_pressure(const Structure<dim>&, const EarthPressureParameters&, int facet_set, double factor,
+void add_earth_pressure(const Structure<dim>&, const EarthPressureParameters&, const FacetSet&, double factor,
                         std::vector<double>& force);
 
 /// Pressure of water below its level.
 template <int dim>
-void add_water_pressure(const Structure<dim>&, const WaterPressureParameters&, int facet_set, double factor,
+void add_water_pressure(const Structure<dim>&, const WaterPressureParameters&, const FacetSet&, double factor,
                         std::vector<double>& force);
 
 /// Weight of the displaced water, upwards.

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
+#include "loads/bearer.hpp"
 #include "loads/common_keys.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
@@ -14,10 +16,19 @@ namespace {
 
 /// An edge of the deck from left to right, known on every rank.
 struct DeckEdge {
-  double x[2];     ///< [m] rising
+  double x[2];      ///< [m] rising
   long long id[2];  ///< nodes
-  int local[2];    ///< the same on this rank, -1 elsewhere
+  int local[2];     ///< the same on this rank, -1 elsewhere
 };
+
+/// The same while the deck is put together.
+struct EdgeOfStone {
+  DeckEdge edge;
+  BlockId stone;
+};
+
+// Ends of edges that meet: far above round-off, far below the length of an edge.
+constexpr double meeting = 1e-9;  // of an edge
 
 /// Every rank knows the whole deck, so that all agree on the one edge that an axle stands on.
 class MovingTrain final : public Load<2> {
@@ -25,18 +36,20 @@ class MovingTrain final : public Load<2> {
   MovingTrain(const MovingTrainParameters& p, const LoadSite<2>& site)
       : position_(p.position), speed_(p.speed), axle_load_(p.axle_load), behind_(p.behind) {
     const auto& s = site.structure;
-    std::vector<DeckEdge> mine;
-    for (const auto& e : edges_of_set(s, site.facet_set(p.on))) {
+    std::vector<EdgeOfStone> mine;
+    for (const auto& e : edges_of_set(s, site.facet_set(p.on, p.blocks))) {
       if (e.node[0] >= s.owned_nodes() || e.x[0][0] == e.x[1][0]) continue;
       const int left = e.x[0][0] < e.x[1][0] ? 0 : 1;
-      mine.push_back({{e.x[left][0], e.x[1 - left][0]},
-                      {s.node_id()[e.node[left]], s.node_id()[e.node[1 - left]]},
-                      {-1, -1}});
+      mine.push_back(
+          {{{e.x[left][0], e.x[1 - left][0]}, {s.node_id()[e.node[left]], s.node_id()[e.node[1 - left]]}, {-1, -1}},
+           s.blocks()[s.block_of_node()[e.node[0]]].mesh.id});
     }
-    deck_ = all_gather(mine, *s.comm());
-    std::sort(deck_.begin(), deck_.end(), [](const DeckEdge& a, const DeckEdge& b) {
-      return std::make_pair(a.x[0], a.id[0]) < std::make_pair(b.x[0], b.id[0]);
+    auto edges = all_gather(mine, *s.comm());
+    std::sort(edges.begin(), edges.end(), [](const EdgeOfStone& a, const EdgeOfStone& b) {
+      return std::make_pair(a.edge.x[0], a.edge.id[0]) < std::make_pair(b.edge.x[0], b.edge.id[0]);
     });
+    for (const auto& [edge, stone] : edges) deck_.push_back(edge);
+    look_for_several_stones(edges, site);
     std::map<long long, int> local;
     for (int i = 0; i < s.nodes(); ++i) local[s.node_id()[i]] = i;
     for (auto& e : deck_)
@@ -48,11 +61,9 @@ class MovingTrain final : public Load<2> {
     const double front = position_ + speed_ * time, forwards = speed_ < 0 ? -1 : 1;
     for (std::size_t k = 0; k < axle_load_.size(); ++k) {
       const double x = front - forwards * behind_[k];
-      const auto after =
-          std::upper_bound(deck_.begin(), deck_.end(), x, [](double at, const DeckEdge& e) { return at < e.x[0]; });
-      if (after == deck_.begin()) continue;
-      const DeckEdge& e = *(after - 1);
-      if (x > e.x[1]) continue;  // beside the deck
+      const int below = edge_below(x);
+      if (below < 0) continue;
+      const DeckEdge& e = deck_[below];
       const double s = (x - e.x[0]) / (e.x[1] - e.x[0]);
       const double share[2] = {1 - s, s};
       for (int i = 0; i < 2; ++i)
@@ -65,16 +76,58 @@ class MovingTrain final : public Load<2> {
            deck_.capacity() * sizeof(DeckEdge);
   }
 
+  Warnings warnings() const override { return warnings_; }
+
  private:
+  /// The edge an axle stands on, -1 beside the deck.
+  int edge_below(double x) const {
+    const auto after =
+        std::upper_bound(deck_.begin(), deck_.end(), x, [](double at, const DeckEdge& e) { return at < e.x[0]; });
+    if (after == deck_.begin() || x > (after - 1)->x[1]) return -1;
+    return static_cast<int>(after - deck_.begin()) - 1;
+  }
+
+  /// Axles that stand on the joint of two stones, or edges above each other: which stone bears them is chosen, not
+  /// said. Those that move pass joints in no time.
+  void look_for_several_stones(const std::vector<EdgeOfStone>& edges, const LoadSite<2>& site) {
+    const auto warn = [&](const std::string& place, const std::vector<BlockId>& stones, BlockId bearer) {
+      if (warnings_.empty()) warnings_ = warning_of_bearer(site, "load_on_several_stones", place, stones, bearer);
+    };
+    double reached = -std::numeric_limits<double>::infinity();
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto& x = edges[k].edge.x;
+      if (x[0] < reached - meeting * (x[1] - x[0]))
+        warn("the deck at x = " + number_text(x[0]) + " m", {edges[last].stone, edges[k].stone}, edges[k].stone);
+      if (x[1] > reached) {
+        reached = x[1];
+        last = k;
+      }
+    }
+    for (std::size_t k = 0; speed_ == 0 && k < behind_.size(); ++k) {
+      const double x = position_ - behind_[k];
+      const int below = edge_below(x);
+      if (below < 0) continue;
+      std::vector<BlockId> stones;
+      for (const auto& [edge, stone] : edges) {
+        const double beyond = meeting * (edge.x[1] - edge.x[0]);
+        if (x >= edge.x[0] - beyond && x <= edge.x[1] + beyond) stones.push_back(stone);
+      }
+      warn("the deck below axle " + std::to_string(k + 1) + " at x = " + number_text(x) + " m", stones,
+           edges[below].stone);
+    }
+  }
+
   double position_, speed_;
   std::vector<double> axle_load_, behind_;
   std::vector<DeckEdge> deck_;
+  Warnings warnings_;
 };
 
 }  // namespace
 
 void MovingTrainParameters::declare(ParameterSection& section) {
-  declare_facet_set(section, on);
+  declare_facet_set(section, on, blocks);
   section.add("axle loads", axle_loads, "force of each axle [N] on the modelled thickness, downwards: \"80e3, 80e3\"",
               Presence::required, "Give a number for each axle, the first in front.");
   section.add("spacings", spacings, "distances [m] from each axle to the next: \"2.5\"");
@@ -100,6 +153,13 @@ void MovingTrainParameters::declare(ParameterSection& section) {
 std::string MovingTrainParameters::summary() const {
   return "moving train of axles " + axle_loads + " N at distances " + (spacings.empty() ? "-" : spacings) + " m on " +
          in_quotes(on) + ", first at x = " + number_text(position) + " m, speed " + number_text(speed) + " m/s";
+}
+
+std::optional<FacetsOfLoad> MovingTrainParameters::facets() const {
+  FacetsOfLoad facets{on, blocks};
+  facets.adds_up = true;
+  facets.reaches = [](const Vector<2>& a, const Vector<2>& b) { return has_width(a, b); };
+  return facets;
 }
 
 bool MovingTrainParameters::is_zero() const {

@@ -11,15 +11,17 @@ namespace voussoir {
 struct MovingTrainParameters : LoadKindParameters {
   static constexpr const char* word = "moving train";
   static constexpr const char* text = "Axle loads that move along an edge";
-  std::string on;                             ///< a set of facets
-  std::string axle_loads, spacings;           ///< numbers, as text
-  double position = 0.0, speed = 0.0;         ///< [m] of the first axle at time 0, [m/s] along x
-  std::vector<double> axle_load;              ///< [N] on the modelled thickness, downwards
-  std::vector<double> behind;                 ///< [m] of each axle, how far it is behind the first
+  std::string on;                      ///< a set of facets
+  std::string blocks;                  ///< a set of blocks whose facets alone are meant; "" for all of the set
+  std::string axle_loads, spacings;    ///< numbers, as text
+  double position = 0.0, speed = 0.0;  ///< [m] of the first axle at time 0, [m/s] along x
+  std::vector<double> axle_load;       ///< [N] on the modelled thickness, downwards
+  std::vector<double> behind;          ///< [m] of each axle, how far it is behind the first
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;
-  std::vector<SetOfLoad> sets() const { return {{"on", on}}; }
+  std::vector<SetOfLoad> sets() const { return sets_of(on, blocks); }
+  std::optional<FacetsOfLoad> facets() const;
 };
 
 }  // namespace voussoir

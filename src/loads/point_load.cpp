@@ -5,6 +5,8 @@
 #include "base/error.hpp"
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "linalg/gather.hpp"
+#include "loads/bearer.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
 
@@ -17,6 +19,8 @@ void PointLoadParameters::declare(ParameterSection& section) {
   section.add("fy", fy, "N", any_number(), "force upwards, on the modelled thickness");
   section.add("tolerance", tolerance, "m", at_least(0.0), "largest distance from the point to the nearest node",
               "a distance", "Half the element size is enough on the outside of the structure.");
+  section.add("blocks", blocks, "set of blocks whose nodes are looked at: says which stone bears a load on a joint",
+              Presence::optional, "Give \"all\" or a set of the mesh.");
 }
 
 std::string PointLoadParameters::summary() const {
@@ -46,21 +50,63 @@ NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point, const
 
 template <>
 void add_point_load<2>(const Structure<2>& s, const PointLoadParameters& load, double factor, const std::string& where,
-                       std::vector<double>& force) {
-  const auto node = nearest_node(s, Vector<2>{load.x, load.y});
+                       std::vector<double>& force, const std::vector<char>& among) {
+  const auto node = nearest_node(s, Vector<2>{load.x, load.y}, among);
   if (node.distance > load.tolerance)
     throw InputError(where + " > tolerance = " + number_text(load.tolerance) +
-                     " [m]\n  is exceeded: the node nearest to (" + number_text(load.x) + ", " +
-                     number_text(load.y) + ") m is " + number_text(node.distance) +
+                     " [m]\n  is exceeded: the node nearest to (" + number_text(load.x) + ", " + number_text(load.y) +
+                     ") m is " + number_text(node.distance) +
                      " m away.\n  Move the point to the outside of the structure, or give a larger tolerance.");
   if (node.local < 0) return;
   force[2 * node.local] += factor * load.fx;
   force[2 * node.local + 1] += factor * load.fy;
 }
 
+namespace {
+
+// Nodes as near as the nearest but for round-off: places are rounded to 1e-16 of coordinates and 1e-9 as text.
+constexpr double round_off = 1e-9;  // of the size of the structure
+
+class PointLoad final : public PatternLoad<2> {
+ public:
+  PointLoad(const std::vector<double>& unit, Warnings warnings)
+      : PatternLoad<2>(unit), warnings_(std::move(warnings)) {}
+  Warnings warnings() const override { return warnings_; }
+
+ private:
+  Warnings warnings_;
+};
+
+/// The stones of all nodes that are as near as the nearest; the bearer first. Collective.
+std::vector<BlockId> stones_near(const Structure<2>& s, const Vector<2>& point, const std::vector<char>& among) {
+  const auto nearest = nearest_node(s, point, among);
+  std::vector<BlockId> bearer, others;
+  for (int i = 0; i < s.owned_nodes(); ++i) {
+    if (!among[i] || norm(s.position()[i] - point) > nearest.distance + round_off * s.size()) continue;
+    const BlockId stone = s.blocks()[s.block_of_node()[i]].mesh.id;
+    (i == nearest.local ? bearer : others).push_back(stone);
+  }
+  auto stones = all_gather(bearer, *s.comm());
+  const auto more = all_gather(others, *s.comm());
+  stones.insert(stones.end(), more.begin(), more.end());
+  return stones;
+}
+
+}  // namespace
+
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const PointLoadParameters& p, const LoadSite<2>& site) {
-  return pattern_of(site.structure, [&](auto& unit) { add_point_load(site.structure, p, 1.0, site.where, unit); });
+  const auto& s = site.structure;
+  std::vector<char> among(s.nodes(), 0);
+  for (const auto& b : s.blocks())
+    if (site.in_block_set(b.mesh, p.blocks)) std::fill_n(among.begin() + b.first_local, b.mesh.position.size(), 1);
+  std::vector<double> unit(2 * static_cast<std::size_t>(s.nodes()), 0.0);
+  add_point_load(s, p, 1.0, site.where, unit, among);
+  const auto stones = stones_near(s, {p.x, p.y}, among);
+  return std::make_unique<PointLoad>(
+      unit, warning_of_bearer(site, "load_on_several_stones",
+                              "the node nearest to (" + number_text(p.x) + ", " + number_text(p.y) + ") m", stones,
+                              stones.front()));
 }
 
 }  // namespace voussoir

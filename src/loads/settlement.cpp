@@ -28,9 +28,9 @@ bool SettlementParameters::is_zero() const { return ux == 0 && uy == 0 && rotati
 
 template <>
 void add_settlement<2>(const Structure<2>& s, const SettlementParameters& load, const SupportParameters& support,
-                       int facet_set, double factor, std::vector<double>& displacement) {
+                       const FacetSet& facets, double factor, std::vector<double>& displacement) {
   std::vector<char> moved(s.nodes(), 0);  // a node of two facets moves once
-  for_each_node_on(s, facet_set, [&](int node) {
+  for_each_node_on(s, facets, [&](int node) {
     if (moved[node]) return;
     moved[node] = 1;
     const auto& x = s.drawn_position()[node];
@@ -79,7 +79,7 @@ std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& p, const Lo
   std::vector<double> unit(2 * s.nodes(), 0.0);
   std::vector<char> moved(unit.size(), 0), moves(unit.size(), 0);  // a node of two supports moves with the first
   for (const auto& [name, support] : site.supports) {
-    const int set = site.facet_set(support.on);
+    const auto set = site.facet_set(support.on, support.blocks);
     if (name == p.support) {
       add_settlement(s, p, support, set, 1.0, unit);
       hold(s, support, set, moves);

@@ -12,12 +12,14 @@ struct TractionParameters : LoadKindParameters {
   static constexpr const char* word = "traction";
   static constexpr const char* text = "Force per area on facets";
   std::string on;             ///< a set of facets
+  std::string blocks;         ///< a set of blocks whose facets alone are meant; "" for all of the set
   double tx = 0.0, ty = 0.0;  ///< [Pa]
   double pressure = 0.0;      ///< [Pa] against the outward normal, added to (tx, ty)
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;
-  std::vector<SetOfLoad> sets() const { return {{"on", on}}; }
+  std::vector<SetOfLoad> sets() const { return sets_of(on, blocks); }
+  std::optional<FacetsOfLoad> facets() const;
 };
 
 }  // namespace voussoir

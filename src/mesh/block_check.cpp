@@ -98,7 +98,8 @@ void check_pieces(const Block<2>& block) {
                  std::to_string(c) + " at " + at(block.position[block.cells[c].node[0]]) +
                  " are not connected over edges",
              "(a block is one elastic body; pieces would move freely against each other).",
-             "Make each piece a surface of its own.");
+             "Make each piece a surface of its own, in a .msh by an elementary number (the second tag of cells) of its "
+             "own.");
 }
 
 }  // namespace

@@ -32,11 +32,26 @@ class ListedBlocks final : public BlockSource<dim> {
   }
   const std::vector<std::string>& block_sets() const override { return list_.block_sets; }
   const std::vector<std::string>& facet_sets() const override { return list_.facet_sets; }
+  Warnings warnings() const override { return list_.warnings; }
 
  private:
   BlockList<dim> list_;
   mutable BlockGraph graph_;
 };
+
+void broadcast_warnings(const Teuchos::Comm<int>& comm, Warnings& warnings) {
+  std::vector<std::string> words;
+  std::vector<double> amounts;
+  for (const Warning& w : warnings) {
+    words.insert(words.end(), {w.what, w.where, w.when, w.text});
+    amounts.push_back(w.how_much);
+  }
+  broadcast_strings(comm, words);
+  broadcast_values(comm, amounts);
+  warnings.clear();
+  for (std::size_t k = 0; k < amounts.size(); ++k)
+    warnings.push_back({words[4 * k], words[4 * k + 1], words[4 * k + 2], amounts[k], words[4 * k + 3]});
+}
 
 }  // namespace
 
@@ -64,6 +79,7 @@ void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
   }
   broadcast_strings(comm, list.block_sets);
   broadcast_strings(comm, list.facet_sets);
+  broadcast_warnings(comm, list.warnings);
   broadcast_strings(comm, names);
   broadcast_values(comm, counts);
   broadcast_values(comm, positions);

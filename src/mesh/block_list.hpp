@@ -14,6 +14,7 @@ struct BlockList {
   std::vector<Block<dim>> blocks;  ///< block b has id b
   std::vector<std::string> block_sets;
   std::vector<std::string> facet_sets;
+  Warnings warnings;  ///< of the source
 };
 
 /// Gives every rank the list of rank 0. Collective.

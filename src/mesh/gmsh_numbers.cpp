@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "mesh/lattice.hpp"
 
@@ -40,16 +43,42 @@ std::set<std::string> defined_constants(const std::string& text) {
   return names;
 }
 
+/// A .geo without comments, and those it includes.
+struct Code {
+  std::string text;
+  bool complete = true;  ///< all that it includes was found
+};
+
+void read_code(const std::filesystem::path& path, std::set<std::string>& seen, Code& code) {
+  if (!seen.insert(path.lexically_normal().string()).second) return;
+  std::ifstream file(path);
+  std::ostringstream contents;
+  contents << file.rdbuf();
+  if (!file) code.complete = false;
+  const std::string text = without_comments(contents.str());
+  code.text += text + "\n";
+  static const std::regex included("\\b(Include|Merge)\\b\\s*(\"([^\"]*)\")?");
+  for (std::sregex_iterator it(text.begin(), text.end(), included), end; it != end; ++it) {
+    const std::filesystem::path name((*it)[3].str());
+    if (name.empty()) code.complete = false;  // a name that is computed
+    // Other formats (.step, .brep, .msh) define no numbers.
+    if (name.extension() == ".geo" || (*it)[1] == "Include") read_code(path.parent_path() / name, seen, code);
+  }
+}
+
 }  // namespace
 
-std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std::string& text) {
+std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std::string& path) {
   std::map<std::string, double> numbers = p.geometry;
-  if (p.element_size > 0) numbers["element_size"] = p.element_size;
   if (p.cells == CellType::quadrilateral) numbers["recombine"] = 1;
 
-  const std::string code = without_comments(text);
-  const std::set<std::string> defined = defined_constants(code);
-  const bool may_be_elsewhere = std::regex_search(code, std::regex("\\b(Include|Merge)\\b"));
+  Code code;
+  std::set<std::string> seen;
+  read_code(path, seen, code);
+  const std::set<std::string> defined = defined_constants(code.text);
+  const bool may_be_elsewhere = !code.complete;
+  if (p.element_size > 0 && (may_be_elsewhere || defined.count("element_size")))
+    numbers["element_size"] = p.element_size / p.unit;
   std::string offered;
   for (const std::string& name : defined) offered += (offered.empty() ? "" : ", ") + name;
   for (const auto& [name, value] : numbers) {
@@ -58,7 +87,8 @@ std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std:
                             : name == "element_size" ? "gmsh > element size"
                                                      : "gmsh > cells";
     const std::string shown = name == "recombine" && !in_geometry ? "quadrilateral" : in_words(value);
-    if (!std::isfinite(value)) refuse_mesh(key, shown, "must be a finite number.", "Give the value in SI units.");
+    if (!std::isfinite(value))
+      refuse_mesh(key, shown, "must be a finite number.", "Give the value in the units of the file.");
     if (!std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")))
       refuse_mesh(key, shown, "is no name a .geo file can have.", "Use letters, digits and _.");
     if (!may_be_elsewhere && defined.count(name) == 0)

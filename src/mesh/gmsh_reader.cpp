@@ -10,14 +10,15 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
+#include "mesh/divisions.hpp"
 #include "mesh/gmsh_numbers.hpp"
 #include "mesh/lattice.hpp"
+#include "mesh/msh_format.hpp"
 #include "mesh/on_rank_zero.hpp"
 #include "mesh/surface_mesh.hpp"
 
@@ -88,8 +89,98 @@ class TemporaryFile {
   std::string path_;
 };
 
+/// A finished mesh, not a geometry to be meshed.
+bool is_mesh(const std::string& file) { return std::filesystem::path(file).extension() == ".msh"; }
+
 [[noreturn]] void refuse_file(const std::string& file, const std::string& why, const std::string& advice) {
   refuse_mesh("gmsh > file", file, why, advice);
+}
+
+/// Cells of that length everywhere, whatever points and fields of the file say.
+void set_mesh_size(double size) {
+  gmsh::option::setNumber("Mesh.MeshSizeMin", size);
+  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
+  gmsh::option::setNumber("Mesh.MeshSizeFactor", 1);
+}
+
+/// Lengths [units of the file] of the cells of every curve, from its beginning.
+std::map<int, std::vector<double>> cells_of_curves() {
+  std::map<int, std::vector<double>> cells;
+  gmsh::vectorpair curves;
+  gmsh::model::getEntities(curves, 1);
+  for (const auto& [dim, tag] : curves) {
+    std::vector<std::size_t> nodes;
+    std::vector<double> x, along;
+    gmsh::model::mesh::getNodes(nodes, x, along, dim, tag, true);
+    std::vector<std::size_t> order(std::min(nodes.size(), along.size()));
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      const double *a = &x[3 * order[k - 1]], *b = &x[3 * order[k]];
+      cells[tag].push_back(std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+  }
+  return cells;
+}
+
+/// Curves that have as many cells when four as when eight are wanted on each: the file divides them itself.
+std::vector<DividedCurve> divided_curves(double unit) {
+  const auto first = cells_of_curves();
+  std::map<int, double> length;
+  for (const auto& [tag, cells] : first)
+    for (const double cell : cells) length[tag] += cell;
+  const int nothing = gmsh::model::mesh::field::add("MathEval");  // in the place of the file's background
+  gmsh::model::mesh::field::setString(nothing, "F", "1e22");
+  gmsh::model::mesh::field::setAsBackgroundMesh(nothing);
+  for (const char* source : {"Points", "Curvature"})
+    gmsh::option::setNumber(std::string("Mesh.MeshSizeFrom") + source, 0);
+  gmsh::option::setNumber("Mesh.MeshSizeMin", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeMax", 1e22);
+  const auto divided_by = [&](double number) {
+    gmsh::model::mesh::setSizeCallback([&](int dim, int tag, double, double, double) {
+      const auto found = length.find(tag);
+      return dim == 1 && found != length.end() ? found->second / number : 1e22;
+    });
+    gmsh::model::mesh::clear();
+    gmsh::model::mesh::generate(1);
+    gmsh::model::mesh::removeSizeCallback();
+    return cells_of_curves();
+  };
+  const auto four = divided_by(4), eight = divided_by(8);
+  std::vector<DividedCurve> divided;
+  for (const auto& [tag, cells] : four)
+    if (const auto other = eight.find(tag); other != eight.end() && other->second.size() == cells.size()) {
+      divided.push_back({tag, cells});
+      for (double& cell : divided.back().lengths) cell *= unit;
+    }
+  return divided;
+}
+
+/// The element size of a scene by gmsh's mesh size, where the file has no number of that name. Divisions of the file
+/// (Transfinite Curve) do not follow a mesh size; they are set anew.
+void set_mesh_size(Gmsh& gmsh_itself, const GmshParameters& p) {
+  const double size = p.element_size / p.unit;
+  std::vector<DividedCurve> divided;
+  gmsh_itself.run(p.file, "mesh the curves of the file", [&] {
+    set_mesh_size(size);
+    gmsh::model::mesh::generate(1);
+    divided = divided_curves(p.unit);
+  });
+  const auto divisions = divisions_for(divided, p.element_size, p.file);
+  gmsh_itself.run(p.file, "mesh the curves of the file", [&] {
+    gmsh::model::mesh::clear();
+    set_mesh_size(size);
+    for (const Division& d : divisions)
+      gmsh::model::mesh::setTransfiniteCurve(d.tag, d.cells + 1, "Progression", d.ratio);
+    gmsh::model::mesh::generate(1);
+  });
+  const auto cells = cells_of_curves();
+  for (const Division& d : divisions)
+    if (const auto found = cells.find(d.tag); found != cells.end() && static_cast<int>(found->second.size()) != d.cells)
+      refuse_mesh("gmsh > element size", in_words(p.element_size) + " m",
+                  "cannot be had: curve " + std::to_string(d.tag) + " of " + p.file + " keeps its " +
+                      std::to_string(found->second.size()) + " cells whatever is wanted (Layers of an Extrude?).",
+                  "Write DefineConstant[ element_size = ... ]; in the file and use the number there.");
 }
 
 void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
@@ -104,10 +195,10 @@ void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
                   "Remove these keys or give the .geo file.");
     gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(path.string()); });
   } else if (ending == ".geo") {
-    std::ostringstream text;
-    text << file.rdbuf();
-    const TemporaryFile with_numbers(geo_with_numbers(numbers_to_set(p, text.str()), path.string()));
+    const auto numbers = numbers_to_set(p, path.string());
+    const TemporaryFile with_numbers(geo_with_numbers(numbers, path.string()));
     gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(with_numbers.path()); });
+    if (p.element_size > 0 && numbers.count("element_size") == 0) set_mesh_size(gmsh_itself, p);
     gmsh_itself.run(p.file, "mesh the file", [] { gmsh::model::mesh::generate(2); });
   } else {
     refuse_file(p.file, "is neither .geo nor .msh.", "Save other formats as .msh (version 4.1) in gmsh.");
@@ -117,7 +208,8 @@ void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
 /// The names of physical groups of a dimension, and for each entity the groups it is in, by tag.
 struct Groups {
   std::vector<std::string> names;
-  std::map<int, std::vector<int>> of_entity;
+  std::map<int, std::vector<int>> of_entity;      ///< indices of names, ascending
+  std::map<int, std::vector<std::string>> named;  ///< a name for each group, though groups may have the same
 };
 
 Groups read_groups(const std::string& file, int dimension) {
@@ -137,7 +229,10 @@ Groups read_groups(const std::string& file, int dimension) {
     if (known == groups.names.end()) groups.names.push_back(name);
     std::vector<int> entities;
     gmsh::model::getEntitiesForPhysicalGroup(dim, tag, entities);
-    for (const int entity : entities) groups.of_entity[std::abs(entity)].push_back(set);
+    for (const int entity : entities) {
+      groups.of_entity[std::abs(entity)].push_back(set);
+      groups.named[std::abs(entity)].push_back(name);
+    }
   }
   for (auto& [entity, sets] : groups.of_entity) {
     sort_unique(sets);
@@ -145,10 +240,14 @@ Groups read_groups(const std::string& file, int dimension) {
   return groups;
 }
 
+std::string name_of_entity(int dimension, int tag) {
+  return (dimension == 2 ? "surface " : "curve ") + std::to_string(tag);
+}
+
 /// Nodes in the order of their tags.
 class NodeNumbers {
  public:
-  NodeNumbers(std::string file, SurfaceMesh& mesh) : file_(std::move(file)) {
+  NodeNumbers(std::string file, double unit, SurfaceMesh& mesh) : file_(std::move(file)) {
     std::vector<double> coordinates, parametric;
     std::vector<std::size_t> tags;
     gmsh::model::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
@@ -159,12 +258,12 @@ class NodeNumbers {
     for (const auto& [tag, n] : order) {
       const double* x = &coordinates[3 * n];
       tags_.push_back(tag);
-      mesh.position.push_back({x[0], x[1]});
+      mesh.position.push_back({unit * x[0], unit * x[1]});
       extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
       off_plane = std::max(off_plane, std::abs(x[2]));
     }
     if (off_plane > coincidence * extent)
-      refuse_file(file_, "has nodes at z = " + in_words(off_plane) + " m; a plane scene lies in z = 0.",
+      refuse_file(file_, "has nodes at z = " + in_words(unit * off_plane) + " m; a plane scene lies in z = 0.",
                   "Draw the structure in the x-y plane, y upward.");
   }
   int operator()(std::size_t tag) const {
@@ -179,34 +278,29 @@ class NodeNumbers {
   std::vector<std::size_t> tags_;
 };
 
-/// Elements of one entity, all of first order: their nodes per element, element by element.
-struct Elements {
-  int nodes_each = 0;
-  std::vector<std::size_t> nodes;
-};
-
-std::vector<Elements> read_elements(const std::string& file, int dimension, int entity) {
+/// Nodes of each element of one entity, all of first order.
+std::vector<std::vector<std::size_t>> read_elements(const std::string& file, int dimension, int entity) {
   std::vector<int> types;
-  std::vector<std::vector<std::size_t>> tags, nodes;
+  std::vector<std::vector<std::size_t>> tags, nodes, elements;
   gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
-  std::vector<Elements> elements;
   for (std::size_t t = 0; t < types.size(); ++t) {
     const int line = 1, triangle = 2, quadrilateral = 3;  // types of the MSH format
     const int count = types[t] == line ? 2 : types[t] == triangle ? 3 : types[t] == quadrilateral ? 4 : 0;
     if (count == 0 && !tags[t].empty())
       refuse_file(file,
-                  "has on " + std::string(dimension == 2 ? "surface " : "curve ") + std::to_string(entity) +
-                      " cells with " + std::to_string(nodes[t].size() / tags[t].size()) +
+                  "has on " + name_of_entity(dimension, entity) + " cells with " +
+                      std::to_string(nodes[t].size() / tags[t].size()) +
                       " nodes; only triangles with 3, quadrilaterals with 4 and edges with 2 nodes are known.",
                   "Set Mesh.ElementOrder = 1 and mesh again.");
-    elements.push_back({count, std::move(nodes[t])});
+    for (auto node = nodes[t].begin(); count > 0 && node != nodes[t].end(); node += count)
+      elements.emplace_back(node, node + count);
   }
   return elements;
 }
 
 SurfaceMesh read_surfaces(const GmshParameters& p) {
   SurfaceMesh mesh;
-  const NodeNumbers number(p.file, mesh);
+  const NodeNumbers number(p.file, p.unit, mesh);
   Groups surface_groups = read_groups(p.file, 2), curve_groups = read_groups(p.file, 1);
   mesh.block_sets = surface_groups.names;
   mesh.facet_sets = curve_groups.names;
@@ -215,19 +309,28 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
   std::sort(entities.begin(), entities.end());
   if (entities.empty())
     refuse_file(p.file, "has no surface; every surface becomes a block.", "Add Plane Surfaces to the file.");
+  const bool groups_of_cells = is_mesh(p.file) && !lists_surfaces(p.file);
+  const auto elements_of = [&](int dimension, int entity, Groups& groups) {
+    auto elements = read_elements(p.file, dimension, entity);
+    if (!groups_of_cells) return elements;
+    const auto keep = one_of_each_group(p.file, name_of_entity(dimension, entity), groups.named[entity], elements);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      if (keep[k]) elements[kept++] = elements[k];
+    elements.resize(kept);
+    return elements;
+  };
   bool quadrilaterals = false;
   for (const auto& [dim, tag] : entities) {
     SurfaceMesh::Surface surface;
     surface.tag = tag;
     surface.sets = surface_groups.of_entity[tag];
-    for (const Elements& elements : read_elements(p.file, dim, tag)) {
-      quadrilaterals = quadrilaterals || elements.nodes_each == 4;
-      for (std::size_t first = 0; first < elements.nodes.size(); first += elements.nodes_each) {
-        Cell cell;
-        cell.count = elements.nodes_each;
-        for (int k = 0; k < cell.count; ++k) cell.node[k] = number(elements.nodes[first + k]);
-        surface.cells.push_back(cell);
-      }
+    for (const auto& nodes : elements_of(dim, tag, surface_groups)) {
+      Cell cell;
+      cell.count = static_cast<int>(nodes.size());
+      quadrilaterals = quadrilaterals || cell.count == 4;
+      for (int k = 0; k < cell.count; ++k) cell.node[k] = number(nodes[k]);
+      surface.cells.push_back(cell);
     }
     mesh.surfaces.push_back(std::move(surface));
   }
@@ -235,10 +338,8 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
     refuse_mesh("gmsh > cells", "quadrilateral", "cannot be had: the mesh of " + p.file + " has triangles only.",
                 "Let the file recombine its surfaces when the number `recombine` is 1, or choose triangle.");
   for (const auto& [curve, sets] : curve_groups.of_entity)
-    for (const Elements& elements : read_elements(p.file, 1, curve))
-      for (std::size_t first = 0; first < elements.nodes.size(); first += 2)
-        for (const int set : sets)
-          mesh.lines.push_back({{number(elements.nodes[first]), number(elements.nodes[first + 1])}, set});
+    for (const auto& nodes : elements_of(1, curve, curve_groups))
+      for (const int set : sets) mesh.lines.push_back({{number(nodes[0]), number(nodes[1])}, set});
   return mesh;
 }
 
@@ -256,7 +357,9 @@ std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, cons
       refuse_file(parameters.file, "made gmsh crash (" + signal + ").",
                   "Open the file in gmsh itself; where it is damaged, save it anew in format 4.1.");
     };
-    list = blocks_of_surfaces(surface_mesh_of(in_child_process(work, died)));
+    const SurfaceMesh mesh = surface_mesh_of(in_child_process(work, died));
+    list = blocks_of_surfaces(mesh);
+    if (is_mesh(parameters.file)) list.warnings = warnings_of_format(parameters.file, mesh);
   });
   broadcast_blocks(comm, list);
   return make_source(std::move(list));

@@ -11,6 +11,7 @@
 
 #include "base/ids.hpp"
 #include "base/tensor.hpp"
+#include "base/warning.hpp"
 
 namespace voussoir {
 
@@ -66,6 +67,8 @@ class BlockSource {
   virtual const std::vector<std::string>& block_sets() const = 0;
   /// Names of sets of boundary facets ("foundation pier west").
   virtual const std::vector<std::string>& facet_sets() const = 0;
+  /// What the source cannot vouch for; `where` is a key of the scene.
+  virtual Warnings warnings() const { return {}; }
 };
 
 /// First node of each block in the global numbering of nodes, and the total at the end: [blocks + 1].

@@ -34,12 +34,13 @@ std::vector<BlockId> groups_of_joined_blocks(const BlockGraph& graph) {
 }  // namespace
 
 template <int dim>
-void check_supports(const BlockSource<dim>& source, const std::vector<std::string>& supported_facet_sets) {
-  if (supported_facet_sets.empty()) return;
-  std::vector<char> is_supported_set;
-  for (const std::string& name : source.facet_sets())
-    is_supported_set.push_back(std::find(supported_facet_sets.begin(), supported_facet_sets.end(), name) !=
-                               supported_facet_sets.end());
+void check_supports(const BlockSource<dim>& source, const std::vector<FacetNames>& supported) {
+  if (supported.empty()) return;
+  std::vector<FacetSet> sets;
+  for (const FacetNames& names : supported) {
+    const auto& known = source.facet_sets();
+    if (std::find(known.begin(), known.end(), names.on) != known.end()) sets.push_back(facet_set(source, names));
+  }
   const BlockGraph& graph = source.graph();
   const std::vector<BlockId> group = groups_of_joined_blocks<dim>(graph);
   std::vector<char> held(group.size(), 0);
@@ -47,8 +48,10 @@ void check_supports(const BlockSource<dim>& source, const std::vector<std::strin
   for (BlockId b = 0; b < source.block_count(); ++b) {
     ++size[group[b]];
     if (held[group[b]]) continue;
-    for (const TaggedFacet& facet : source.block(b).facets)
-      if (is_supported_set[facet.set]) held[group[b]] = 1;
+    const Block<dim> block = source.block(b);
+    for (const TaggedFacet& facet : block.facets)
+      for (const FacetSet& set : sets)
+        if (set.has(block, facet)) held[group[b]] = 1;
   }
   for (BlockId b = 0; b < source.block_count(); ++b) {
     if (group[b] != b || held[b]) continue;
@@ -61,14 +64,13 @@ void check_supports(const BlockSource<dim>& source, const std::vector<std::strin
     message += "\n  (nothing holds ";
     message += size[b] > 1 ? "them" : meets_in_a_point ? "it; it touches other blocks in single points only" : "it";
     message += ", so there is no equilibrium).\n  Add one of its curves to a supported set (now: ";
-    for (const std::string& name : supported_facet_sets)
-      message += (name == supported_facet_sets[0] ? "" : ", ") + name;
+    for (std::size_t k = 0; k < supported.size(); ++k) message += (k == 0 ? "" : ", ") + supported[k].on;
     throw InputError(message + "), or let it share a curve with a neighbour.");
   }
 }
 
 template <int dim>
-void check_blocks(const BlockSource<dim>& source, const std::vector<std::string>& supported_facet_sets) {
+void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>& supported) {
   static_assert(dim == 2, "borders of spatial blocks are not checked yet");
   std::vector<Block<dim>> blocks;
   for (BlockId b = 0; b < source.block_count(); ++b) {
@@ -76,18 +78,18 @@ void check_blocks(const BlockSource<dim>& source, const std::vector<std::string>
     check_block(blocks.back());
   }
   check_borders(blocks);
-  check_supports(source, supported_facet_sets);
+  check_supports(source, supported);
 }
 
 template <int dim>
-void check_blocks(const BlockSource<dim>& source, const std::vector<std::string>& supported_facet_sets,
+void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>& supported,
                   const Teuchos::Comm<int>& comm) {
-  on_rank_zero(comm, [&] { check_blocks(source, supported_facet_sets); });
+  on_rank_zero(comm, [&] { check_blocks(source, supported); });
 }
 
-template void check_supports(const BlockSource<2>&, const std::vector<std::string>&);
-template void check_supports(const BlockSource<3>&, const std::vector<std::string>&);
-template void check_blocks(const BlockSource<2>&, const std::vector<std::string>&);
-template void check_blocks(const BlockSource<2>&, const std::vector<std::string>&, const Teuchos::Comm<int>&);
+template void check_supports(const BlockSource<2>&, const std::vector<FacetNames>&);
+template void check_supports(const BlockSource<3>&, const std::vector<FacetNames>&);
+template void check_blocks(const BlockSource<2>&, const std::vector<FacetNames>&);
+template void check_blocks(const BlockSource<2>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

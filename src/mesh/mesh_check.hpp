@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/facet_set.hpp"
 #include "mesh/mesh.hpp"
 
 namespace voussoir {
@@ -24,18 +25,17 @@ constexpr double smallest_corner_angle = 1.0;  // [degree]
 ///   without matching nodes, blocks that overlap
 /// - `check_supports`
 template <int dim>
-void check_blocks(const BlockSource<dim>&, const std::vector<std::string>& supported_facet_sets);
+void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported);
 
 /// The same on rank 0 for all ranks: every rank throws, or none. Collective.
 template <int dim>
-void check_blocks(const BlockSource<dim>&, const std::vector<std::string>& supported_facet_sets,
-                  const Teuchos::Comm<int>&);
+void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported, const Teuchos::Comm<int>&);
 
 /// Throws InputError for blocks that hold no facet of a supported set and are not joined, directly or through others,
 /// to one that does. Blocks are joined when they share `dim` vertices. An empty list of sets means that
 /// nothing is supported on purpose; then nothing is checked.
 template <int dim>
-void check_supports(const BlockSource<dim>&, const std::vector<std::string>& supported_facet_sets);
+void check_supports(const BlockSource<dim>&, const std::vector<FacetNames>& supported);
 
 /// The first two groups of faults, on blocks at hand.
 void check_block(const Block<2>&);

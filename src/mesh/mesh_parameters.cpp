@@ -12,6 +12,8 @@ void add_cells(ParameterSection& section, CellType& cells) {
                                "shape of the cells a block is divided into, P1 triangles or Q1 quadrilaterals");
 }
 
+constexpr double foot = 0.3048;  // [m] the international foot, exactly
+
 std::string in_metres(double length) { return number_text(length) + " [m]"; }
 
 }  // namespace
@@ -21,12 +23,17 @@ void GmshParameters::declare(ParameterSection& section) {
               "geometry (.geo) or mesh (.msh, format 4.1); a relative path is sought beside the scene, then in its "
               "parent folder and the folder meshes/ of that",
               Presence::required, "Give the path of a file of gmsh, such as meshes/clare-college-bridge.geo.");
-  section.add("element size", element_size, "m", at_least(0.0),
-              "wanted length of cell edges, passed to the .geo as the number element_size; 0 keeps that of the file",
-              "a length", "Give 0 for the size the file has.");
+  section.add_choice<double>("unit", unit, {{"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"ft", foot}},
+                             "unit of the lengths in the file; everything else of a scene is in metres");
+  section.add(
+      "element size", element_size, "m", at_least(0.0),
+      "wanted length of cell edges: the number element_size where the .geo defines one, else gmsh's mesh size; 0 "
+      "keeps that of the file",
+      "a length", "Give 0 for the size the file has.");
   add_cells(section, cells);
-  section.add_numbers("geometry", geometry, "", any_number(),
-                      "further numbers set in the .geo by their name, such as pier_settlement = 0.05");
+  section.add_numbers(
+      "geometry", geometry, "", any_number(),
+      "further numbers set in the .geo by their name, such as pier_settlement = 0.05, in the units of the file");
 }
 
 void Opening::declare(ParameterSection& section) {

@@ -14,9 +14,10 @@ enum class CellType { triangle, quadrilateral };
 
 struct GmshParameters {
   std::string file;              ///< .geo or .msh (format 4.1); a scene that was read holds an absolute path
-  double element_size = 0.0;     ///< [m] passed to the .geo as the number `element_size`; 0 = the file's own
+  double unit = 1.0;             ///< [m] length that the file calls 1
+  double element_size = 0.0;     ///< [m] the number `element_size` of the .geo or gmsh's mesh size; 0 = the file's own
   CellType cells = CellType::triangle;  ///< quadrilateral: passed to the .geo as `recombine` = 1
-  std::map<std::string, double> geometry;  ///< further numbers set in the .geo, by name
+  std::map<std::string, double> geometry;  ///< further numbers set in the .geo, by name, in its units
   void declare(ParameterSection&);
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "base/text.hpp"
 #include "scene/scene_reader.hpp"
@@ -138,9 +139,9 @@ void check_supports(Scene& scene, InputProblems& problems) {
       problems.add(path, " = " + in_quotes(name) + "\n  is no support of this scene" + did_you_mean(name, supports) +
                              ".\n  Supports: " + list_of(supports) + ".");
   }
-  std::set<std::string> held;
+  std::set<std::pair<std::string, std::string>> held;
   for (const auto& support : scene.supports)
-    if (!held.insert(support.parameters.on).second)
+    if (!held.insert({support.parameters.on, support.parameters.blocks}).second)
       scene.warnings.push_back("support " + in_quotes(support.name) + " holds " + in_quotes(support.parameters.on) +
                                ", which another support holds already.");
 }
@@ -264,6 +265,9 @@ void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
     check_set("scene > observations > " + o.name + " > blocks", o.parameters.blocks, "blocks", blocks, problems);
   for (const auto& s : scene.supports)
     check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
+  for (const auto& s : scene.supports)
+    if (!s.parameters.blocks.empty())
+      check_set("scene > supports > " + s.name + " > blocks", s.parameters.blocks, "blocks", blocks, problems);
   for (const LoadParameters& load : scene.loads)
     for (const auto& set : load.sets())
       check_set("scene > loads > " + load.name + " > " + set.key, set.name, set.of_blocks ? "blocks" : "facets",

@@ -6,7 +6,11 @@
 
 namespace voussoir {
 
-/// The same on every rank. Collective.
+/// What scene and mesh tell: surfaces a format does not list, stones of a size no stone has, stones that touch no
+/// other, supports and pressures on both sides of a joint. Local, and the same on every rank.
+Warnings mesh_warnings(const Scene&, const BlockSource<2>&);
+
+/// The same, with what joints and loads tell. The same on every rank. Collective.
 Warnings input_warnings(const Model<2>&);
 
 }  // namespace voussoir

@@ -83,6 +83,14 @@ std::vector<std::string> LoadsAtWork<dim>::remarks() const {
   return lines;
 }
 
+template <int dim>
+Warnings LoadsAtWork<dim>::warnings() const {
+  Warnings all;
+  for (const auto& n : loads_)
+    for (const auto& warning : n.load->warnings()) all.push_back(warning);
+  return all;
+}
+
 template class LoadsAtWork<2>;
 
 }  // namespace voussoir

@@ -34,6 +34,8 @@ class LoadsAtWork {
   std::map<std::string, EffectSummary> costs(const Teuchos::Comm<int>&) const;
   /// What loads have to say before a run, a line each: "earthquake: x record ...".
   std::vector<std::string> remarks() const;
+  /// What the result will not vouch for because of them.
+  Warnings warnings() const;
 
  private:
   struct Named {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "joints/joint_statics.hpp"
+#include "mesh/facet_set.hpp"
 #include "linalg/gather.hpp"
 #include "output/joint_table.hpp"
 #include "output/output_folder.hpp"
@@ -68,16 +69,15 @@ std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& ste
 /// Force of each support on the structure, and a point on its line of action: the one nearest to the support's middle.
 std::map<std::string, ReactionSummary> reactions(const Model<2>& model, const std::vector<double>& residual) {
   const auto& s = model.structure();
-  const auto& sets = model.source().facet_sets();
   std::vector<char> taken(s.nodes(), 0);
   std::map<std::string, ReactionSummary> found;
   for (const auto& [name, support] : model.scene().supports) {
     // Number of nodes, sums of their places, their forces, and the moment of these about the origin.
     std::array<double, 6> mine{}, all{};
-    const auto set = static_cast<int>(std::find(sets.begin(), sets.end(), support.on) - sets.begin());
+    const auto set = facet_set(model.source(), {support.on, support.blocks});
     for (int b = 0; b < s.owned_blocks(); ++b)
       for (const auto& facet : s.blocks()[b].mesh.facets) {
-        if (facet.set != set) continue;
+        if (!set.has(s.blocks()[b].mesh, facet)) continue;
         for (int k = 0; k < facet.count; ++k) {
           const int node = s.blocks()[b].first_local + facet.node[k];
           if (taken[node]) continue;

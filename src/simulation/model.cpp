@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
@@ -90,14 +89,6 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
   set_local_stiffness(&mass, rule);
   Phase phase("continuum");
   continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene_.solver.muelu);
-}
-
-template <int dim>
-int Model<dim>::facet_set(const std::string& name) const {
-  const auto& sets = source_.facet_sets();
-  const auto it = std::find(sets.begin(), sets.end(), name);
-  VOUSSOIR_CHECK(it != sets.end());
-  return static_cast<int>(it - sets.begin());
 }
 
 template <int dim>
@@ -189,7 +180,8 @@ double Model<dim>::mortar_energy(const std::vector<double>& lambda) const {
 template <int dim>
 void Model<dim>::hold_supports() {
   held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
-  for (const auto& [name, support] : scene_.supports) hold(*structure_, support, facet_set(support.on), held_);
+  for (const auto& [name, support] : scene_.supports)
+    hold(*structure_, support, facet_set(source_, {support.on, support.blocks}), held_);
 }
 
 template <int dim>

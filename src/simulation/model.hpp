@@ -69,7 +69,6 @@ class Model {
  private:
   void set_laws();
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
-  int facet_set(const std::string& name) const;
   void hold_supports();
 
   std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance

@@ -20,15 +20,19 @@ bool in_set(const BlockSource<dim>& source, const Block<dim>& block, const std::
   return false;
 }
 
+/// Whether a law names the joint between two blocks.
+template <int dim>
+bool joins(const BlockSource<dim>& source, const JointLawParameters& law, const Block<dim>& i, const Block<dim>& j) {
+  return (in_set(source, i, law.between) && in_set(source, j, law.and_)) ||
+         (in_set(source, j, law.between) && in_set(source, i, law.and_));
+}
+
 /// Index of the last joint law between two blocks, -1 for none.
 template <int dim>
 int family_of(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& i, const Block<dim>& j) {
   int family = -1;
   for (std::size_t f = 0; f < scene.joints.size(); ++f) {
-    const auto& law = scene.joints[f].parameters;
-    if ((in_set(source, i, law.between) && in_set(source, j, law.and_)) ||
-        (in_set(source, j, law.between) && in_set(source, i, law.and_)))
-      family = static_cast<int>(f);
+    if (joins(source, scene.joints[f].parameters, i, j)) family = static_cast<int>(f);
   }
   return family;
 }

@@ -21,6 +21,7 @@
 #include "simulation/effect_costs.hpp"
 #include "simulation/finite_rotations.hpp"
 #include "simulation/input_warnings.hpp"
+#include "simulation/joint_sides.hpp"
 #include "simulation/load_factor_analysis.hpp"
 #include "simulation/masonry_statics.hpp"
 #include "simulation/mechanism_words.hpp"
@@ -340,17 +341,21 @@ std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos
   try {
     source = make_block_source<2>(scene.mesh, *comm);
     check_fit(scene, *source);
-    std::vector<std::string> supported;
+    check_sides(scene, *source);
+    std::vector<FacetNames> supported;
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))
-      for (const auto& [name, support] : scene.supports) supported.push_back(support.on);
+      for (const auto& [name, support] : scene.supports) supported.emplace_back(support.on, support.blocks);
     if (scene.mesh.type == MeshType::gmsh)
       check_blocks(*source, supported, *comm);
     else
       check_supports(*source, supported);
   } catch (const InputError& error) {
-    const std::string what = error.what();
+    std::string what = error.what();
     if (what.rfind(scene.file, 0) == 0) throw;
+    const std::string mesh = "mesh: ";
+    if (scene.mesh.type == MeshType::gmsh && what.rfind(mesh, 0) == 0)
+      what = "mesh > gmsh > file = " + scene.mesh.gmsh.file + "\n  " + what.substr(mesh.size());
     throw InputError(scene.file + ": " + what);
   }
   return source;
@@ -360,6 +365,8 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   Teuchos::Time clock("total", true);
   print_scene(say, scene);
   const auto source = checked_blocks(scene, comm);
+  if (options.validate || options.dry_run)
+    for (const auto& w : mesh_warnings(scene, *source)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
   if (options.validate) {
     say << "The scene is valid: " << source->block_count() << " blocks.\n";
     return {};

@@ -105,8 +105,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   const Teuchos::SerialComm<int> comm;
   fuzz::refuse_or_read([&] {
     const auto source = make_source(blocks_of_surfaces(surface_mesh_of(handed_back)));
-    const std::vector<std::string> supported =
-        source->facet_sets().empty() ? source->facet_sets() : std::vector<std::string>{source->facet_sets()[0]};
+    std::vector<FacetNames> supported;
+    if (!source->facet_sets().empty()) supported.emplace_back(source->facet_sets()[0]);
     check_blocks(*source, supported, comm);
     look_at(*source);
   });

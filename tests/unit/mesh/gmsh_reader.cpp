@@ -1,51 +1,20 @@
 // Files of gmsh become blocks, on every rank alike, and what is wrong with a file is said on every rank.
-#include "mesh/gmsh_reader.hpp"
-
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
-#include <fstream>
 
 #include "mesh/block_source.hpp"
-#include "unit/mesh/mesh_facts.hpp"
+#include "unit/mesh/gmsh_files.hpp"
 
 namespace {
 
 using namespace voussoir;
 using namespace voussoir::test;
 
-const std::string geo_folder = VOUSSOIR_SOURCE_DIR "/tests/unit/mesh/geo/";
-
-std::unique_ptr<BlockSource<2>> read(const GmshParameters& p) { return read_gmsh(p, *Tpetra::getDefaultComm()); }
-
-GmshParameters geo(const std::string& name) {
-  GmshParameters p;
-  p.file = geo_folder + name;
-  return p;
-}
-
-/// A file written for one test, with the number of ranks in its name so that runs side by side do not meet.
-GmshParameters written(const std::string& name, const std::string& text) {
-  const auto comm = Tpetra::getDefaultComm();
-  GmshParameters p;
-  p.file = "np" + std::to_string(comm->getSize()) + "_" + name;
-  if (comm->getRank() == 0) std::ofstream(p.file) << text;
-  comm->barrier();
-  return p;
-}
-
-std::string refusal(const GmshParameters& p) {
-  return input_error([&] { read(p); });
-}
-
 double width_of(const Block<2>& block) {
   double from = INFINITY, to = -INFINITY;
   for (const Vector<2>& x : block.position) from = std::min(from, x[0]), to = std::max(to, x[0]);
   return to - from;
 }
-
-const std::string square =
-    "Point(1) = {0,0,0,1}; Point(2) = {1,0,0,1}; Point(3) = {1,1,0,1}; Point(4) = {0,1,0,1};\n"
-    "Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1}; Curve Loop(1) = {1,2,3,4};\n";
 
 TEUCHOS_UNIT_TEST(Gmsh, SurfacesBecomeBlocksInTheOrderOfTheirTags) {
   const auto source = read(geo("two_stones.geo"));
@@ -231,9 +200,6 @@ TEUCHOS_UNIT_TEST(Gmsh, NumbersTheFileDoesNotOfferAreRefused) {
   p = written("plain.geo",
               "// DefineConstant[ element_size = 1 ];\nelement_size = 1;\n" + square + "Plane Surface(1) = {1};");
   TEST_EQUALITY(refusal(p), "");
-  p.element_size = 0.5;
-  TEST_ASSERT(holds(refusal(p), "gmsh > element size = 0.5\n  cannot be set"));
-  p.element_size = 0;
   p.cells = CellType::quadrilateral;
   TEST_ASSERT(holds(refusal(p), "gmsh > cells = quadrilateral\n  cannot be set"));
 }

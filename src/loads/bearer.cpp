@@ -1,0 +1,29 @@
+#include "loads/bearer.hpp"
+
+#include <algorithm>
+
+#include "base/sort_unique.hpp"
+#include "base/text.hpp"
+
+namespace voussoir {
+
+Warnings warning_of_bearer(const LoadSite<2>& site, const std::string& what, const std::string& place,
+                           std::vector<BlockId> stones, BlockId bearer) {
+  sort_unique(stones);
+  if (stones.size() < 2) return {};
+  std::vector<std::string> names, sets;
+  std::vector<int> count(site.source.block_sets().size(), 0);
+  for (const BlockId stone : stones) {
+    const auto block = site.source.block(stone);
+    names.push_back(block.name);
+    for (const int set : block.sets) ++count[set];
+  }
+  for (std::size_t set = 0; set < count.size(); ++set)
+    if (count[set] == 1) sets.push_back(in_quotes(site.source.block_sets()[set]));
+  return {{what, site.where, "", static_cast<double>(stones.size()),
+           place + " is on " + std::to_string(stones.size()) + " stones, " + list_of(names) + "; " +
+               site.source.block(bearer).name + " bears the load; say which one is meant by the key blocks, a set of " +
+               "blocks that holds it alone" + (sets.empty() ? "" : ", such as " + list_of(sets, 3))}};
+}
+
+}  // namespace voussoir

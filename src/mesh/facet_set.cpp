@@ -1,0 +1,66 @@
+#include "mesh/facet_set.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/check.hpp"
+#include "mesh/border.hpp"
+
+namespace voussoir {
+namespace {
+
+int index_of(const std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  VOUSSOIR_CHECK(found != names.end());
+  return static_cast<int>(found - names.begin());
+}
+
+}  // namespace
+
+template <int dim>
+FacetSet facet_set(const BlockSource<dim>& source, const FacetNames& names) {
+  const bool every = names.blocks.empty() || names.blocks == "all";
+  return {index_of(source.facet_sets(), names.on),
+          every ? FacetSet::every : index_of(source.block_sets(), names.blocks)};
+}
+
+std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>& source, const FacetSet& set) {
+  struct Side {
+    std::array<VertexId, 2> vertices;
+    BlockId block;
+    std::array<Vector<2>, 2> x;
+    bool operator<(const Side& o) const { return std::tie(vertices, block) < std::tie(o.vertices, o.block); }
+  };
+  std::vector<Side> sides;
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    const auto block = source.block(b);
+    for (const TaggedFacet& facet : block.facets)
+      if (set.has(block, facet)) {
+        const int i = facet.node[0], j = facet.node[1];
+        sides.push_back({ascending(block.vertex[i], block.vertex[j]), b, {block.position[i], block.position[j]}});
+      }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<TwoSidedFacet<2>> both;
+  for (std::size_t k = 0; k + 1 < sides.size(); ++k)
+    if (sides[k].vertices == sides[k + 1].vertices && sides[k].block != sides[k + 1].block)
+      both.push_back({sides[k].block, sides[k + 1].block, sides[k].x});
+  std::stable_sort(both.begin(), both.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.block_i, a.block_j) < std::tie(b.block_i, b.block_j);
+  });
+  return both;
+}
+
+bool has_facets(const BlockSource<2>& source, const FacetSet& set) {
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    const auto block = source.block(b);
+    for (const TaggedFacet& facet : block.facets)
+      if (set.has(block, facet)) return true;
+  }
+  return false;
+}
+
+template FacetSet facet_set(const BlockSource<2>&, const FacetNames&);
+template FacetSet facet_set(const BlockSource<3>&, const FacetNames&);
+
+}  // namespace voussoir

@@ -1,0 +1,57 @@
+// Which facets a support or a load means.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace voussoir {
+
+/// The facets of a named set, of all blocks or of those of a named set alone. A curve between two stones belongs to
+/// both of them, so only the blocks tell its two sides apart.
+struct FacetSet {
+  static constexpr int every = -1;
+  int facets;          ///< index into BlockSource::facet_sets()
+  int blocks = every;  ///< index into BlockSource::block_sets()
+
+  FacetSet(int facets_, int blocks_ = every) : facets(facets_), blocks(blocks_) {}
+  template <int dim>
+  bool has_side(const Block<dim>& block) const {
+    if (blocks == every) return true;
+    for (const int set : block.sets)
+      if (set == blocks) return true;
+    return false;
+  }
+  template <int dim>
+  bool has(const Block<dim>& block, const TaggedFacet& facet) const {
+    return facet.set == facets && has_side(block);
+  }
+};
+
+/// The same by its names, which must be those of the source.
+struct FacetNames {
+  std::string on;
+  std::string blocks;  ///< a set of blocks; "all" or nothing for every block
+  FacetNames(std::string on_, std::string blocks_ = "") : on(std::move(on_)), blocks(std::move(blocks_)) {}
+  FacetNames(const char* on_) : on(on_) {}
+};
+template <int dim>
+FacetSet facet_set(const BlockSource<dim>&, const FacetNames&);
+
+/// A facet of a joint of which a set has both sides, once.
+template <int dim>
+struct TwoSidedFacet {
+  BlockId block_i, block_j;      ///< ascending
+  std::array<Vector<dim>, 2> x;  ///< [m] its ends
+  double length() const { return norm(x[1] - x[0]); }
+};
+
+/// All facets of which a set has both sides, by blocks. Local, and the same on every rank; looks at every block.
+std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>&, const FacetSet&);
+
+/// A facet of the set is there.
+bool has_facets(const BlockSource<2>&, const FacetSet&);
+
+}  // namespace voussoir
