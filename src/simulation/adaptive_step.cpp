@@ -214,7 +214,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     }
     if (!solved) {
       // Joints that were held together may be what left no way: resolve them all before giving up.
-      if (selection.mode != SelectionMode::adaptive || count_selected(model_, state) == model_.points().total())
+      // A mechanism in which tied points move alike is one without ties too.
+      const bool falls = report.newton.outcome == NewtonOutcome::collapse;
+      if (falls || selection.mode != SelectionMode::adaptive || count_selected(model_, state) == model_.points().total())
         return report;
       state.displacement = before.displacement;
       state.lambda = before.lambda;

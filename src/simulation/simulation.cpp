@@ -20,6 +20,7 @@
 #include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
 #include "simulation/finite_rotations.hpp"
+#include "simulation/halved_step.hpp"
 #include "simulation/input_warnings.hpp"
 #include "simulation/joint_sides.hpp"
 #include "simulation/load_factor_analysis.hpp"
@@ -174,7 +175,8 @@ class Run {
       const auto failed = std::exchange(state_, before);
       if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
         failure_ = Failure{failed, report, step_.mechanism(), target};
-      if (steps_.halve()) return true;
+      const bool same = half_asks_the_same(model_, construction_, steps_, before, next_load, prescribed);
+      if (!same && steps_.halve()) return true;
       fail(*failure_, target);
       return false;
     }
@@ -334,32 +336,6 @@ class Run {
 };
 
 }  // namespace
-
-std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  Phase phase("mesh");
-  std::unique_ptr<BlockSource<2>> source;
-  try {
-    source = make_block_source<2>(scene.mesh, *comm);
-    check_fit(scene, *source);
-    check_sides(scene, *source);
-    std::vector<FacetNames> supported;
-    // Blocks may fly where no static equilibrium is sought: then no support is asked for.
-    if (!only_time(scene.stages))
-      for (const auto& [name, support] : scene.supports) supported.emplace_back(support.on, support.blocks);
-    if (scene.mesh.type == MeshType::gmsh)
-      check_blocks(*source, supported, *comm);
-    else
-      check_supports(*source, supported);
-  } catch (const InputError& error) {
-    std::string what = error.what();
-    if (what.rfind(scene.file, 0) == 0) throw;
-    const std::string mesh = "mesh: ";
-    if (scene.mesh.type == MeshType::gmsh && what.rfind(mesh, 0) == 0)
-      what = "mesh > gmsh > file = " + scene.mesh.gmsh.file + "\n  " + what.substr(mesh.size());
-    throw InputError(scene.file + ": " + what);
-  }
-  return source;
-}
 
 RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, std::ostream& say) {
   Teuchos::Time clock("total", true);
