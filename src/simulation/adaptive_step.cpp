@@ -184,7 +184,7 @@ long long AdaptiveStep<dim>::release_loose(ContactState& state, const std::vecto
   const auto balance = tie_balance(model_, law_, state, cluster, borne_by_joints(state, load), own);
   report.tied_share = balance.largest;
   report.tied_block = balance.where;
-  return may_release && balance.largest > largest_tied_share ? release_blocks(model_, law_, balance.loose, state) : 0;
+  return may_release && balance.any ? release_blocks(model_, law_, balance.loose, state) : 0;
 }
 
 template <int dim>

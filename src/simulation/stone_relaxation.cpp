@@ -20,9 +20,11 @@ constexpr int patience = 50;
 constexpr double progress = 0.999;
 // Foundation of a stone that no point touches in some direction, relative to the stiffness of its points.
 constexpr double foundation = 1e-3;
+// Steps of a stone alone: those that stand take a handful, or some dozens where one edge is left to stand on.
+constexpr int most_steps_alone = 200;
 
 /// Solves the symmetric positive definite system a x = b in place of b.
-void solve_3x3(std::array<StoneVector, 3>& a, StoneVector& b) {
+void solve_plane(std::array<StoneVector, 3>& a, StoneVector& b) {
   for (int k = 0; k < 3; ++k)
     for (int i = k + 1; i < 3; ++i) {
       const double factor = a[i][k] / a[k][k];
@@ -33,6 +35,15 @@ void solve_3x3(std::array<StoneVector, 3>& a, StoneVector& b) {
     for (int j = k + 1; j < 3; ++j) b[k] -= a[k][j] * b[j];
     b[k] /= a[k][k];
   }
+}
+
+/// Force of a spring whose ends have moved against each other.
+Vector<2> force_of(const StonePoint& spring, const Vector<2>& motion) {
+  Vector<2> force;
+  force[0] = project_normal(spring.law, spring.force[0] - spring.stiffness[0] * (motion[0] + spring.gap));
+  const double bound = friction_bound(spring.law, force[0]);
+  force[1] = std::clamp(spring.force[1] - spring.stiffness[1] * motion[1], -bound, bound);
+  return force;
 }
 
 std::vector<long long> block_ids(const Structure<2>& s) {
@@ -78,13 +89,7 @@ void StoneRelaxation::update_force(int point) {
   const auto& block = model_.structure().block_of_node();
   const auto& p = model_.points().points()[point];
   const auto motion = motion_of(block[p.node_j], p.node_j, p) - motion_of(block[p.node_i], p.node_i, p);
-  const auto& spring = points_[point];
-  const double normal = spring.force[0] - spring.stiffness[0] * (motion[0] + spring.gap);
-  const double tangential = spring.force[1] - spring.stiffness[1] * motion[1];
-  auto& f = force_[point];
-  f[0] = project_normal(spring.law, normal);
-  const double bound = friction_bound(spring.law, f[0]);
-  f[1] = std::clamp(tangential, -bound, bound);
+  force_[point] = force_of(points_[point], motion);
 }
 
 /// What a stone lacks where it is now.
@@ -103,6 +108,7 @@ StoneVector StoneRelaxation::lacking(int block) const {
   return lack;
 }
 
+/// The step that would balance a stone if every spring held.
 StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack) const {
   const auto& stone = stones_[block];
   std::array<StoneVector, 3> matrix{};
@@ -123,9 +129,27 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack) const {
   matrix[1][1] += ground;
   matrix[2][2] += ground * stone.radius * stone.radius;
   auto step = lack;
-  solve_3x3(matrix, step);
-  for (double& d : step) d *= share_of_step;
+  solve_plane(matrix, step);
   return step;
+}
+
+double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable, const std::vector<char>& rides) {
+  const auto begun = std::exchange(stones_[block].lacks, lacks);
+  const auto all_links = links_[block];
+  auto& links = links_[block];
+  links.erase(std::remove_if(links.begin(), links.end(), [&](const Link& l) { return rides[l.other] != 0; }), links.end());
+  double least = size_of(lacks, stones_[block].radius);
+  for (int k = 0; k < most_steps_alone && least > bearable; ++k) {
+    const auto step = step_of(block, lacking(block));
+    for (int c = 0; c < 3; ++c) place_[block][c] += step[c];
+    for (const auto& link : links_[block]) update_force(link.point);
+    least = std::min(least, size_of(lacking(block), stones_[block].radius));
+  }
+  stones_[block].lacks = begun;
+  place_[block] = {};
+  links = all_links;
+  for (const auto& link : links) force_[link.point] = points_[link.point].force;
+  return least;
 }
 
 /// Moves the stones, and takes up what they and their neighbours lack then.
@@ -170,7 +194,7 @@ std::vector<double> StoneRelaxation::relax() {
       sums[0] += 1;
       sums[1] += lacks[b];
       const auto step = step_of(static_cast<int>(b), lack_[b]);
-      std::copy(step.begin(), step.end(), steps.begin() + 3L * static_cast<long>(b));
+      for (int c = 0; c < 3; ++c) steps[3 * b + c] = share_of_step * step[c];
     }
     Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, sums, all);
     if (sweep == 0 || all[1] < progress * least) {

@@ -41,6 +41,11 @@ class StoneRelaxation {
   /// Lets the stones go. Returns per owned block the force that it still lacks, or the moment over its radius [N].
   /// Collective.
   std::vector<double> relax();
+  /// The force, or moment over its radius, that an owned stone still lacks where it lacks least [N]: it begins with a
+  /// lack, stones that ride on it move along, all others stay, and it stops where that is bearable. To be asked before
+  /// relax().
+  /// @param rides  per local block
+  double alone(int block, const StoneVector& lacks, double bearable, const std::vector<char>& rides);
 
  private:
   struct Link {

@@ -7,6 +7,7 @@
 
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "simulation/dependent_stones.hpp"
 #include "simulation/error_estimate.hpp"
 #include "simulation/stone_relaxation.hpp"
 
@@ -96,6 +97,87 @@ std::vector<Stone> stones_of(const Model<2>& model) {
   return stones;
 }
 
+/// Moved from the middle of a stone to another point.
+StoneVector about(const StoneVector& v, const Vector<2>& from, const Vector<2>& to) {
+  return {v[0], v[1], v[2] + cross(from - to, Vector<2>{v[0], v[1]})};
+}
+
+/// What all ranks know of every block: 1 where a support holds it; 1 where it is not there, all its joints far open.
+std::array<std::vector<int>, 2> held_and_absent(const Model<2>& model) {
+  const auto& s = model.structure();
+  const std::size_t blocks = s.owner_of_block().size();
+  std::vector<int> mine(2 * blocks, 0), all(2 * blocks);
+  for (std::size_t i = 0; i < model.held().size() / 2; ++i)
+    if (model.held()[2 * i] || model.held()[2 * i + 1]) mine[s.blocks()[s.block_of_node()[i]].mesh.id] = 1;
+  if (!model.initial_gap().empty()) {
+    std::vector<int> near(s.blocks().size(), 0), far(s.blocks().size(), 0);
+    for (int k = 0; k < model.points().size(); ++k) {
+      const auto& p = model.points().points()[k];
+      auto& count = model.initial_gap()[k] >= s.size() ? far : near;
+      for (int node : {p.node_i, p.node_j}) ++count[s.block_of_node()[node]];
+    }
+    for (int b = 0; b < s.owned_blocks(); ++b)
+      mine[blocks + s.blocks()[b].mesh.id] = far[b] > 0 && near[b] == 0;
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  return {std::vector<int>(all.begin(), all.begin() + static_cast<long>(blocks)),
+          std::vector<int>(all.begin() + static_cast<long>(blocks), all.end())};
+}
+
+/// Per owned block the share of its load, and of that of its dependants, that it lacks alone between its neighbours [-].
+std::vector<double> left_alone(const Model<2>& model, const std::vector<Stone>& stones, const std::vector<double>& own,
+                               const std::vector<StoneVector>& loads, double unknown, StoneRelaxation& relaxation) {
+  const auto& s = model.structure();
+  const auto [held, absent] = held_and_absent(model);
+  const DependentStones dependent(model.source().graph(), held, absent);
+  const auto& ids = dependent.dependants();
+  // Moments are taken about a point of the structure: the middle of the first dependant.
+  std::vector<double> mine(6 * ids.size() + 2, 0.0), all(mine.size());
+  const auto of = [&](BlockId id) {
+    const int b = s.local_block(id);
+    return b >= 0 && b < s.owned_blocks() ? b : -1;
+  };
+  const auto total = [&] {
+    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  };
+  if (!ids.empty() && of(ids[0]) >= 0) std::copy_n(stones[of(ids[0])].middle.begin(), 2, mine.end() - 2);
+  total();
+  const Vector<2> centre{all[all.size() - 2], all[all.size() - 1]};
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const int b = of(ids[k]);
+    if (b < 0) continue;
+    const auto lacks = about(stones[b].lacks, stones[b].middle, centre);
+    const auto load = about(loads[b], stones[b].middle, centre);
+    std::copy(lacks.begin(), lacks.end(), mine.begin() + 6L * static_cast<long>(k));
+    std::copy(load.begin(), load.end(), mine.begin() + 6L * static_cast<long>(k) + 3);
+  }
+  total();
+  std::vector<BlockSums> sums(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    std::copy_n(all.begin() + 6L * static_cast<long>(k), 6, sums[k].begin());
+  const auto below = dependent.sums(std::move(sums));
+  std::vector<double> share(s.owned_blocks(), 0.0);
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    auto lacks = stones[b].lacks, load = loads[b];
+    if (const auto more = below.find(s.blocks()[b].mesh.id); more != below.end()) {
+      const auto& m = more->second;
+      const auto other_lacks = about({m[0], m[1], m[2]}, centre, stones[b].middle);
+      const auto other_load = about({m[3], m[4], m[5]}, centre, stones[b].middle);
+      for (int c = 0; c < 3; ++c) {
+        lacks[c] += other_lacks[c];
+        load[c] += other_load[c];
+      }
+    }
+    std::vector<char> rides(stones.size(), 0);
+    for (std::size_t other = 0; other < stones.size() && !ids.empty(); ++other)
+      rides[other] = dependent.depends_on(s.blocks()[other].mesh.id) == s.blocks()[b].mesh.id;
+    const double borne = std::max(own[b], size_of(load, stones[b].radius));
+    const double left = relaxation.alone(b, lacks, std::max(unknown, largest_share_alone * borne));
+    if (left > unknown) share[b] = borne > 0 ? left / borne : std::numeric_limits<double>::infinity();
+  }
+  return share;
+}
+
 /// Marks the stones that lack more than they may, on every rank that sees them.
 std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<Stone>& stones) {
   std::vector<double> flag(s.nodes(), 0.0);
@@ -123,6 +205,7 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
   const auto through = passing(model, points);
   auto stones = stones_of(model);
   std::vector<double> own(s.owned_blocks());
+  std::vector<StoneVector> loads;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     auto& stone = stones[b];
     const auto& block = s.blocks()[b];
@@ -131,13 +214,21 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
     for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
       magnitudes += std::hypot(load[2 * (block.first_local + i)], load[2 * (block.first_local + i) + 1]);
     // A stone without load, or whose loads are in balance as those of heat are, is measured by what passes through it.
+    loads.push_back(sum);
     own[b] = size_of(sum, stone.radius);
     if (own[b] <= balanced * magnitudes) own[b] = through[b];
     stone.lacks = sum_over(s, block, stone.middle, lacking);
     for (double& l : stone.lacks) l = -l;
     stone.bearable = std::max(unknown, largest_tied_share * own[b]);
   }
-  const auto lacks = StoneRelaxation(model, stones, points).relax();
+  StoneRelaxation relaxation(model, stones, points);
+  const auto alone = left_alone(model, stones, own, loads, unknown, relaxation);
+  auto lacks = relaxation.relax();
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (alone[b] <= largest_share_alone) continue;
+    lacks[b] = std::max(lacks[b], alone[b] * own[b]);
+    stones[b].bearable = 0;
+  }
   TieBalance balance;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (lacks[b] <= unknown) continue;
@@ -147,6 +238,8 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
     balance.where = s.blocks()[b].mesh.id;
   }
   balance.loose = marked(s, lacks, stones);
+  const bool here_loose = std::find(balance.loose.begin(), balance.loose.end(), 1) != balance.loose.end();
+  balance.any = largest_over_ranks(*s.comm(), here_loose) > 0;
   const double mine = balance.largest;
   balance.largest = largest_over_ranks(*s.comm(), mine);
   // The lowest number of those that share it, so that all ranks name the same.
