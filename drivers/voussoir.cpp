@@ -32,7 +32,8 @@ const char* const usage =
   --out=DIR           where results go (default: out/<name of the scene>)
   --set PATH=VALUE    change one parameter of the scene, such as selection/mode=all; may be repeated
   --overwrite         remove earlier results of DIR instead of keeping them beside
-  --restart           go on with the interrupted run in DIR; without --xml, with the scene it began with
+  --restart           go on with the run in DIR, interrupted or with further stages; without --xml, with its scene
+  --restart-from=DIR2 go on with the run in DIR2, and leave that as it is: results go to DIR
   --validate          check scene and mesh, then stop
   --dry-run           also count unknowns and predict the cost, then stop
   --print-parameters  print every parameter with unit, default and range, as a scene
@@ -67,7 +68,8 @@ Arguments parse(const std::vector<std::string>& words) {
       return true;
     };
     std::string value;
-    if (value_of("--xml", a.xml) || value_of("--out", a.run.folder)) continue;
+    if (value_of("--xml", a.xml) || value_of("--out", a.run.folder) || value_of("--restart-from", a.run.restart_from))
+      continue;
     if (value_of("--set", value))
       a.overrides.push_back(value);
     else if (word == "--overwrite")
@@ -88,8 +90,17 @@ Arguments parse(const std::vector<std::string>& words) {
       throw InputError("voussoir: '" + word + "' is no option.\n  See voussoir --help.");
   }
   if (a.run.restart && a.run.overwrite)
-    throw InputError("voussoir: --restart and --overwrite\n  contradict each other: one goes on with what the other "
-                     "removes.\n  Leave one of them out.");
+    throw InputError(
+        "voussoir: --restart and --overwrite\n  contradict each other: one goes on with what the other "
+        "removes.\n  Leave one of them out.");
+  if (a.run.restart && !a.run.restart_from.empty())
+    throw InputError(
+        "voussoir: --restart and --restart-from\n  contradict each other: one goes on in the folder of the "
+        "run, the other leaves it as it is.\n  Leave one of them out.");
+  const bool branch = !a.run.restart_from.empty() && a.print.empty();
+  if (branch && a.xml.empty() && a.run.folder.empty())
+    throw InputError("voussoir: --restart-from\n  needs a place for its results.\n  Give one with --out=DIR.");
+  if (branch && a.xml.empty()) a.xml = a.run.restart_from + "/scene.xml";
   if (a.run.restart && a.xml.empty() && !a.run.folder.empty()) a.xml = a.run.folder + "/scene.xml";
   if (a.xml.empty() && a.print.empty()) throw InputError("voussoir: no scene given.\n  Give one with --xml=FILE.");
   if (a.run.folder.empty()) a.run.folder = "out/" + std::filesystem::path(a.xml).stem().string();
@@ -126,11 +137,12 @@ std::string doubts(const Warnings& warnings) {
 }
 
 int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, std::ostream& say) {
-  if (a.run.validate || a.run.dry_run) return exit_done;
+  if (summary.scene.empty()) return exit_done;  // nothing was to be computed
   say << "\n";
   if (summary.outcome == Outcome::interrupted) {
-    say << "Stopped by a signal after step " << summary.steps << ". The state is saved; go on with\n  voussoir --xml="
-        << a.xml << " --out=" << a.run.folder << " --restart\n";
+    say << "Stopped by a signal after step " << summary.steps
+        << ". The state is saved; go on with\n  voussoir --xml=" << a.xml << " --out=" << a.run.folder
+        << " --restart\n";
     return exit_interrupted;
   }
   if (summary.outcome == Outcome::equilibrium)

@@ -33,7 +33,7 @@ class FactorSearch {
   std::optional<double> next() const {
     const double edge = std::min(upper_, undecided_);
     if (edge == none) {
-      if (lower_ == p_.largest) return {};
+      if (lower_ >= p_.largest) return {};
       return std::min(lower_ > 0 ? 2 * lower_ : p_.first, p_.largest);
     }
     // A structure that bears nothing of the pattern would be asked for ever smaller shares of it.

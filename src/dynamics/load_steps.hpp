@@ -18,6 +18,8 @@ class LoadSteps {
   }
 
   bool finished() const { return stage_ == stages_.size(); }
+  /// Stages that are over.
+  std::size_t passed() const { return stage_; }
   const std::string& stage() const { return stages_[stage_].name; }
   const StageParameters& stage_parameters() const { return stages_[stage_]; }
   bool dynamic() const { return stages_[stage_].dynamic(); }
@@ -82,6 +84,7 @@ class LoadSteps {
     archive.within("load_steps.halvings", halvings_, 0, LoadStepParameters::most_halvings);
     archive.within("load_steps.successes", successes_, 0, 1);
     stage_ = static_cast<std::size_t>(stage);
+    if (!finished() && reached_ == 1) reached_ = 0;  // it was at its end, and the scene has a further stage
     before_.clear();
     time_before_ = 0;
     for (std::size_t k = 0; k < std::min(stage_, stages_.size()); ++k) {

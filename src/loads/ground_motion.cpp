@@ -3,50 +3,108 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
-#include "loads/csv_table.hpp"
+#include "loads/acceleration_unit.hpp"
 #include "loads/load.hpp"
+#include "loads/time_series.hpp"
 
 namespace voussoir {
 namespace {
 
-constexpr double standard_gravity = 9.80665;  // [m/s2] what records call g
-// A record whose ground still moves at the end at more than this share of its largest velocity has a drifting baseline.
-constexpr double worth_saying = 0.02;
+// A ground that ends faster than this share of its largest velocity, or further away than this share of its largest
+// displacement, has not come back to rest; less is hardly seen beside its motion. Displacements have the larger share,
+// for they add up what velocities leave, and a fault may leave some.
+constexpr double still_moving = 0.02, still_away = 0.1;
+// So many rows, each a second after the other from 0 or 1 on, are more likely row numbers than times.
+constexpr std::size_t rows_that_count = 20;
 
-/// A record in m/s2 from its file.
-PiecewiseLinear read_record(const GroundMotionParameters& p, const std::string& file, const std::string& where,
-                            const Teuchos::Comm<int>& comm) {
-  auto table = read_csv(file, 2, where, comm);
-  check_rising(table.columns[0], file, where);
-  for (double& a : table.columns[1]) a *= p.scale * (p.in_g ? standard_gravity : 1.0);
-  const PiecewiseLinear record(std::move(table.columns[0]), std::move(table.columns[1]));
-  return p.corrected ? with_corrected_baseline(record) : record;
+bool count_rows(const std::vector<double>& time) {
+  if (time.size() < rows_that_count || time.front() < 0 || time.front() > 1) return false;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] != time.front() + static_cast<double>(k) || time[k] != std::floor(time[k])) return false;
+  return true;
 }
 
-std::string remark_on(const PiecewiseLinear& record, const std::string& key) {
-  if (record.time().empty()) return "";
-  double peak = 0;
-  for (const double a : record.value()) peak = std::max(peak, std::abs(a));
-  const auto drift = drift_of(record);
-  std::string text = key + ": " + std::to_string(record.time().size()) + " rows from " +
-                     number_text(record.time().front()) + " to " + number_text(record.time().back()) + " s, at most " +
-                     number_text(peak) + " m/s2; the ground ends at " + number_text(drift.velocity) + " m/s, " +
-                     number_text(drift.displacement) + " m away";
-  if (std::abs(drift.velocity) > worth_saying * drift.peak_velocity)
-    text += " (its baseline drifts: baseline = corrected brings the ground back to rest)";
-  return text + ". ";
-}
+/// A record in m/s2, and what is to be said of it.
+struct MotionRecord {
+  PiecewiseLinear acceleration;
+  std::string remark;
+  Warnings warnings;
+
+  MotionRecord() = default;
+  MotionRecord(const GroundMotionParameters& p, const std::string& file, const ValueColumn& column,
+               const std::string& where, const Teuchos::Comm<int>& comm)
+      : key_(column.key.substr(0, 1) + " record"), where_(where) {
+    auto series = read_time_series(file, p.layout, column, where, comm);
+    check_heading(p, file, series.heading);
+    if (count_rows(series.time))
+      warn("row_numbers", static_cast<double>(series.time.size()),
+           "its times are " + number_text(series.time.front()) + ", " + number_text(series.time.front() + 1) +
+               ", ... to " + number_text(series.time.back()) +
+               " s, a second from row to row: if they number the rows, name the time column, or give layout = values");
+    for (double& a : series.value) a *= p.scale * in_si(p.unit);
+    acceleration = {std::move(series.time), std::move(series.value)};
+    const auto drift = drift_of(acceleration);
+    if (p.corrected) acceleration = with_corrected_baseline(acceleration);
+    describe(p.corrected, drift);
+  }
+
+ private:
+  void warn(const std::string& kind, double how_much, const std::string& text) {
+    warnings.push_back({kind, where_, "", how_much, text});
+  }
+
+  void check_heading(const GroundMotionParameters& p, const std::string& file,
+                     const std::vector<std::string>& heading) {
+    const bool at2 = p.layout.layout == RecordLayout::peer_at2;
+    if (names_other_motion(heading))
+      throw InputError(where_ + " = " + in_quotes(file) +
+                       "\n  must hold accelerations, but its heading names another "
+                       "motion.\n  Give the record of the acceleration of the same event.");
+    const auto unit = unit_named_in(heading);
+    if (!unit || in_si(*unit) == in_si(p.unit)) return;
+    const std::string both = "its heading says " + word_of(*unit) + ", where unit = " + word_of(p.unit);
+    if (at2)
+      throw InputError(where_ + " = " + in_quotes(file) + "\n  must be in the unit that the scene gives, but " + both +
+                       ".\n  Give unit = " + word_of(*unit) + ".");
+    // A scale, or the factor of a stage, may be there to convert.
+    if (p.scale == 1)
+      warn("record_unit", in_si(p.unit) / in_si(*unit),
+           both + ": accelerations are taken " + number_text(in_si(p.unit) / in_si(*unit)) +
+               " times as large; give unit = " + word_of(*unit) + ", or mend the heading");
+  }
+
+  void describe(bool corrected, const Drift& drift) {
+    const auto& time = acceleration.time();
+    double peak = 0;
+    for (const double a : acceleration.value()) peak = std::max(peak, std::abs(a));
+    const std::string end =
+        "at " + number_text(drift.velocity) + " m/s, " + number_text(drift.displacement) + " m away";
+    remark = key_ + ": " + std::to_string(time.size()) + " rows from " + number_text(time.front()) + " to " +
+             number_text(time.back()) + " s, at most " + number_text(peak) + " m/s2; the ground " +
+             (corrected ? "would end " : "ends ") + end + (corrected ? ", and is brought back to rest. " : ". ");
+    const bool moves = std::abs(drift.velocity) > still_moving * drift.peak_velocity;
+    const bool away = std::abs(drift.displacement) > still_away * drift.peak_displacement;
+    if (corrected || (!moves && !away)) return;
+    warn("record_ends_moving", drift.share(),
+         "the ground ends " + end + ", where its largest velocity is " + number_text(drift.peak_velocity) +
+             " m/s and its largest displacement " + number_text(drift.peak_displacement) +
+             " m; unless it did so, baseline = corrected brings it back to rest where it began");
+  }
+
+  std::string key_, where_;
+};
 
 /// Mass of each node, shaken.
 class GroundMotion final : public Load<2> {
  public:
   GroundMotion(const GroundMotionParameters& p, const LoadSite<2>& site) : steady_{p.ax, p.ay} {
     const auto& comm = *site.structure.comm();
-    if (!p.record_x.empty()) record_[0] = read_record(p, p.record_x, site.where + " > x record", comm);
-    if (!p.record_y.empty()) record_[1] = read_record(p, p.record_y, site.where + " > y record", comm);
+    if (!p.record_x.empty()) record_[0] = {p, p.record_x, {"x column", p.column_x}, site.where + " > x record", comm};
+    if (!p.record_y.empty()) record_[1] = {p, p.record_y, {"y column", p.column_y}, site.where + " > y record", comm};
     mass_.reserve(static_cast<std::size_t>(site.structure.nodes()));
     for (const auto& b : site.structure.blocks())
       for (const double volume : nodal_volumes(b.mesh, site.structure.model().thickness))
@@ -62,31 +120,46 @@ class GroundMotion final : public Load<2> {
   }
 
   std::size_t bytes() const override {
-    return sizeof(*this) + mass_.capacity() * sizeof(double) + record_[0].bytes() + record_[1].bytes();
+    return sizeof(*this) + mass_.capacity() * sizeof(double) + record_[0].acceleration.bytes() +
+           record_[1].acceleration.bytes();
   }
 
-  double resolution() const override { return std::min(record_[0].resolution(), record_[1].resolution()); }
+  double resolution() const override {
+    return std::min(record_[0].acceleration.resolution(), record_[1].acceleration.resolution());
+  }
 
-  std::string remark() const override { return remark_on(record_[0], "x record") + remark_on(record_[1], "y record"); }
+  std::string remark() const override { return record_[0].remark + record_[1].remark; }
+
+  Warnings warnings() const override {
+    auto all = record_[0].warnings;
+    all.insert(all.end(), record_[1].warnings.begin(), record_[1].warnings.end());
+    return all;
+  }
 
  private:
   /// [m/s2], 0 before and after the record
   double recorded(int c, double time) const {
-    const auto& times = record_[c].time();
-    return times.empty() || time < times.front() || time > times.back() ? 0.0 : record_[c](time);
+    const auto& record = record_[c].acceleration;
+    const auto& times = record.time();
+    return times.empty() || time < times.front() || time > times.back() ? 0.0 : record(time);
   }
 
   Vector<2> steady_;
-  PiecewiseLinear record_[2];
+  MotionRecord record_[2];
   std::vector<double> mass_;  ///< [kg] per local node
 };
 
 }  // namespace
 
 void GroundMotionParameters::declare(ParameterSection& section) {
-  section.add("x record", record_x, "CSV file with rows time [s], acceleration of the ground to the right");
-  section.add("y record", record_y, "CSV file with rows time [s], acceleration of the ground upwards");
-  section.add_choice<bool>("unit", in_g, {{"m/s2", false}, {"g", true}}, "of both records; g is 9.80665 m/s2");
+  section.add("x record", record_x, "file with accelerations of the ground to the right over time");
+  section.add("y record", record_y, "file with accelerations of the ground upwards over time");
+  layout.declare(section);
+  for (const auto& [key, column] : {std::pair{"x column", &column_x}, std::pair{"y column", &column_y}})
+    section.add(key, *column, "-", between(0, 1000), "of its record, where rows hold more than two numbers, from 1");
+  layout.check(section, {{"x column", column_x, !record_x.empty()}, {"y column", column_y, !record_y.empty()}});
+  section.add_choice<AccelerationUnit>("unit", unit, acceleration_units(),
+                                       "of both records; g is 9.80665 m/s2, gal is cm/s2");
   section.add("scale", scale, "-", any_number(), "times every value of the file");
   section.add_choice<bool>("baseline", corrected, {{"as recorded", false}, {"corrected", true}},
                            "corrected takes off the linear acceleration that leaves the ground at rest where it began");
@@ -99,13 +172,18 @@ std::string GroundMotionParameters::summary() const {
   if (!record_x.empty()) words += ", x record " + record_x;
   if (!record_y.empty()) words += ", y record " + record_y;
   if (words.find("record") != std::string::npos)
-    words += std::string(" in ") + (in_g ? "g" : "m/s2") + " times " + number_text(scale);
+    words += std::string(" in ") + word_of(unit) + " times " + number_text(scale);
   if (ax != 0 || ay != 0) words += ", (" + number_text(ax) + ", " + number_text(ay) + ") m/s2";
   return words;
 }
 
 bool GroundMotionParameters::is_zero() const {
   return ax == 0 && ay == 0 && (scale == 0 || (record_x.empty() && record_y.empty()));
+}
+
+double Drift::share() const {
+  const auto over = [](double end, double peak) { return peak > 0 ? std::abs(end) / peak : 0.0; };
+  return std::max(over(velocity, peak_velocity), over(displacement, peak_displacement));
 }
 
 Drift drift_of(const PiecewiseLinear& acceleration) {
@@ -117,20 +195,31 @@ Drift drift_of(const PiecewiseLinear& acceleration) {
     drift.displacement += step * drift.velocity + step * step * (2 * a[k - 1] + a[k]) / 6;
     drift.velocity += step * (a[k - 1] + a[k]) / 2;
     drift.peak_velocity = std::max(drift.peak_velocity, std::abs(drift.velocity));
+    drift.peak_displacement = std::max(drift.peak_displacement, std::abs(drift.displacement));
   }
   return drift;
 }
 
 PiecewiseLinear with_corrected_baseline(const PiecewiseLinear& acceleration) {
-  const auto drift = drift_of(acceleration);
   const auto& t = acceleration.time();
-  const double length = t.back() - t.front();
-  if (length <= 0) return acceleration;
-  // c0 + c1 (t - t0) with the same velocity and displacement at the end.
-  const double c1 = 12 * (drift.velocity * length / 2 - drift.displacement) / (length * length * length);
-  const double c0 = drift.velocity / length - c1 * length / 2;
   auto value = acceleration.value();
-  for (std::size_t k = 0; k < t.size(); ++k) value[k] -= c0 + c1 * (t[k] - t.front());
+  const auto moves = [](double a) { return a != 0; };
+  const auto first = std::find_if(value.begin(), value.end(), moves);
+  if (first == value.end() || value.size() < 2) return acceleration;
+  const auto last = std::find_if(value.rbegin(), value.rend(), moves).base();
+  const auto from = static_cast<std::size_t>(first - value.begin()) - (first == value.begin() ? 0 : 1);
+  const auto to = static_cast<std::size_t>(last - value.begin()) - (last == value.end() ? 1 : 0);
+  // Drifts add up: those of a constant and of a line between the two zeros must make up that of the record.
+  std::vector<double> constant(t.size(), 0.0), line = constant;
+  for (std::size_t k = from; k <= to; ++k) {
+    constant[k] = 1;
+    line[k] = (t[k] - t[from]) / (t[to] - t[from]);
+  }
+  const auto whole = drift_of(acceleration), d0 = drift_of({t, constant}), d1 = drift_of({t, line});
+  const double determinant = d0.velocity * d1.displacement - d1.velocity * d0.displacement;
+  const double c0 = (whole.velocity * d1.displacement - d1.velocity * whole.displacement) / determinant;
+  const double c1 = (d0.velocity * whole.displacement - whole.velocity * d0.displacement) / determinant;
+  for (std::size_t k = from; k <= to; ++k) value[k] -= c0 * constant[k] + c1 * line[k];
   return {t, std::move(value)};
 }
 

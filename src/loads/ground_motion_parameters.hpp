@@ -5,17 +5,23 @@
 #include <vector>
 
 #include "loads/load_kind_parameters.hpp"
+#include "loads/record_layout_parameters.hpp"
 
 namespace voussoir {
+
+/// Of records; words and sizes are in loads/acceleration_unit.hpp.
+enum class AccelerationUnit { m_per_s2, g, cm_per_s2, gal, mm_per_s2 };
 
 struct GroundMotionParameters : LoadKindParameters {
   static constexpr const char* word = "ground motion";
   static constexpr const char* text = "Shaking of the ground, felt as inertia in the frame that moves with it";
-  std::string record_x, record_y;  ///< CSV files of rows time [s], acceleration
-  bool in_g = false;               ///< unit of the records: standard gravity, else m/s2
-  double scale = 1.0;              ///< [-] times both records
-  bool corrected = false;          ///< a linear acceleration is taken off: the ground ends at rest where it began
-  double ax = 0.0, ay = 0.0;       ///< [m/s2] added; for a time function
+  std::string record_x, record_y;                      ///< files of accelerations over time
+  RecordLayoutParameters layout;                       ///< of both
+  int column_x = 0, column_y = 0;                      ///< of rows with more than two numbers, from 1
+  AccelerationUnit unit = AccelerationUnit::m_per_s2;  ///< of both records
+  double scale = 1.0;                                  ///< [-] times both records
+  bool corrected = false;     ///< a linear acceleration is taken off: the ground ends at rest where it began
+  double ax = 0.0, ay = 0.0;  ///< [m/s2] added; for a time function
 
   void declare(ParameterSection&);
   std::string summary() const;

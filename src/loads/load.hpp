@@ -22,7 +22,7 @@ struct LoadSite {
   const Structure<dim>& structure;
   const BlockSource<dim>& source;  ///< knows the names of sets
   const std::vector<std::pair<std::string, SupportParameters>>& supports;
-  std::string where;                      ///< "xml/wall.xml: scene > loads > push"
+  std::string where;  ///< "xml/wall.xml: scene > loads > push"
 
   FacetSet facet_set(const std::string& on, const std::string& blocks) const;
   bool in_block_set(const Block<dim>&, const std::string& name) const;

@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "base/error.hpp"
-#include "base/text.hpp"
-#include "loads/csv_table.hpp"
+#include "loads/time_series.hpp"
 
 namespace voussoir {
 namespace {
@@ -36,14 +34,6 @@ double PiecewiseLinear::resolution() const {
   return (time_.back() - time_.front()) / static_cast<double>(time_.size() - 1) / 2;
 }
 
-void check_rising(const std::vector<double>& time, const std::string& file, const std::string& where) {
-  for (std::size_t k = 1; k < time.size(); ++k)
-    if (time[k] <= time[k - 1])
-      throw InputError(where + " = " + in_quotes(file) + "\n  must have rising times, but row " +
-                       std::to_string(k + 1) + " is at " + number_text(time[k]) + " s after " +
-                       number_text(time[k - 1]) + " s.\n  Sort the rows, and keep one for each time.");
-}
-
 TimeFunction::TimeFunction(const TimeFunctionParameters& p, const std::string& where, const Teuchos::Comm<int>& comm)
     : type_(p.type), start_(p.start), end_(p.start + p.duration), amplitude_(p.amplitude) {
   switch (type_) {
@@ -67,10 +57,9 @@ TimeFunction::TimeFunction(const TimeFunctionParameters& p, const std::string& w
       break;
     case TimeFunctionType::record: {
       const std::string key = where + " > time function > file";
-      auto table = read_csv(p.file, 2, key, comm);
-      check_rising(table.columns[0], p.file, key);
-      for (double& v : table.columns[1]) v *= p.scale;
-      line_ = {std::move(table.columns[0]), std::move(table.columns[1])};
+      auto series = read_time_series(p.file, p.layout, {"value column", p.value_column}, key, comm);
+      for (double& v : series.value) v *= p.scale;
+      line_ = {std::move(series.time), std::move(series.value)};
       break;
     }
   }

@@ -49,7 +49,4 @@ class TimeFunction {
   PiecewiseLinear line_;                             ///< table, ramp, record
 };
 
-/// Refuses times that do not rise, with the first that does not. Same on every rank.
-void check_rising(const std::vector<double>& time, const std::string& file, const std::string& where);
-
 }  // namespace voussoir

@@ -55,9 +55,7 @@ void TimeFunctionParameters::declare(ParameterSection& section) {
   const auto last = [this](ParameterSection& s) {
     s.add("duration", duration, "s", above(0), "how long it lasts", "a duration");
   };
-  const auto size = [this](ParameterSection& s) {
-    s.add("amplitude", amplitude, "-", any_number(), "largest factor");
-  };
+  const auto size = [this](ParameterSection& s) { s.add("amplitude", amplitude, "-", any_number(), "largest factor"); };
   keys(Type::table, "table", "Linear between given points", [&](ParameterSection& s) { declare_table(*this, s); });
   keys(Type::ramp, "ramp", "Linear from one value to another, held before and after", [&](ParameterSection& s) {
     begin(s);
@@ -89,8 +87,11 @@ void TimeFunctionParameters::declare(ParameterSection& section) {
        });
   keys(Type::record, "record", "Points from a file, linear in between, held before the first and after the last",
        [&](ParameterSection& s) {
-         s.add("file", file, "CSV file with rows time [s], factor [-]; lines that begin with # or a letter are text",
-               Presence::required, "Give a path, from the folder of the scene or the one above it.");
+         s.add("file", file, "file with factors [-] over time; lines that begin with # are text", Presence::required,
+               "Give a path, from the folder of the scene or the one above it.");
+         layout.declare(s);
+         s.add("value column", value_column, "-", at_least(0), "where rows hold more than two numbers, from 1");
+         layout.check(s, {{"value column", value_column}});
          s.add("scale", scale, "-", any_number(), "times every factor of the file");
        });
 }

@@ -35,9 +35,34 @@ class OutputFolder {
   int lock_ = -1;  ///< of the first rank
 };
 
+/// Whether a run has come to its end in a folder. Collective; the same on all ranks.
+bool holds_result(const std::string& folder, const Teuchos::Comm<int>&);
+
+/// The folder of a run that another folder goes on with. It is read and left as it is: whatever is computed from its
+/// checkpoint is written elsewhere, so that several variants can begin where it stands.
+class BranchedFolder {
+ public:
+  /// Keeps runs from writing to `from` as long as the object lives. Collective; all ranks throw ResourceError when it
+  /// holds no checkpoint, when a run writes to it, or when what would be written to `to` could touch it.
+  BranchedFolder(const std::string& from, const std::string& to, const Teuchos::Comm<int>& comm);
+  ~BranchedFolder();
+  BranchedFolder(const BranchedFolder&) = delete;
+  BranchedFolder& operator=(const BranchedFolder&) = delete;
+
+  /// Copies the history and, where they are wanted, the fields of the run. Collective; all ranks throw ResourceError.
+  void copy_records(bool fields) const;
+
+ private:
+  std::string from_, to_;
+  const Teuchos::Comm<int>& comm_;
+  int lock_ = -1;  ///< of the first rank
+};
+
 /// The files of a run by name.
 inline const char* const result_file = "result.json";
 inline const char* const checkpoint_file = "checkpoint.h5";
 inline const char* const joints_file = "joints.csv";
+inline const char* const history_file = "history.csv";
+inline const char* const fields_file = "fields.h5";
 
 }  // namespace voussoir

@@ -14,6 +14,8 @@ void OutputParameters::declare(ParameterSection& section) {
   section.add("checkpoint seconds", checkpoint_seconds, "s", at_least(0),
               "save the state after a step when so much time has passed since the last one; 0 = by steps alone",
               "time does not run backwards");
+  section.add("checkpoint at end", checkpoint_at_end,
+              "keep the state in which the run ends, for further stages (--restart) and variants (--restart-from)");
   section.add("report", report, "draw report.html");
 }
 

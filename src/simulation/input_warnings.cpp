@@ -149,4 +149,9 @@ Warnings input_warnings(const Model<2>& model) {
   return all;
 }
 
+void forget_input_warnings(Warnings& warnings) {
+  const auto of_input = [](const Warning& w) { return w.when.empty(); };
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), of_input), warnings.end());
+}
+
 }  // namespace voussoir

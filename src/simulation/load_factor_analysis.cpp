@@ -94,7 +94,7 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
     summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
   const std::string stands = "it stands at " + factor_text(search_.lower());
   if (!search_.found()) {
-    summary.outcome = search_.lower() == p_.largest ? Outcome::equilibrium : Outcome::not_converged;
+    summary.outcome = search_.lower() >= p_.largest ? Outcome::equilibrium : Outcome::not_converged;
     summary.message = summary.outcome == Outcome::equilibrium
                           ? stands + ", the largest load factor asked for"
                           : stands + " times the pattern; beyond that neither an equilibrium nor a mechanism was found";

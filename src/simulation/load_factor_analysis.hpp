@@ -35,6 +35,7 @@ class LoadFactorAnalysis {
  public:
   explicit LoadFactorAnalysis(const LoadFactorParameters& parameters) : p_(parameters), search_(parameters) {}
 
+  bool begun() const { return !search_.attempts().empty(); }
   bool finished() const { return search_.finished(); }
   /// One attempt. The state moves on when it stands and is as before when it does not. Collective.
   void attempt(const Attempting&);

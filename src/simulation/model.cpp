@@ -105,10 +105,11 @@ void Model<dim>::set_laws() {
     const auto& p = points_->points()[k];
     const auto& law = scene_.joints[joints[p.joint].family].parameters;
     law_.set(k, {law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
-    brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
     initial_gap_.push_back(law.initial_gap);
   }
+  // Of the scene, not of the points here: every rank must come to the same.
   for (const auto& [name, law] : scene_.joints) {
+    brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
     rubs_ |= law.friction_coefficient > 0 || law.cohesion > 0 || law.tension_strength > 0;
     softest_mortar_ = std::min({softest_mortar_, law.normal_stiffness, law.tangential_stiffness});
   }
@@ -172,8 +173,7 @@ double Model<dim>::mortar_energy(const std::vector<double>& lambda) const {
   double energy = 0;
   const auto owned = std::min<std::size_t>(compliance_.size(), points_->owned());
   for (std::size_t k = 0; k < owned; ++k)
-    for (int c = 0; c < dim; ++c)
-      energy += compliance_[k].along(c) * lambda[dim * k + c] * lambda[dim * k + c] / 2;
+    for (int c = 0; c < dim; ++c) energy += compliance_[k].along(c) * lambda[dim * k + c] * lambda[dim * k + c] / 2;
   return energy;
 }
 

@@ -1,28 +1,21 @@
 #include "simulation/simulation.hpp"
 
 #include <Teuchos_Time.hpp>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
-#include "mesh/block_source.hpp"
-#include "mesh/mesh_check.hpp"
 #include "output/output_folder.hpp"
-#include "output/safe_file.hpp"
 #include "scene/scene_printer.hpp"
+#include "simulation/coarse_joints.hpp"
 #include "simulation/construction.hpp"
 #include "simulation/effect_costs.hpp"
 #include "simulation/finite_rotations.hpp"
 #include "simulation/halved_step.hpp"
 #include "simulation/input_warnings.hpp"
-#include "simulation/joint_sides.hpp"
 #include "simulation/load_factor_analysis.hpp"
 #include "simulation/masonry_statics.hpp"
 #include "simulation/mechanism_words.hpp"
@@ -32,7 +25,7 @@
 #include "simulation/range_check.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/saved_run.hpp"
-#include "simulation/scene_fit.hpp"
+#include "simulation/scene_file.hpp"
 #include "simulation/shares_of_ranks.hpp"
 #include "simulation/stop_signals.hpp"
 
@@ -40,14 +33,6 @@ namespace voussoir {
 namespace {
 
 using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
-
-void write_scene_file(const Scene& scene, const std::string& folder, const Teuchos::Comm<int>& comm) {
-  on_first_rank(comm, [&] {
-    std::ostringstream text;
-    write_scene(text, scene);
-    replace_file(folder + "/scene.xml", text.str());
-  });
-}
 
 constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
@@ -58,7 +43,9 @@ struct StopWithinStep {};
 class Run {
  public:
   /// @param clock  of the whole run
-  Run(Model<2>& model, const RunOptions& options, const Teuchos::Time& clock, std::ostream& say)
+  /// @param branched  the folder to go on from, where that is another
+  Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branched, const Teuchos::Time& clock,
+      std::ostream& say)
       : model_(model),
         clock_(clock),
         say_(say),
@@ -69,11 +56,14 @@ class Run {
         range_(model, [this](const Warning& w) { warn(w); }),
         load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
-        saved_(model, options.folder) {
+        saved_(model, options.folder, options.restart_from) {
     for (const char* phase : phases) seconds_[phase] = 0;
     seconds_["total"] = 0;
     Record so_far;
-    if (options.restart) restore(so_far);
+    if (options.restart || branched) restore(so_far);
+    nothing_left_ = options.restart && finished() && holds_result(options.folder, *model.structure().comm());
+    if (nothing_left_) return;
+    if (branched) branched->copy_records(model.scene().output.fields);
     recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
     if (recorder_->fields_lost())
       say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
@@ -88,6 +78,8 @@ class Run {
   }
 
   const RunSummary& summary() const { return recorder_->summary(); }
+  /// The run that was to be gone on with has come to its end, and the scene asks for no more: nothing was touched.
+  bool nothing_left() const { return nothing_left_; }
 
   /// Tells and keeps what the result leaves open. The same on all ranks.
   void warn(const Warning& warning) {
@@ -112,12 +104,17 @@ class Run {
         state_ = before;
         return interrupted();
       }
+      if (model_.brittle())
+        for (const auto& w : coarse_joints(model_, state_, at_factor(stage, recorder_->summary().load_factor))) warn(w);
       if (finished()) break;
       if (stop_signal_on_any_rank(*model_.structure().comm())) return interrupted();
       saved_.save_when_due(here());
     }
+    const bool keep = model_.scene().output.checkpoint_at_end;
+    if (keep) keep_last_state();  // without the mechanism, which is no step to go on from
     if (load_factor_) load_factor_->conclude(attempting());
-    if (summary.outcome == Outcome::not_converged || summary.outcome == Outcome::out_of_range) saved_.save(here());
+    const bool undecided = summary.outcome == Outcome::not_converged || summary.outcome == Outcome::out_of_range;
+    if (!keep && undecided) saved_.save(here());
     return summary;
   }
 
@@ -127,8 +124,9 @@ class Run {
     if (!in_motion(*model_.structure().comm(), state_) && summary.steps > 0)
       summary.statics = write_statics(model_, step_, state_, load_, folder);
   }
-  /// What can still be gone on with is kept.
+  /// What nobody wants to go on with is removed.
   void end() {
+    if (model_.scene().output.checkpoint_at_end) return;
     const auto& summary = recorder_->summary();
     const bool found = summary.collapse && summary.outcome == Outcome::collapse;
     if (summary.outcome == Outcome::equilibrium || found) saved_.remove();
@@ -295,6 +293,15 @@ class Run {
     return {steps_, state_, load_, level_, recorder_->so_far(), seconds_so_far_, load_factor_.get()};
   }
 
+  /// The results of a run that is done do not depend on whether its state can be kept.
+  void keep_last_state() {
+    try {
+      saved_.save(here());
+    } catch (const ResourceError& error) {
+      narrator_->say(std::string("No further stage can follow this run: ") + error.what());
+    }
+  }
+
   const RunSummary& interrupted() {
     saved_.save(here());
     recorder_->summary().outcome = Outcome::interrupted;
@@ -302,14 +309,12 @@ class Run {
   }
 
   void restore(Record& so_far) {
-    const auto changed = saved_.restore({steps_, state_, load_, level_, so_far, seconds_, load_factor_.get()});
-    say_ << "Going on after step " << so_far.summary.steps;
-    if (steps_.finished())
-      say_ << ", load factor " << load_factor_->search().lower() << "\n";
-    else
-      say_ << ", stage '" << steps_.stage() << "' at " << steps_.reached() << "\n";
-    for (const auto& section : changed)
-      say_ << "  changed since the run was saved: " << section << "\n";
+    const RunState state{steps_, state_, load_, level_, so_far, seconds_, load_factor_.get()};
+    const auto changed = saved_.restore(state);
+    say_ << words_of(state, changed);
+    forget_input_warnings(so_far.summary.warnings);
+    const auto& stages = model_.scene().stages;
+    if (finished() && !stages.empty()) construction_.begin(stages.back().name, model_, state_);
   }
 
   Model<2>& model_;
@@ -329,7 +334,8 @@ class Run {
   std::optional<Failure> failure_;
   std::vector<double> load_;
   SavedRun saved_;
-  std::map<std::string, double> seconds_;              ///< by phase, of earlier parts of the run
+  bool nothing_left_ = false;
+  std::map<std::string, double> seconds_;         ///< by phase, of earlier parts of the run
   std::map<std::string, double> seconds_so_far_;  ///< the same with this part
   std::unique_ptr<Recorder<2>> recorder_;
   std::unique_ptr<Narrator> narrator_;
@@ -352,20 +358,25 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
     return {};
   }
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
+  std::optional<BranchedFolder> branched;
+  if (!options.restart_from.empty()) branched.emplace(options.restart_from, options.folder, *comm);
   const OutputFolder folder(options.folder, earlier, *comm);
   if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
-  if (!options.restart) write_scene_file(scene, options.folder, *comm);
+  if (!options.restart && !branched) write_scene_file(scene, options.folder, *comm);
   Model<2> model(scene, *source, comm);
   say << source->block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on "
       << comm->getSize() << (comm->getSize() == 1 ? " rank\n" : " ranks\n");
   for (const auto& remark : model.loads().remarks()) say << remark << "\n";
-  Run run(model, options, clock, say);
-  for (const auto& warning : input_warnings(model)) run.warn(warning);
-  if (options.restart) {
-    on_first_rank(*comm, [&] { std::filesystem::remove(options.folder + "/" + result_file); });
-    write_scene_file(scene, options.folder, *comm);
+  Run run(model, options, branched ? &*branched : nullptr, clock, say);
+  if (run.nothing_left()) {
+    say << "Nothing is left to compute, and nothing was changed: the run in " << options.folder
+        << " has come to its end.\nGive a scene with further stages to go on, or leave --restart out to compute it "
+           "again.\n";
+    return {};
   }
+  for (const auto& warning : input_warnings(model)) run.warn(warning);
+  if (options.restart || branched) write_scene_file(scene, options.folder, *comm);
   if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
   run.write_joints(options.folder);
   auto summary = run.summary();

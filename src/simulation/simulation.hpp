@@ -14,12 +14,13 @@
 namespace voussoir {
 
 struct RunOptions {
-  std::string folder;      ///< where results go
-  bool overwrite = false;  ///< remove earlier results instead of keeping them beside
-  bool restart = false;    ///< go on from the checkpoint in the folder
-  bool validate = false;   ///< check the scene and its mesh, then stop
-  bool dry_run = false;    ///< also count unknowns and predict the cost, then stop
-  bool verbose = false;    ///< a line for every linear solve
+  std::string folder;        ///< where results go
+  bool overwrite = false;    ///< remove earlier results instead of keeping them beside
+  bool restart = false;      ///< go on from the checkpoint in the folder
+  std::string restart_from;  ///< or from that in this folder, which stays as it is
+  bool validate = false;     ///< check the scene and its mesh, then stop
+  bool dry_run = false;      ///< also count unknowns and predict the cost, then stop
+  bool verbose = false;      ///< a line for every linear solve
 };
 
 /// The mesh of the scene, checked; messages name the scene. Collective; throws InputError on every rank alike.
@@ -27,6 +28,7 @@ std::unique_ptr<BlockSource<2>> checked_blocks(const Scene&, const Teuchos::RCP<
 
 /// Runs a scene. Collective; throws InputError, ConvergenceError or ResourceError on every rank alike.
 /// @param say  where rank 0 narrates; other ranks pass a stream that goes nowhere
+/// @return with no scene named where nothing was computed: to validate, for a dry run, or with nothing left to do
 RunSummary run(const Scene&, const RunOptions&, const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream& say);
 
 }  // namespace voussoir

@@ -133,12 +133,14 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack) const {
   return step;
 }
 
-double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable, const std::vector<char>& rides) {
+double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable,
+                              const std::function<bool(int)>& rides) {
+  double least = size_of(lacks, stones_[block].radius);
+  if (least <= bearable) return least;
   const auto begun = std::exchange(stones_[block].lacks, lacks);
   const auto all_links = links_[block];
   auto& links = links_[block];
-  links.erase(std::remove_if(links.begin(), links.end(), [&](const Link& l) { return rides[l.other] != 0; }), links.end());
-  double least = size_of(lacks, stones_[block].radius);
+  links.erase(std::remove_if(links.begin(), links.end(), [&](const Link& l) { return rides(l.other); }), links.end());
   for (int k = 0; k < most_steps_alone && least > bearable; ++k) {
     const auto step = step_of(block, lacking(block));
     for (int c = 0; c < 3; ++c) place_[block][c] += step[c];

@@ -7,6 +7,8 @@
 // stiffest of its neighbours could bear. Owners compute the steps, so that ranks do not matter.
 #pragma once
 
+#include <functional>
+
 #include "simulation/model.hpp"
 
 namespace voussoir {
@@ -44,8 +46,7 @@ class StoneRelaxation {
   /// The force, or moment over its radius, that an owned stone still lacks where it lacks least [N]: it begins with a
   /// lack, stones that ride on it move along, all others stay, and it stops where that is bearable. To be asked before
   /// relax().
-  /// @param rides  per local block
-  double alone(int block, const StoneVector& lacks, double bearable, const std::vector<char>& rides);
+  double alone(int block, const StoneVector& lacks, double bearable, const std::function<bool(int block)>& rides);
 
  private:
   struct Link {

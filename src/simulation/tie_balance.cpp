@@ -168,11 +168,11 @@ std::vector<double> left_alone(const Model<2>& model, const std::vector<Stone>& 
         load[c] += other_load[c];
       }
     }
-    std::vector<char> rides(stones.size(), 0);
-    for (std::size_t other = 0; other < stones.size() && !ids.empty(); ++other)
-      rides[other] = dependent.depends_on(s.blocks()[other].mesh.id) == s.blocks()[b].mesh.id;
+    const auto rides = [&](int other) {
+      return dependent.depends_on(s.blocks()[other].mesh.id) == s.blocks()[b].mesh.id;
+    };
     const double borne = std::max(own[b], size_of(load, stones[b].radius));
-    const double left = relaxation.alone(b, lacks, std::max(unknown, largest_share_alone * borne));
+    const double left = relaxation.alone(b, lacks, std::max(unknown, largest_share_alone * borne), rides);
     if (left > unknown) share[b] = borne > 0 ? left / borne : std::numeric_limits<double>::infinity();
   }
   return share;

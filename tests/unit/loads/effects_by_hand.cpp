@@ -189,13 +189,20 @@ TEUCHOS_UNIT_TEST(GroundMotion, IsInertiaAgainstTheAccelerationOfTheGround) {
   if (everyone()->getRank() == 0) std::ofstream(file) << "t [s], a [g]\n0, 0\n1, 0.2\n3, -0.2\n";
   GroundMotionParameters p;
   p.record_x = file;
-  p.in_g = true;
+  p.unit = AccelerationUnit::g;
   p.ay = 0.5;
   const auto r = wall.resultant(p, 0.5, 1.5);
   TEST_FLOATING_EQUALITY(r.x, -0.5 * mass * 0.1 * 9.80665, round_off);
   TEST_FLOATING_EQUALITY(r.y, -0.5 * mass * 0.5, round_off);
   TEST_EQUALITY(wall.resultant(p, 1.0, 3.5).x, 0.0);  // the record is over
-  TEST_INEQUALITY(wall.made(p)->remark().find("its baseline drifts"), std::string::npos);
+  TEST_INEQUALITY(wall.made(p)->remark().find("the ground ends at"), std::string::npos);
+  const auto warnings = wall.made(p)->warnings();
+  TEST_EQUALITY(warnings.size(), 1u);
+  TEST_EQUALITY(warnings[0].what, "record_ends_moving");
+  // Velocities 0.1 and 0.1 g s at 1 and 3 s: it moves as fast as ever.
+  TEST_EQUALITY(warnings[0].how_much, 1.0);
+  p.corrected = true;
+  TEST_EQUALITY(wall.made(p)->warnings().size(), 0u);
   TEST_EQUALITY(wall.made(p)->resolution(), 0.75);  // two intervals of 1.5 s in the mean, two steps in each
 }
 
@@ -207,8 +214,72 @@ TEUCHOS_UNIT_TEST(GroundMotion, BringsTheGroundBackWhereTheBaselineIsCorrected) 
   TEST_FLOATING_EQUALITY(drift.displacement, 8.5625, 1e-14);
   TEST_FLOATING_EQUALITY(drift.peak_velocity, 3.0, 1e-14);
   const auto corrected = drift_of(with_corrected_baseline(record));
-  TEST_COMPARE(std::abs(corrected.velocity), <=, 1e-14);      // some ten operations on numbers near 1
+  TEST_COMPARE(std::abs(corrected.velocity), <=, 1e-14);  // some ten operations on numbers near 1
   TEST_COMPARE(std::abs(corrected.displacement), <=, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(GroundMotion, LeavesARecordSilentWhereItIs) {
+  const PiecewiseLinear record({0, 1, 2, 3.5, 4, 5, 6, 7, 8}, {0, 0, 0, 2, -1, 3, 0, 0, 0});
+  const auto corrected = with_corrected_baseline(record);
+  for (const std::size_t k : {0, 1, 7, 8}) TEST_EQUALITY(corrected.value()[k], 0.0);
+  const auto drift = drift_of(corrected);
+  TEST_COMPARE(std::abs(drift.velocity), <=, 1e-14);
+  TEST_COMPARE(std::abs(drift.displacement), <=, 1e-13);
+  TEST_INEQUALITY(corrected.value()[4], -1.0);
+  const PiecewiseLinear silent({0, 1, 2}, {0, 0, 0});
+  TEST_COMPARE_ARRAYS(with_corrected_baseline(silent).value(), silent.value());
+  const auto peak = drift_of(with_corrected_baseline({{0, 1, 2}, {0, 1, 0}}));  // one value that is not zero
+  TEST_COMPARE(std::abs(peak.velocity), <=, 1e-14);
+  TEST_COMPARE(std::abs(peak.displacement), <=, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(GroundMotion, IsTheSameInEveryUnitAndColumn) {
+  const LoadCase wall;
+  const auto written = [](const std::string& file, const std::string& text) {
+    if (everyone()->getRank() == 0) std::ofstream(file) << text;
+    return file;
+  };
+  const auto force = [&](AccelerationUnit unit, const std::string& text, int time_column = 0, int column = 0) {
+    GroundMotionParameters p;
+    p.record_x = written("ground_motion_units.csv", text);
+    p.unit = unit;
+    p.layout.time_column = time_column;
+    p.column_x = column;
+    everyone()->barrier();
+    return wall.resultant(p, 1, 1).x;
+  };
+  const double one = -density * 2 * 1 * thickness;  // of 1 m/s2
+  TEST_FLOATING_EQUALITY(force(AccelerationUnit::m_per_s2, "0 0\n1 1\n"), one, round_off);
+  TEST_FLOATING_EQUALITY(force(AccelerationUnit::cm_per_s2, "0 0\n1 100\n"), one, round_off);
+  TEST_FLOATING_EQUALITY(force(AccelerationUnit::gal, "0 0\n1 100\n"), one, round_off);
+  TEST_FLOATING_EQUALITY(force(AccelerationUnit::mm_per_s2, "0 0\n1 1000\n"), one, round_off);
+  TEST_FLOATING_EQUALITY(force(AccelerationUnit::g, "0 0\n1 1\n"), 9.80665 * one, round_off);
+  TEST_FLOATING_EQUALITY(force(AccelerationUnit::m_per_s2, "0 7 0\n1 8 1\n", 1, 3), one, round_off);
+  TEST_THROW(force(AccelerationUnit::m_per_s2, "0 0 0\n1 1 1\n"), InputError);
+}
+
+TEUCHOS_UNIT_TEST(GroundMotion, SaysWhatItsFileLeavesOpen) {
+  const LoadCase wall;
+  const auto kinds = [&](const std::string& text, double scale = 1) {
+    if (everyone()->getRank() == 0) std::ofstream("ground_motion_doubts.csv") << text;
+    GroundMotionParameters p;
+    p.record_x = "ground_motion_doubts.csv";
+    p.scale = scale;
+    everyone()->barrier();
+    std::vector<std::string> all;
+    for (const auto& warning : wall.made(p)->warnings()) all.push_back(warning.what);
+    return all;
+  };
+  // Velocities 0.5, 0, -0.5, 0 at rest in the end and back: 0 = + - - +.
+  const std::string at_rest = "0 0\n1 1\n2 -1\n3 -1\n4 1\n5 0\n";
+  TEST_EQUALITY(kinds(at_rest).size(), 0u);
+  TEST_COMPARE_ARRAYS(kinds("0 0\n1 1\n2 0\n"), std::vector<std::string>{"record_ends_moving"});
+  TEST_COMPARE_ARRAYS(kinds("0 0\n1 1\n2 0\n3 -1\n4 0\n"), std::vector<std::string>{"record_ends_moving"});  // away
+  TEST_COMPARE_ARRAYS(kinds("t [s], a [cm/s2]\n" + at_rest), std::vector<std::string>{"record_unit"});
+  TEST_EQUALITY(kinds("t [s], a [cm/s2]\n" + at_rest, 0.01).size(), 0u);  // converted by its scale
+  std::string numbered;
+  for (int k = 1; k <= 40; ++k) numbered += std::to_string(k) + " 0\n";
+  TEST_COMPARE_ARRAYS(kinds(numbered), std::vector<std::string>{"row_numbers"});
 }
 
 // The forces of a block that may expand freely are those that its stiffness answers with exactly its free expansion.
@@ -232,7 +303,7 @@ TEUCHOS_UNIT_TEST(Temperature, ForcesAreTheStiffnessTimesTheFreeExpansion) {
       largest = std::max(largest, std::abs(force[i]));
       wrong = std::max(wrong, std::abs(force[i] - answer[i]));
     }
-    TEST_COMPARE(wrong, <=, 1e-12 * largest);  // sums of eight products a row
+    TEST_COMPARE(wrong, <=, 1e-12 * largest);                                    // sums of eight products a row
     const double free = 0.5 * 30 * 1e-5 * (plane == Plane::strain ? 1.2 : 1.0);  // nu = 0.2
     TEST_FLOATING_EQUALITY(*std::max_element(strain.begin(), strain.end()), free, 1e-15);
     TEST_EQUALITY(*std::min_element(strain.begin(), strain.end()), 0.0);  // the other courses stay cold

@@ -1,0 +1,40 @@
+// How far points overrate the strength of a brittle joint that has few cells along it.
+//
+// Forces are lumped at points: the one at the edge of a joint of n cells stands for half a cell, and stress that varies
+// linearly over the depth, +-s at the edges, gives it the mean weighted by its shape function, s (1 - 2 / (3 n)). A
+// joint that bends is thus overrated by 29 % with three cells, 12.5 % with six, 6 % with twelve. What is compared here
+// is the stress that the forces of all points would have at the edge if it were linear along the joint (Navier).
+#pragma once
+
+#include <vector>
+
+namespace voussoir {
+
+/// From this number of cells on a joint is fine enough: bending is then overrated by no more than 12.5 %.
+constexpr int cells_of_a_fine_joint = 6;
+
+/// A point of a brittle joint.
+struct BrittlePoint {
+  double along = 0;         ///< [m] along the joint
+  double area = 0;          ///< [m2] its share
+  double normal_force = 0;  ///< [N] compression positive
+  double shear = 0;         ///< [N]
+  bool broken = false;      ///< its strength is lost
+};
+
+struct CoarseJoint {
+  int cells = 0;          ///< along the joint
+  double overrating = 0;  ///< [-] of its strength, at most; 0 where nothing speaks for any
+  double edge_use = 0;    ///< [-] of its strength, at the edge by linear stress
+  double point_use = 0;   ///< [-] of its strength, at the point that bears most
+};
+
+/// What speaks for an overrated strength: of tension, an edge stress beyond that of the points, once it comes to half
+/// of the strength; of cohesion alone, an edge that would be open by linear stress and counts, once the shear comes to
+/// half of what the joint bears; or a point that has broken: in bending, or of cohesion alone in the shear of a beam.
+/// @param points   of one straight joint, at least one, in any order
+/// @param tension, cohesion  [Pa] strength, one of them positive; may be infinite
+/// @param friction [-] coefficient
+CoarseJoint coarse_joint(const std::vector<BrittlePoint>& points, double tension, double cohesion, double friction);
+
+}  // namespace voussoir
