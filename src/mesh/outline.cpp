@@ -16,6 +16,22 @@ double distance(const OutlineEdge& edge, const Vector<2>& x) {
   return norm(x - edge.from - share * along);
 }
 
+// Two stones lie flush when each keeps to their common line within what the check of a drawing takes for touching, 1 %
+// of a cell: a step, and a bend over the length of a cell.
+constexpr double flush = 0.02;
+// A point stands for half a cell on either side: across a narrower gap it has face beneath it.
+constexpr double bridged = 0.5;
+
+bool go_on_flush(const OutlineEdge& one, const OutlineEdge& other, double cell) {
+  const auto along = one.to - one.from, next = other.to - other.from;
+  if (!(norm(along) > 0) || !(norm(next) > 0)) return false;
+  const Vector<2> way = (1 / norm(along)) * along;
+  if (dot(way, next) <= 0 || std::abs(cross(way, next)) > flush * norm(next)) return false;
+  const bool ahead = dot(way, other.from + other.to - one.from - one.to) > 0;
+  const auto between = ahead ? other.from - one.to : one.from - other.to;
+  return dot(way, between) <= bridged * cell && std::abs(cross(way, between)) <= flush * cell;
+}
+
 /// Nodes of the border and middles of its edges that lie deeper in another block than a tolerance.
 std::vector<Vector<2>> places_within(const Outline& one, const Outline& other, double tolerance) {
   std::vector<Vector<2>> found;
@@ -107,6 +123,18 @@ double overlap_depth(const Outline& one, const Outline& other, double tolerance)
     least = std::min(least, way);
   }
   return least;
+}
+
+Outline with_what_goes_on_flush(const Outline& face, const Outline& others, double cell) {
+  auto found = face;
+  std::vector<char> taken(others.size(), 0);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (std::size_t n = 0; n < others.size(); ++n) {
+      if (taken[n] || !go_on_flush(found[k], others[n], cell)) continue;
+      taken[n] = 1;
+      found.push_back(others[n]);
+    }
+  return found;
 }
 
 }  // namespace voussoir

@@ -34,4 +34,9 @@ double distance_to_border(const Outline&, const Vector<2>&);
 /// @param tolerance  [m] places so close to the border of the other are not in it
 double overlap_depth(const Outline&, const Outline&, double tolerance);
 
+/// A face with the edges of other borders that go on in its line from either end, one after the other: they look the
+/// same way, and where two follow each other there is neither a step nor a gap that matters to cells of a length.
+/// @param cell  [m]
+Outline with_what_goes_on_flush(const Outline& face, const Outline& others, double cell);
+
 }  // namespace voussoir

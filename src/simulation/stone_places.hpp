@@ -23,6 +23,17 @@ inline Outline outline_now(const Structure<2>& s, const std::vector<double>& u, 
   return outline;
 }
 
+/// Edges of that border between some of the nodes.
+inline Outline face_now(const Structure<2>& s, const std::vector<double>& u, int block, std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  const auto known = [&](int node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
+  Outline face;
+  const int first = s.blocks()[block].first_local;
+  for (const auto& [a, b] : border_of(s.blocks()[block].mesh.cells))
+    if (known(first + a) && known(first + b)) face.push_back({place_now(s, u, first + a), place_now(s, u, first + b)});
+  return face;
+}
+
 /// Whether a support holds any component of a local block.
 inline bool is_held(const Model<2>& model, int block) {
   const auto& b = model.structure().blocks()[block];

@@ -73,4 +73,33 @@ TEUCHOS_UNIT_TEST(Outline, AStoneInACornerOfAnotherIsDrawnBackTheShortWay) {
   TEST_FLOATING_EQUALITY(overlap_depth(block, rectangle(1.2, 1, 2.2, 1.5, 2), tolerance), 0.2, round_off);
 }
 
+TEUCHOS_UNIT_TEST(Outline, AFaceGoesOnAlongStonesThatLieFlushWithIt) {
+  const double cell = 0.25;
+  const Outline top{{{1, 1}, {0, 1}}};  // of a stone of 1 m
+  const auto length = [&](const Outline& face, const Outline& others) {
+    double sum = 0;
+    for (const auto& [from, to] : with_what_goes_on_flush(face, others, cell)) sum += norm(to - from);
+    return sum;
+  };
+  const auto turned = [](Outline outline, double x0) {  // by 30 degrees, about the origin, and away
+    const double c = std::sqrt(0.75), s = 0.5;
+    for (auto& edge : outline)
+      for (auto* x : {&edge.from, &edge.to}) *x = {x0 + c * (*x)[0] - s * (*x)[1], s * (*x)[0] + c * (*x)[1]};
+    return outline;
+  };
+  auto row = rectangle(1, 0, 2, 1, 4);  // two to the right, one to the left, not in their order
+  for (const auto& more : {rectangle(-2, 0, 0, 1), rectangle(2, 0, 3, 1, 3)})
+    row.insert(row.begin(), more.begin(), more.end());
+  TEST_FLOATING_EQUALITY(length(top, row), 5.0, round_off);
+  TEST_FLOATING_EQUALITY(length(turned(top, 1e3), turned(row, 1e3)), 5.0, 1e-10);
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1.1, 0, 2, 1)), 1.9, round_off);     // a gap a point stands across
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 0.998)), 2.0, round_off);   // a step as two stones may have
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1.2, 0, 2, 1)), 1.0, round_off);     // a gap
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 0.98)), 1.0, round_off);    // a step down
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 1.02)), 1.0, round_off);    // and up
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 1, 2, 2)), 1.0, round_off);       // a face that looks the other way
+  TEST_FLOATING_EQUALITY(length(top, polygon({{1, 0}, {2, 0}, {2, 0.9}, {1, 1}})), 1.0, round_off);  // a slope
+  TEST_FLOATING_EQUALITY(length(top, rectangle(2, 0, 3, 1)), 1.0, round_off);       // with nothing between
+}
+
 }  // namespace
