@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "blocks/assembly.hpp"
+#include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
@@ -166,9 +167,18 @@ double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& 
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
     if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
       lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
-    double taken = 0;
-    for (int c = 1; c < dim; ++c) taken -= 2 * mid.lambda[dim * k + c] * gap[dim * k + c];
-    (mid.broken[k] != broken[k] ? fracture : friction) += taken;
+    std::array<double, dim - 1> force, slip;
+    for (int c = 1; c < dim; ++c) {
+      force[c - 1] = mid.lambda[dim * k + c];
+      slip[c - 1] = 2 * gap[dim * k + c];
+    }
+    if (mid.broken[k] != broken[k]) {
+      fracture -= dot(force, slip);
+      continue;
+    }
+    auto law = at_rest_.law()[k];
+    if (mid.broken[k]) law.cohesion = law.tension = 0;
+    friction += friction_work(friction_bound(law, mid.lambda[dim * k]), force, slip, at_rest_.local_stiffness()[k]);
   }
   report.external_work = total(work);
   report.damping = total(damping);
@@ -204,20 +214,21 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
 }
 
 /// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
-/// Returns what friction took of their last motion [J].
+/// Returns what became of the energy of their last motion.
 template <int dim>
-double DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy, double resting) {
+EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy,
+                                               double resting) {
   const auto& selection = at_rest_.scene().selection;
-  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return 0;
+  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
   const auto& joints = at_rest_.scene().joints;
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
-  if (std::any_of(joints.begin(), joints.end(), mortar)) return 0;
+  if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
   const double share = share_of_tolerance * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
                                               velocities_.calm(state, negligible, resting), negligible, selection.rest);
-  if (largest_over_ranks(*mass_.comm(), mine) == 0) return 0;
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);
 }
@@ -295,8 +306,10 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   report.elastic = total(elastic);
   const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
   const double resting = resting_speed(state, energy);
-  report.friction += velocities_.apply(*model_, state, closing, resting);
-  report.friction += bond_what_rests(state, gap, energy, resting);
+  const auto jump = velocities_.apply(*model_, state, closing, resting);
+  const auto tied = bond_what_rests(state, gap, energy, resting);
+  report.friction += jump.friction + tied.friction;
+  report.external_work += jump.work_of_supports + tied.work_of_supports;
   report.kinetic = velocities_.kinetic_energy(state.velocity);
   report.error = error(state, velocity_before, energy);
   if (!std::isfinite(report.elastic + report.kinetic)) {
