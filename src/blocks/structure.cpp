@@ -62,6 +62,7 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_MIN, dim, low.data(), all_low.data());
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, dim, high.data(), all_high.data());
   size_ = norm(all_high - all_low);
+  middle_ = all_low + 0.5 * (all_high - all_low);
 }
 
 template <int dim>
@@ -138,8 +139,8 @@ std::vector<double> Structure<dim>::deformation(const std::vector<double>& u) co
   return d;
 }
 
-/// The motion is found about the middle of the block, and its matrix where that is the origin: places far from the origin
-/// of the drawing have fewer digits than displacements.
+/// The motion is found about the middle of the block, and its matrix where that is the origin: places far from the
+/// origin of the drawing have fewer digits than displacements.
 template <int dim>
 double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
   auto& b = blocks_[block];

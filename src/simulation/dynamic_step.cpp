@@ -35,6 +35,29 @@ Structure<dim> structure_of_mass(const Model<dim>& model) {
   });
 }
 
+/// The place about which a set of blocks turns when time begins [m]: given, or its mass centre. Collective.
+template <int dim>
+Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityParameters& given) {
+  const auto& s = model.structure();
+  Vector<dim> centre{given.about_x, given.about_y};
+  if (given.rotation == 0) return s.middle();
+  std::array<double, dim + 1> mine{}, all{};  // mass, and its moments about the middle of the structure
+  for (int n = 0; n < s.owned_blocks(); ++n) {
+    const auto& b = s.blocks()[n];
+    if (!in_set(model.source(), b.mesh, given.blocks)) continue;
+    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+      const double mass = b.material.density * volume[i];
+      mine[dim] += mass;
+      for (int c = 0; c < dim; ++c) mine[c] += mass * (b.mesh.position[i][c] - s.middle()[c]);
+    }
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
+  for (int c = 0; c < dim; ++c)
+    if (std::isinf(centre[c])) centre[c] = s.middle()[c] + all[c] / all[dim];
+  return centre;
+}
+
 }  // namespace
 
 template <int dim>
@@ -76,15 +99,17 @@ double DynamicStep<dim>::begin(ContactState& state) {
   v.assign(state.displacement.size(), 0.0);
   state.acceleration.clear();
   state.acceleration_before.clear();
-  for (const auto& [name, given] : at_rest_.scene().velocities)
+  for (const auto& [name, given] : at_rest_.scene().velocities) {
+    const auto centre = centre_of_rotation(at_rest_, given);
     for (const auto& b : s.blocks()) {
       if (!in_set(at_rest_.source(), b.mesh, given.blocks)) continue;
       for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
-        const auto& x = b.mesh.position[i];
-        v[dim * (b.first_local + i)] = given.vx - given.rotation * (x[1] - given.about_y);
-        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * (x[0] - given.about_x);
+        const auto arm = b.mesh.position[i] - centre;
+        v[dim * (b.first_local + i)] = given.vx - given.rotation * arm[1];
+        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * arm[0];
       }
     }
+  }
   for (std::size_t i = 0; i < v.size(); ++i)
     if (at_rest_.held()[i]) v[i] = 0;
   const auto& points = at_rest_.points();

@@ -4,11 +4,11 @@
 // takes force times slip. The force is that of the end of the step, as the return mapping of the solver has it
 // (joints/friction_work.hpp). Loads and reactions do the work of their mean, which is exact where stones only deform.
 // Where a point slips the mean is wrong: its force goes to its bound first, and only there it slips, so the mean of the
-// bounds at start and end stands in its place. A stone that is pushed to and fro costs force times way, however long a
-// step is, and a load that grows from nothing costs half of what friction at its end would.
+// bounds at start and end stands in its place. A stone that is pushed to and fro costs force times way, however long
+// a step is, and a load that grows from nothing costs half of what friction at its end would.
 //
-// What is left is the imbalance: slips under a pressure that changes within the step (the bound at its end less the mean
-// of bounds), pressure of joints that open or close within it, and turns of stones so far that the mean of two
+// What is left is the imbalance: slips under a pressure that changes within the step (the bound at its end less the
+// mean of bounds), pressure of joints that open or close within it, and turns of stones so far that the mean of two
 // reactions is not the one between. It tells how far work and loss may be off, and goes with the size of the steps.
 #pragma once
 
