@@ -1,6 +1,7 @@
 #include "simulation/support_reactions.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,9 @@
 
 namespace voussoir {
 namespace {
+
+// A reaction below this share of the largest is what solvers leave: it has no place.
+constexpr double negligible = 1e-6;
 
 /// Length of the edges of a set that belong to each node copy of blocks of this rank, half of each [m].
 std::vector<double> edges_at_nodes(const Structure<2>& s, const FacetSet& facets) {
@@ -39,6 +43,7 @@ std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, 
   }
   const auto origin = s.middle();  // moments about it keep their digits wherever the structure stands
   std::map<std::string, ReactionSummary> found;
+  double largest = 0;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const auto& support = supports[k].parameters;
     // Number of nodes, sums of their places, their forces, and the moment of these.
@@ -57,7 +62,11 @@ std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, 
     const double x = sum_x / count, y = sum_y / count, square = fx * fx + fy * fy;
     const double shift = square > 0 ? (moment - x * fy + y * fx) / square : std::numeric_limits<double>::quiet_NaN();
     found[supports[k].name] = {fx, fy, origin[0] + x + shift * fy, origin[1] + y - shift * fx};
+    largest = std::max(largest, std::hypot(fx, fy));
   }
+  for (auto& [name, reaction] : found)
+    if (!(std::hypot(reaction.x, reaction.y) > negligible * largest))
+      reaction.through_x = reaction.through_y = std::numeric_limits<double>::quiet_NaN();
   return found;
 }
 
