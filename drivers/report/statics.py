@@ -91,9 +91,11 @@ def rows_of(blocks, neighbours):
 
 
 def circle_centre(x):
-    """Centre of the circle that fits points in the least-squares sense."""
-    solution, *_ = np.linalg.lstsq(np.column_stack([2 * x, np.ones(len(x))]), (x**2).sum(1), rcond=None)
-    return solution[:2]
+    """Centre of the circle that fits points in the least-squares sense, wherever the origin lies."""
+    middle = x.mean(0)
+    arm = x - middle
+    solution, *_ = np.linalg.lstsq(np.column_stack([2 * arm, np.ones(len(x))]), (arm**2).sum(1), rcond=None)
+    return middle + solution[:2]
 
 
 def is_arch(x):

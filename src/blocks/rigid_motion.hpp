@@ -28,16 +28,18 @@ inline RigidMotion rigid_motion(const std::vector<Vector<2>>& position, const Lo
   RigidMotion rigid;
   const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
   const auto of_node = [&](int i) { return Vector<2>{motion[2 * i], motion[2 * i + 1]}; };
+  // From the first node, so that the middle is one wherever the origin lies.
   for (int i = first; i < first + count; ++i) {
-    rigid.middle = rigid.middle + (1.0 / count) * position[i];
+    rigid.middle = rigid.middle + (1.0 / count) * (position[i] - position[first]);
     rigid.mean = rigid.mean + (1.0 / count) * of_node(i);
   }
+  rigid.middle = position[first] + rigid.middle;
   double moment = 0, inertia = 0, stretch = 0;
   for (int i = first; i < first + count; ++i) {
     const Vector<2> r = position[i] - rigid.middle;
-    moment += cross(r, of_node(i));
+    moment += cross(r, of_node(i) - rigid.mean);
     inertia += dot(r, r);
-    stretch += dot(r, of_node(i));
+    stretch += dot(r, of_node(i) - rigid.mean);
     rigid.radius = std::max(rigid.radius, norm(r));
   }
   if (inertia > 0) rigid.rotation = moment / inertia;

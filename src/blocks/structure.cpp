@@ -62,6 +62,7 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_MIN, dim, low.data(), all_low.data());
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, dim, high.data(), all_high.data());
   size_ = norm(all_high - all_low);
+  middle_ = all_low + 0.5 * (all_high - all_low);
 }
 
 template <int dim>
@@ -138,6 +139,8 @@ std::vector<double> Structure<dim>::deformation(const std::vector<double>& u) co
   return d;
 }
 
+/// The motion is found about the middle of the block, and its matrix where that is the origin: places far from the
+/// origin of the drawing have fewer digits than displacements.
 template <int dim>
 double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
   auto& b = blocks_[block];
@@ -145,12 +148,15 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
   const Rotation rotation(rigid.turn);
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
     const std::size_t node = b.first_local + i;
-    position_[node] = rigid.middle + rigid.mean + rotation(drawn_[node] - rigid.middle);
-    b.mesh.position[i] = position_[node];
-    for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = position_[node][c] - drawn_[node][c];
+    const auto arm = drawn_[node] - rigid.middle, turned = rotation(arm);
+    const auto motion = rigid.mean + (turned - arm);
+    b.mesh.position[i] = turned;
+    position_[node] = drawn_[node] + motion;
+    for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = motion[c];
   }
   b.stiffness = std::make_shared<const LocalCsr>(
       block_stiffness(b.mesh, b.material, model_.plane, model_.thickness));
+  for (std::size_t i = 0; i < b.mesh.position.size(); ++i) b.mesh.position[i] = position_[b.first_local + i];
   return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
 }
 

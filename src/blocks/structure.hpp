@@ -77,8 +77,10 @@ class Structure {
   /// The same structure with other matrices in the place of the stiffness of its blocks.
   /// @param matrix_of  matrix of each local block, in the rows and columns of its stiffness
   Structure with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const;
-  /// Diagonal of the bounding box of the whole structure [m].
+  /// Diagonal of the bounding box of the whole structure as drawn [m].
   double size() const { return size_; }
+  /// Middle of that box [m]: what is reckoned from it keeps its digits, wherever the drawing has its origin.
+  const Vector<dim>& middle() const { return middle_; }
 
  private:
   void add_block(Block<dim>, NodeId first_node, const Material&, StiffnessOfShapes&, std::vector<VertexId>& vertex);
@@ -96,6 +98,7 @@ class Structure {
   std::vector<int> block_of_node_, copies_start_, copy_;
   std::shared_ptr<const Exchange> node_exchange_;
   double size_ = 0;
+  Vector<dim> middle_{};
   // Of blocks that have been followed; empty before.
   std::vector<Vector<dim>> drawn_;    ///< [m] places of nodes in the drawing
   std::vector<double> rigid_motion_;  ///< [m] to position_, dim numbers per node

@@ -2,10 +2,9 @@
 //
 //   imbalance = elastic + kinetic + friction + fracture + damping - external work        [J]
 //
-// In load steps the work of contact forces is that of their mean over a step. Friction and fracture are what sticks
-// to the tangential direction and to joints that broke; the pressure of a joint that opened within a step is the
-// imbalance: it vanishes with the size of the steps. In time steps all is exact, so the part of the imbalance that
-// arose in them shows how well they were solved.
+// In load steps friction takes the force at the end of the step times the slip, and the imbalance tells what the rule
+// for work and loss leaves (simulation/load_step_book): it vanishes with the size of the steps. In time steps all is
+// exact, so the part of the imbalance that arose in them shows how well they were solved.
 #pragma once
 
 namespace voussoir {

@@ -35,8 +35,10 @@ void InitialVelocityParameters::declare(ParameterSection& section) {
   section.add("vx", vx, "m/s", any_number(), "to the right");
   section.add("vy", vy, "m/s", any_number(), "upwards");
   section.add("rotation", rotation, "rad/s", any_number(), "counter-clockwise, added to (vx, vy)");
-  section.add("about x", about_x, "m", any_number(), "centre of the rotation");
-  section.add("about y", about_y, "m", any_number(), "centre of the rotation");
+  section.add("about x", about_x, "m", any_number().or_infinite(),
+              "centre of the rotation; inf: the mass centre of the blocks");
+  section.add("about y", about_y, "m", any_number().or_infinite(),
+              "centre of the rotation; inf: the mass centre of the blocks");
 }
 
 }  // namespace voussoir

@@ -1,6 +1,7 @@
 // Time steps, damping and mass of the stages that have a duration; velocities of blocks when time begins.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "blocks/material_parameters.hpp"
@@ -25,7 +26,9 @@ struct InitialVelocityParameters {
   std::string blocks = "all";
   double vx = 0, vy = 0;            ///< [m/s]
   double rotation = 0;              ///< [rad/s] counter-clockwise
-  double about_x = 0, about_y = 0;  ///< [m]
+  /// Stands for a coordinate of the mass centre of the blocks.
+  static constexpr double mass_centre = std::numeric_limits<double>::infinity();
+  double about_x = mass_centre, about_y = mass_centre;  ///< [m]
   void declare(ParameterSection&);
 };
 

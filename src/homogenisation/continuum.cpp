@@ -19,12 +19,13 @@ constexpr Tpetra::global_size_t smallest_multigrid = 2000;
 constexpr double even = 10;
 constexpr Tpetra::global_size_t largest_factor = 300000;
 
-/// Rigid motions at owned clusters, 3 columns in 2D; 0 where held. Lengths are scaled so that columns are alike.
+/// Rigid motions at owned clusters, 3 columns in 2D; 0 where held. Lengths are scaled, and turns are about the middle
+/// of the structure, so that columns are alike.
 Teuchos::RCP<TpetraMultiVector> rigid_motions(const Structure<2>& s, const MergedSpace<2>& space) {
   auto modes = Teuchos::rcp(new TpetraMultiVector(space.map(), 3));
   auto view = modes->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int k = 0; k < space.owned_clusters(); ++k) {
-    const auto& x = s.position()[space.representative()[k]];
+    const auto x = s.position()[space.representative()[k]] - s.middle();
     const double value[2][3] = {{1, 0, -x[1] / s.size()}, {0, 1, x[0] / s.size()}};
     for (int c = 0; c < 2; ++c)
       for (int m = 0; m < 3; ++m) view(2 * k + c, m) = space.held()[2 * k + c] ? 0.0 : value[c][m];
@@ -67,7 +68,7 @@ Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& poi
   {
     auto view = coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int k = 0; k < space_->owned_clusters(); ++k)
-      for (int c = 0; c < dim; ++c) view(k, c) = s.position()[space_->representative()[k]][c];
+      for (int c = 0; c < dim; ++c) view(k, c) = s.position()[space_->representative()[k]][c] - s.middle()[c];
   }
   preconditioner_ = std::make_shared<AmgPreconditioner>(matrix_, coordinates, rigid_motions(s, *space_), dim, muelu);
 }

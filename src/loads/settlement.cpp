@@ -1,3 +1,6 @@
+#include <Teuchos_CommHelpers.hpp>
+#include <cmath>
+
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
@@ -13,15 +16,18 @@ void SettlementParameters::declare(ParameterSection& section) {
   section.add("uy", uy, "m", any_number(), "displacement upwards; a settlement is negative");
   section.add("rotation", rotation, "rad", any_number(),
               "rotation, counter-clockwise; a small one unless model > rotations is finite");
-  section.add("about x", about_x, "m", any_number(), "centre of the rotation");
-  section.add("about y", about_y, "m", any_number(), "centre of the rotation");
+  section.add("about x", about_x, "m", any_number().or_infinite(),
+              "centre of the rotation; inf: the middle of the support's edges");
+  section.add("about y", about_y, "m", any_number().or_infinite(),
+              "centre of the rotation; inf: the middle of the support's edges");
 }
 
 std::string SettlementParameters::summary() const {
+  const auto coordinate = [](double x) { return std::isinf(x) ? "its middle" : number_text(x); };
   return "settlement of " + in_quotes(support) + " by (" + number_text(ux) + ", " + number_text(uy) + ") m" +
          (rotation == 0 ? ""
-                        : ", turned by " + number_text(rotation) + " rad about (" + number_text(about_x) + ", " +
-                              number_text(about_y) + ") m");
+                        : ", turned by " + number_text(rotation) + " rad about (" + coordinate(about_x) + ", " +
+                              coordinate(about_y) + ") m");
 }
 
 bool SettlementParameters::is_zero() const { return ux == 0 && uy == 0 && rotation == 0; }
@@ -34,13 +40,31 @@ void add_settlement<2>(const Structure<2>& s, const SettlementParameters& load, 
     if (moved[node]) return;
     moved[node] = 1;
     const auto& x = s.drawn_position()[node];
-    const Vector<2> u{load.ux - load.rotation * (x[1] - load.about_y), load.uy + load.rotation * (x[0] - load.about_x)};
+    Vector<2> u{load.ux, load.uy};
+    if (load.rotation != 0) u = u + load.rotation * Vector<2>{load.about_y - x[1], x[0] - load.about_x};
     for (int c = 0; c < 2; ++c)
       if (holds(support, c)) displacement[2 * node + c] += factor * u[c];
   });
 }
 
 namespace {
+
+/// The middle of the edges of a support, by their length [m]. Collective.
+Vector<2> middle_of_edges(const Structure<2>& s, const FacetSet& facets) {
+  std::array<double, 3> mine{}, all{};  // lengths, and their moments about the middle of the structure
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    for (const auto& facet : block.mesh.facets) {
+      if (!facets.has(block.mesh, facet)) continue;
+      const auto from = s.drawn_position()[block.first_local + facet.node[0]] - s.middle();
+      const auto to = s.drawn_position()[block.first_local + facet.node[1]] - s.middle();
+      const auto middle = 0.5 * (from + to);
+      mine = mine + norm(to - from) * std::array<double, 3>{1, middle[0], middle[1]};
+    }
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, mine.data(), all.data());
+  return all[0] > 0 ? s.middle() + Vector<2>{all[1] / all[0], all[2] / all[0]} : s.middle();
+}
 
 /// A support that turns by a finite rotation: its nodes keep their distances, so their motion is no multiple of a
 /// pattern.
@@ -74,8 +98,15 @@ class TurningSupport : public Load<2> {
 }  // namespace
 
 template <>
-std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& p, const LoadSite<2>& site) {
+std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& given, const LoadSite<2>& site) {
   const auto& s = site.structure;
+  auto p = given;
+  for (const auto& [name, support] : site.supports)
+    if (name == p.support && p.rotation != 0) {
+      const auto middle = middle_of_edges(s, site.facet_set(support.on, support.blocks));
+      if (std::isinf(p.about_x)) p.about_x = middle[0];
+      if (std::isinf(p.about_y)) p.about_y = middle[1];
+    }
   std::vector<double> unit(2 * s.nodes(), 0.0);
   std::vector<char> moved(unit.size(), 0), moves(unit.size(), 0);  // a node of two supports moves with the first
   for (const auto& [name, support] : site.supports) {

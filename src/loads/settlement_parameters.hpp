@@ -1,6 +1,7 @@
 // Prescribed motion of a support: translation and small rotation about a point.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ struct SettlementParameters : LoadKindParameters {
   std::string support;        ///< name of a support of the scene; only its held components move
   double ux = 0.0, uy = 0.0;  ///< [m]
   double rotation = 0.0;      ///< [rad] counter-clockwise
-  double about_x = 0.0, about_y = 0.0;  ///< [m] centre of rotation
+  /// Stands for a coordinate of the middle of the support's edges.
+  static constexpr double middle = std::numeric_limits<double>::infinity();
+  double about_x = middle, about_y = middle;  ///< [m] centre of rotation
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;

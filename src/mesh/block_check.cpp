@@ -20,7 +20,7 @@ const double degree = std::acos(-1.0) / 180;
   throw InputError("mesh: " + block.name + fault + "\n  " + why + "\n  " + advice);
 }
 
-std::string at(const Vector<2>& x) { return "(" + in_words(x[0]) + ", " + in_words(x[1]) + ") m"; }
+std::string at(const Vector<2>& x) { return "(" + place_in_words(x[0]) + ", " + place_in_words(x[1]) + ") m"; }
 
 void check_nodes(const Block<2>& block) {
   VOUSSOIR_CHECK(block.vertex.size() == block.position.size());

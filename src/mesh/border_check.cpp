@@ -38,7 +38,7 @@ struct Segment {
   }
 };
 
-std::string at(const Vector<2>& x) { return "(" + in_words(x[0]) + ", " + in_words(x[1]) + ") m"; }
+std::string at(const Vector<2>& x) { return "(" + place_in_words(x[0]) + ", " + place_in_words(x[1]) + ") m"; }
 std::string between(const Segment& s) { return "from " + at(s.from) + " to " + at(s.to); }
 
 int common_vertices(const BorderEdge& a, const BorderEdge& b) {

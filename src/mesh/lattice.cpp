@@ -60,6 +60,14 @@ std::string in_words(double value) {
   return text.str();
 }
 
+std::string place_in_words(double coordinate) {
+  if (!(std::abs(coordinate) >= 1e4)) return in_words(coordinate);
+  std::ostringstream text;
+  text.precision(10);
+  text << coordinate;
+  return text.str();
+}
+
 void refuse_mesh(const std::string& key, const std::string& value, const std::string& why, const std::string& advice) {
   throw InputError("mesh > " + key + " = " + value + "\n  " + why + "\n  " + advice);
 }

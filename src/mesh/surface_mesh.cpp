@@ -134,9 +134,13 @@ void tag_facets(const SurfaceMesh& mesh, const std::vector<VertexId>& vertex, st
 std::vector<VertexId> vertices_of_nodes(const SurfaceMesh& mesh) {
   const std::vector<double> shortest = shortest_edges(mesh);
   Classes classes(mesh);
+  const auto within = [&](std::size_t node) {  // [m] distance at which another coincides with it
+    const double far = coincidence_far * norm(mesh.position[node]);
+    return std::max(coincidence * shortest[node], std::min(far, farthest_coincidence * shortest[node]));
+  };
   double reach = 0;  // [m] largest distance at which any two nodes coincide
-  for (const double length : shortest)
-    if (std::isfinite(length)) reach = std::max(reach, coincidence * length);
+  for (std::size_t n = 0; n < shortest.size(); ++n)
+    if (std::isfinite(shortest[n]) && std::isfinite(within(n))) reach = std::max(reach, within(n));
 
   // Nodes by the square of side `reach` they lie in: coincident nodes lie in the same or in neighbouring squares.
   struct Place {
@@ -156,7 +160,7 @@ std::vector<VertexId> vertices_of_nodes(const SurfaceMesh& mesh) {
       for (auto other = std::lower_bound(places.begin(), places.end(), first);
            other != places.end() && other->column == first.column && other->row <= place.row + 1; ++other) {
         const double distance = norm(mesh.position[other->node] - mesh.position[place.node]);
-        if (distance <= coincidence * std::min(shortest[place.node], shortest[other->node]))
+        if (distance <= std::min(within(place.node), within(other->node)))
           classes.unite(place.node, other->node);
       }
     }

@@ -33,6 +33,10 @@ SurfaceMesh surface_mesh_of(const std::string& bytes);
 /// the shortest edge at either node: far above the rounding of coordinates in files (1e-16 relative in double,
 /// 1e-9 as text), far below any joint somebody could have drawn open.
 constexpr double coincidence = 1e-6;
+/// And than this part of their distance from the origin: gmsh divides curves to 5e-13 of the coordinates of their ends
+/// (3e-6 m at 1e7 m, by differences of places), so equal divisions of two coincident curves lie so far apart; but never
+/// farther than a thousandth of that edge, a tenth of what is taken for a joint that does not match.
+constexpr double coincidence_far = 2e-12, farthest_coincidence = 1e-3;
 
 /// Vertex of each node: compact numbers in the order of nodes. Nodes of one surface are never united,
 /// so that a slit inside a stone stays a slit.

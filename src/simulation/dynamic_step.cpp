@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "blocks/assembly.hpp"
+#include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
@@ -32,6 +33,29 @@ Structure<dim> structure_of_mass(const Model<dim>& model) {
     const auto& block = s.blocks()[b];
     return block_mass(block.mesh, block.material.density, s.model().thickness, model.scene().time.mass);
   });
+}
+
+/// The place about which a set of blocks turns when time begins [m]: given, or its mass centre. Collective.
+template <int dim>
+Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityParameters& given) {
+  const auto& s = model.structure();
+  Vector<dim> centre{given.about_x, given.about_y};
+  if (given.rotation == 0) return s.middle();
+  std::array<double, dim + 1> mine{}, all{};  // mass, and its moments about the middle of the structure
+  for (int n = 0; n < s.owned_blocks(); ++n) {
+    const auto& b = s.blocks()[n];
+    if (!in_set(model.source(), b.mesh, given.blocks)) continue;
+    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+      const double mass = b.material.density * volume[i];
+      mine[dim] += mass;
+      for (int c = 0; c < dim; ++c) mine[c] += mass * (b.mesh.position[i][c] - s.middle()[c]);
+    }
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
+  for (int c = 0; c < dim; ++c)
+    if (std::isinf(centre[c])) centre[c] = s.middle()[c] + all[c] / all[dim];
+  return centre;
 }
 
 }  // namespace
@@ -75,15 +99,17 @@ double DynamicStep<dim>::begin(ContactState& state) {
   v.assign(state.displacement.size(), 0.0);
   state.acceleration.clear();
   state.acceleration_before.clear();
-  for (const auto& [name, given] : at_rest_.scene().velocities)
+  for (const auto& [name, given] : at_rest_.scene().velocities) {
+    const auto centre = centre_of_rotation(at_rest_, given);
     for (const auto& b : s.blocks()) {
       if (!in_set(at_rest_.source(), b.mesh, given.blocks)) continue;
       for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
-        const auto& x = b.mesh.position[i];
-        v[dim * (b.first_local + i)] = given.vx - given.rotation * (x[1] - given.about_y);
-        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * (x[0] - given.about_x);
+        const auto arm = b.mesh.position[i] - centre;
+        v[dim * (b.first_local + i)] = given.vx - given.rotation * arm[1];
+        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * arm[0];
       }
     }
+  }
   for (std::size_t i = 0; i < v.size(); ++i)
     if (at_rest_.held()[i]) v[i] = 0;
   const auto& points = at_rest_.points();
@@ -166,9 +192,18 @@ double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& 
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
     if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
       lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
-    double taken = 0;
-    for (int c = 1; c < dim; ++c) taken -= 2 * mid.lambda[dim * k + c] * gap[dim * k + c];
-    (mid.broken[k] != broken[k] ? fracture : friction) += taken;
+    std::array<double, dim - 1> force, slip;
+    for (int c = 1; c < dim; ++c) {
+      force[c - 1] = mid.lambda[dim * k + c];
+      slip[c - 1] = 2 * gap[dim * k + c];
+    }
+    if (mid.broken[k] != broken[k]) {
+      fracture -= dot(force, slip);
+      continue;
+    }
+    auto law = at_rest_.law()[k];
+    if (mid.broken[k]) law.cohesion = law.tension = 0;
+    friction += friction_work(friction_bound(law, mid.lambda[dim * k]), force, slip, at_rest_.local_stiffness()[k]);
   }
   report.external_work = total(work);
   report.damping = total(damping);
@@ -204,20 +239,21 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
 }
 
 /// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
-/// Returns what friction took of their last motion [J].
+/// Returns what became of the energy of their last motion.
 template <int dim>
-double DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy, double resting) {
+EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy,
+                                               double resting) {
   const auto& selection = at_rest_.scene().selection;
-  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return 0;
+  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
   const auto& joints = at_rest_.scene().joints;
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
-  if (std::any_of(joints.begin(), joints.end(), mortar)) return 0;
+  if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
   const double share = share_of_tolerance * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
                                               velocities_.calm(state, negligible, resting), negligible, selection.rest);
-  if (largest_over_ranks(*mass_.comm(), mine) == 0) return 0;
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);
 }
@@ -295,8 +331,10 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   report.elastic = total(elastic);
   const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
   const double resting = resting_speed(state, energy);
-  report.friction += velocities_.apply(*model_, state, closing, resting);
-  report.friction += bond_what_rests(state, gap, energy, resting);
+  const auto jump = velocities_.apply(*model_, state, closing, resting);
+  const auto tied = bond_what_rests(state, gap, energy, resting);
+  report.friction += jump.friction + tied.friction;
+  report.external_work += jump.work_of_supports + tied.work_of_supports;
   report.kinetic = velocities_.kinetic_energy(state.velocity);
   report.error = error(state, velocity_before, energy);
   if (!std::isfinite(report.elastic + report.kinetic)) {

@@ -51,7 +51,7 @@ class DynamicStep {
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
   double book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
               const std::vector<double>& effective, TimeStepReport&) const;
-  double bond_what_rests(ContactState&, const PointField& gap, double energy, double resting);
+  EnergyOfJump bond_what_rests(ContactState&, const PointField& gap, double energy, double resting);
   double resting_speed(const ContactState&, double energy) const;
   double error(ContactState& after, const std::vector<double>& velocity_before, double energy) const;
   double total(double mine) const;

@@ -18,6 +18,7 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
                            const std::vector<double>& load, const std::vector<double>& prescribed) {
   if (model.scene().model.rotations == Rotations::small) return step.solve(state, load, prescribed);
   const auto start = state.displacement;
+  const auto slip_origin = state.slip_origin;  // one step: slip counts from its start, whatever the rounds were
   model.follow(start);
   StepReport report = step.solve(state, load, prescribed);
   for (int round = 1; report.newton.outcome == NewtonOutcome::converged; ++round) {
@@ -29,6 +30,7 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
                              "have turned to; smaller load steps may find where they stand";
       break;
     }
+    state.slip_origin = slip_origin;
     report.add(step.solve(state, load, prescribed));
   }
   model.follow(start);

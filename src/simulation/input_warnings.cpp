@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "simulation/joint_sides.hpp"
 #include "simulation/scene_fit.hpp"
+#include "simulation/support_warnings.hpp"
 
 namespace voussoir {
 namespace {
@@ -146,6 +147,7 @@ Warnings input_warnings(const Model<2>& model) {
   append(all, mesh_warnings(model.scene(), model.source()));
   warn_of_idle_laws(model, all);
   append(all, model.loads().warnings());
+  append(all, support_warnings(model));
   return all;
 }
 

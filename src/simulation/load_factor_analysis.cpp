@@ -51,6 +51,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   run.narrator.begin(summary.steps + 1, stage, factor, 1.0);
   Teuchos::Time clock("attempt", true);
   const ContactState before = run.state;
+  const LoadStepBook<2> book(run.model, run.step, before, run.load);
   const auto report = solve_load_step(run.model, run.step, run.state, next_load, prescribed);
   const double seconds = clock.totalElapsedTime(true);
   const int solves = report.newton.newton_iterations + report.estimate_solves;
@@ -68,7 +69,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
-    run.recorder.record(before, run.load, run.state, next_load, report, stage, factor, true, seconds);
+    run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
     run.narrator.end(report, run.recorder.status(), seconds, summary);
     run.load = next_load;
     return;

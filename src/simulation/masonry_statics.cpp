@@ -1,16 +1,15 @@
 #include "simulation/masonry_statics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "joints/joint_statics.hpp"
-#include "mesh/facet_set.hpp"
 #include "linalg/gather.hpp"
 #include "output/joint_table.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
+#include "simulation/support_reactions.hpp"
 
 namespace voussoir {
 namespace {
@@ -66,37 +65,6 @@ std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& ste
   return rows;
 }
 
-/// Force of each support on the structure, and a point on its line of action: the one nearest to the support's middle.
-std::map<std::string, ReactionSummary> reactions(const Model<2>& model, const std::vector<double>& residual) {
-  const auto& s = model.structure();
-  std::vector<char> taken(s.nodes(), 0);
-  std::map<std::string, ReactionSummary> found;
-  for (const auto& [name, support] : model.scene().supports) {
-    // Number of nodes, sums of their places, their forces, and the moment of these about the origin.
-    std::array<double, 6> mine{}, all{};
-    const auto set = facet_set(model.source(), {support.on, support.blocks});
-    for (int b = 0; b < s.owned_blocks(); ++b)
-      for (const auto& facet : s.blocks()[b].mesh.facets) {
-        if (!set.has(s.blocks()[b].mesh, facet)) continue;
-        for (int k = 0; k < facet.count; ++k) {
-          const int node = s.blocks()[b].first_local + facet.node[k];
-          if (taken[node]) continue;
-          taken[node] = 1;
-          const auto& x = s.position()[node];
-          const double fx = residual[2 * node], fy = residual[2 * node + 1];
-          mine = mine + std::array<double, 6>{1, x[0], x[1], fx, fy, x[0] * fy - x[1] * fx};
-        }
-      }
-    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-    const auto [count, sum_x, sum_y, fx, fy, moment] = all;
-    if (!(count > 0)) continue;
-    const double x = sum_x / count, y = sum_y / count, square = fx * fx + fy * fy;
-    const double shift = square > 0 ? (moment - x * fy + y * fx) / square : std::numeric_limits<double>::quiet_NaN();
-    found[name] = {fx, fy, x + shift * fy, y - shift * fx};
-  }
-  return found;
-}
-
 }  // namespace
 
 StaticsSummary write_statics(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state,
@@ -117,7 +85,7 @@ StaticsSummary write_statics(const Model<2>& model, const AdaptiveStep<2>& step,
   std::stable_sort(sum.widest_hinges.begin(), sum.widest_hinges.end(),
                    [](const auto& a, const auto& b) { return a.opening > b.opening; });
   if (sum.widest_hinges.size() > longest_list) sum.widest_hinges.resize(longest_list);
-  sum.reactions = reactions(model, step.residual(state, load));
+  sum.reactions = support_reactions(model, step.residual(state, load));
   return sum;
 }
 

@@ -81,7 +81,8 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       held_(at_rest.held_),
       law_(at_rest.law_),
       initial_gap_(at_rest.initial_gap_),
-      brittle_(at_rest.brittle_) {
+      brittle_(at_rest.brittle_),
+      inertia_(rule.mass_factor()) {
   const auto& rest = *at_rest.structure_;
   structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
     return sum(rule.stiffness_factor(), *rest.blocks()[b].stiffness, rule.mass_factor(), *mass.blocks()[b].stiffness);

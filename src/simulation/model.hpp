@@ -65,6 +65,8 @@ class Model {
   void loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
              std::vector<double>& prescribed) const;
   const LoadsAtWork<dim>& loads() const { return *loads_; }
+  /// Factor of the mass in the matrices of a time step [1/s2]; 0 of the model at rest.
+  double inertia() const { return inertia_; }
 
  private:
   void set_laws();
@@ -84,6 +86,7 @@ class Model {
   double softest_mortar_ = JointLawParameters::infinity;
   std::vector<double> initial_gap_;
   bool brittle_ = false, rubs_ = false;
+  double inertia_ = 0;
   std::unique_ptr<LoadsAtWork<dim>> loads_;
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "blocks/stresses.hpp"
-#include "linalg/reduce.hpp"
 #include "simulation/phase.hpp"
 
 namespace voussoir {
@@ -146,48 +145,13 @@ void Recorder<dim>::write_step(const ContactState& state, const std::vector<doub
   fields_->write_step(rows);
 }
 
-/// Work and losses of one step by the trapezoidal rule, exact for what is linear within it.
 template <int dim>
-void Recorder<dim>::book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
-                         const std::vector<double>& load) {
-  const auto& s = model_.structure();
-  const auto reaction_before = step_.residual(before, load_before), reaction = step_.residual(after, load);
-  std::vector<double> ku;
-  const auto deformation = s.deformation(after.displacement);
-  s.apply_stiffness(deformation, ku);
-  double elastic = 0, work = 0, friction = 0, fracture = 0;
-  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
-    elastic += deformation[i] * ku[i] / 2;
-    const double moved = after.displacement[i] - before.displacement[i];
-    work += moved * (load_before[i] + load[i]) / 2;
-    if (model_.held()[i]) work += moved * (reaction_before[i] + reaction[i]) / 2;
-  }
-  elastic += model_.mortar_energy(after.lambda);
-  const auto gap_before = step_.stone_gaps(before), gap = step_.stone_gaps(after);
-  for (int k = 0; k < model_.points().owned(); ++k) {
-    if (!after.selected[k]) continue;
-    const bool broke = after.broken[k] && !before.broken[k];
-    for (int c = 0; c < dim; ++c) {
-      const int i = dim * k + c;
-      const double lost = -(before.lambda[i] + after.lambda[i]) / 2 * (gap[i] - gap_before[i]);
-      if (broke)
-        fracture += lost;
-      else if (c > 0)
-        friction += lost;
-    }
-  }
-  const auto& comm = *s.comm();
-  record_.energy.advance({total_over_ranks(comm, elastic), 0, total_over_ranks(comm, work),
-                          total_over_ranks(comm, friction), total_over_ranks(comm, fracture), 0});
-}
-
-template <int dim>
-void Recorder<dim>::record(const ContactState& before, const std::vector<double>& load_before,
-                           const ContactState& after, const std::vector<double>& load, const StepReport& report,
-                           const std::string& stage, double load_factor, bool write_fields, double seconds) {
+void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& after, const std::vector<double>& load,
+                           const StepReport& report, const std::string& stage, double load_factor, bool write_fields,
+                           double seconds) {
   Phase phase("output");
-  book(before, load_before, after, load);
-  finish(before, after, report, stage, load_factor, {}, write_fields, seconds);
+  record_.energy.advance(book.close(after, load));
+  finish(book.before(), after, report, stage, load_factor, {}, write_fields, seconds);
 }
 
 template <int dim>

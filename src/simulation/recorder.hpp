@@ -10,6 +10,7 @@
 #include "output/history.hpp"
 #include "output/result_json.hpp"
 #include "simulation/dynamic_step.hpp"
+#include "simulation/load_step_book.hpp"
 #include "simulation/observations.hpp"
 
 namespace voussoir {
@@ -37,11 +38,10 @@ class Recorder {
   /// @param so_far  of an earlier run to go on with: its files are cut behind the steps recorded here
   Recorder(const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder, const Record& so_far = {});
 
-  /// Books and writes a step that was solved.
-  /// @param before, load_before  state and nodal loads at its start
-  void record(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
-              const std::vector<double>& load, const StepReport&, const std::string& stage, double load_factor,
-              bool write_fields, double seconds);
+  /// Books and writes a load step that was solved.
+  /// @param book  opened before it was;  @param after, load  state and nodal loads [N] at its end
+  void record(const LoadStepBook<dim>& book, const ContactState& after, const std::vector<double>& load,
+              const StepReport&, const std::string& stage, double load_factor, bool write_fields, double seconds);
   /// Strain that stresses do not see from the next step on, such as by heat [-, per local block; empty for none].
   void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
   /// Books and writes a time step that was solved.
@@ -73,8 +73,6 @@ class Recorder {
                   std::optional<double> time);
   void finish(const ContactState& before, const ContactState& after, const StepReport&, const std::string& stage,
               double load_factor, std::optional<double> time, bool write_fields, double seconds);
-  void book(const ContactState& before, const std::vector<double>& load_before, const ContactState& after,
-            const std::vector<double>& load);
 
   const Model<dim>& model_;
   const AdaptiveStep<dim>& step_;

@@ -164,6 +164,7 @@ class Run {
     construction_.restrict(state_, next_load, prescribed);
     narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
+    const LoadStepBook<2> book(model_, step_, before, load_);
     const auto report = solve_load_step(model_, step_, state_, next_load, prescribed);
     const double seconds = clock.totalElapsedTime(true);
     const std::string stage = steps_.stage();
@@ -182,7 +183,7 @@ class Run {
     failure_.reset();
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
-    recorder_->record(before, load_, state_, next_load, report, stage, target, writes(), seconds);
+    recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
     narrator_->end(report, recorder_->status(), seconds, summary);
     load_ = next_load;
     return true;
@@ -311,6 +312,7 @@ class Run {
   void restore(Record& so_far) {
     const RunState state{steps_, state_, load_, level_, so_far, seconds_, load_factor_.get()};
     const auto changed = saved_.restore(state);
+    if (model_.scene().model.rotations == Rotations::finite) model_.follow(state_.displacement);
     say_ << words_of(state, changed);
     forget_input_warnings(so_far.summary.warnings);
     const auto& stages = model_.scene().stages;

@@ -56,14 +56,19 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
 
   void hold(std::vector<char> held) { held_ = std::move(held); }
 
-  /// -M^-1 B^T lambda on node copies [m/s].
-  const std::vector<double>& change(const TpetraVector& lambda) const {
+  /// -B^T lambda on node copies [N s].
+  const std::vector<double>& of_points(const TpetraVector& lambda) const {
     field_.assign(static_cast<std::size_t>(dim) * points_.size(), 0.0);
     std::copy_n(local_view(lambda), dim * points_.owned(), field_.begin());
     points_.exchange().update(field_, dim);
     nodal_.assign(static_cast<std::size_t>(dim) * space_.cluster().size(), 0.0);
     add_contact_forces(points_, {}, field_, -1.0, nodal_);
-    space_.sum(nodal_, impulse_);
+    return nodal_;
+  }
+
+  /// -M^-1 B^T lambda on node copies [m/s].
+  const std::vector<double>& change(const TpetraVector& lambda) const {
+    space_.sum(of_points(lambda), impulse_);
     change_.putScalar(0);
     blocks_.add(impulse_, change_, 1.0);
     space_.scatter(change_, nodal_);
@@ -139,7 +144,8 @@ double VelocityProjection<dim>::mass(int point, int axis) const {
 }
 
 template <int dim>
-void VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::vector<char>& held) {
+double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::vector<char>& held,
+                                      const std::vector<double>* supports) {
   if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
   impulses_->hold(held);
   const auto map = impulses_->getDomainMap();
@@ -150,11 +156,19 @@ void VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::ve
   const double size = speed->norm2();
   const double known = round_off * largest_over_ranks(*map->getComm(), fastest) *
                        std::sqrt(static_cast<double>(map->getGlobalNumElements()));
-  if (size <= known) return;
+  if (size <= known) return 0;
   const double tolerance = std::max(solve_tolerance, known / size);
-  if (!solver_.solve(impulses_, by_mass_, speed, lambda, tolerance).converged) return;
+  if (!solver_.solve(impulses_, by_mass_, speed, lambda, tolerance).converged) return 0;
   const auto& change = impulses_->change(*lambda);
   for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
+  if (!supports) return 0;
+  std::vector<double> momentum;
+  mass_.apply_stiffness(change, momentum);
+  const auto& of_points = impulses_->of_points(*lambda);
+  double work = 0;
+  for (int i = 0; i < dim * mass_.owned_nodes(); ++i)
+    if (model_.held()[i]) work += (momentum[i] - of_points[i]) * (*supports)[i];
+  return total_over_ranks(*mass_.comm(), work);
 }
 
 template PointField relative_velocities<2>(const ContactPoints<2>&, const std::vector<double>&);

@@ -3,6 +3,9 @@
 // Impulses lambda act at points that are held: v' = v - M^-1 B^T lambda with (B M^-1 B^T) lambda = B v. Mass couples
 // the nodes of a block only, so M^-1 is one small solve for each block, factored once, and as an impulse hardly moves
 // what is not next to it, conjugate gradients take as many iterations for a bridge as for an arch.
+//
+// Supports keep their velocity, however they move; what that takes of them are impulses too, M dv + B^T lambda at the
+// components they hold. Where a support moves these do work, which the kinetic energy alone does not tell from a loss.
 #pragma once
 
 #include <memory>
@@ -30,7 +33,10 @@ class VelocityProjection {
   /// Collective.
   /// @param velocity  [m/s] on node copies, ghosts up to date; changed
   /// @param held      1 where relative velocities become zero [points x components]; ghosts as their owners
-  void apply(std::vector<double>& velocity, const std::vector<char>& held);
+  /// @param supports  [m/s] on node copies: velocities of what supports hold; none where no support moves
+  /// @return work of the supports [J]
+  double apply(std::vector<double>& velocity, const std::vector<char>& held,
+               const std::vector<double>* supports = nullptr);
 
  private:
   class Impulses;

@@ -108,18 +108,40 @@ double VelocityUpdate<dim>::fastest(const PointField& speed, const Held& held) c
   return largest_over_ranks(*mass_.comm(), mine);
 }
 
-/// What is held, and all of the points that are tied.
 template <int dim>
-void VelocityUpdate<dim>::project(std::vector<double>& velocity, Held held, const std::vector<char>& selected) {
+typename VelocityUpdate<dim>::Supports VelocityUpdate<dim>::moving_supports(const std::vector<double>& velocity) const {
+  bool mine = false;
+  for (std::size_t i = 0; i < velocity.size(); ++i) mine |= at_rest_.held()[i] && velocity[i] != 0;
+  return largest_over_ranks(*mass_.comm(), mine) > 0 ? std::make_unique<const std::vector<double>>(velocity) : nullptr;
+}
+
+/// What is held, and all of the points that are tied. Returns the work of supports.
+template <int dim>
+double VelocityUpdate<dim>::project(std::vector<double>& velocity, Held held, const std::vector<char>& selected,
+                                    const Supports& supports) {
   for (int i = 0; i < dim * at_rest_.points().size(); ++i)
     held[i] = (held[i] || !selected[i / dim]) && projection_.mass(i / dim, i % dim) > 0;
-  projection_.apply(velocity, held);
+  return projection_.apply(velocity, held, supports.get());
+}
+
+/// The same, as friction does it. Seen from supports the velocities that are left have no part in the ones that were
+/// taken, so the loss is the energy of these: a square, which round-off cannot make a gain.
+template <int dim>
+EnergyOfJump VelocityUpdate<dim>::stop(std::vector<double>& velocity, const Held& held,
+                                       const std::vector<char>& selected, const Supports& supports) {
+  auto taken = velocity;
+  EnergyOfJump energy;
+  energy.work_of_supports = project(velocity, held, selected, supports);
+  for (std::size_t i = 0; i < taken.size(); ++i) taken[i] -= velocity[i];
+  energy.friction = kinetic_energy(taken);
+  return energy;
 }
 
 /// How the normal impulses of points that are not at rest spread within a time step.
 template <int dim>
-std::vector<double> VelocityUpdate<dim>::spread(const PointField& lambda, const PointField& speed,
-                                                const Held& closed, double resting) {
+typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& step, const PointField& lambda,
+                                                              const PointField& speed, const Held& closed,
+                                                              double resting, const Supports& supports) {
   auto& problem = spread_->problem;
   const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
   PointField impulse(lambda.size(), 0.0);
@@ -128,46 +150,61 @@ std::vector<double> VelocityUpdate<dim>::spread(const PointField& lambda, const 
     if (closed[i] && (!any || std::abs(speed[i]) > resting)) impulse[i] = -lambda[i];
   problem.subtract_contact_forces(impulse, *b);
   problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d, {solve_tolerance});
-  std::vector<double> way;
-  problem.space().scatter(*d, way);
+  Way way;
+  const auto& space = problem.space();
+  space.scatter(*d, way.velocity);
+  if (!supports) return way;
+  // Supports hold back S d - B^T lambda. The part of S d that is not inertia does no work on a motion as a whole.
+  std::vector<double> impulses;
+  step.structure().apply_stiffness(way.velocity, impulses);
+  add_contact_forces(at_rest_.points(), space.cluster(), impulse, 1.0, impulses);
+  double work = 0;
+  for (int i = 0; i < dim * mass_.owned_nodes(); ++i)
+    if (space.held()[dim * space.cluster()[i / dim] + i % dim]) work += impulses[i] * (*supports)[i];
+  way.work_of_supports = total_over_ranks(*mass_.comm(), work) / step.inertia();
   return way;
 }
 
 template <int dim>
-double VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
+EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
   const auto& points = at_rest_.points();
   const auto speed = relative_velocities(points, state.velocity);
   const auto [closed, sticking] = contacts(at_rest_, state, speed, resting);
   auto sliding = sticking;  // only what friction holds
   for (std::size_t i = 0; i < sliding.size(); i += dim) sliding[i] = 0;
   const bool impact = fastest(speed, closed) > resting || lost > 0;
+  const auto supports = moving_supports(state.velocity);
   auto& v = state.velocity;
+  EnergyOfJump energy;
   if (impact) {
     // A selection that changed on one rank changed for all.
     if (largest_over_ranks(*mass_.comm(), !spread_ || spread_->state.selected != state.selected) > 0)
       spread_ = std::make_unique<Spread>(at_rest_, step, state, solver_);
     const double before = kinetic_energy(v);
     const auto given = v;
-    project(v, closed, state.selected);
-    const double wanted = lost + before - kinetic_energy(v);
-    auto way = spread(state.lambda, speed, closed, resting);
-    const double whole = kinetic_energy(way);
+    const double work = project(v, closed, state.selected, supports);
+    const double wanted = lost + before - kinetic_energy(v) + work;
+    auto way = spread(step, state.lambda, speed, closed, resting, supports);
+    const double whole = kinetic_energy(way.velocity);
     if (whole > 0) {
       auto behind = way;
-      project(behind, closed, state.selected);
+      behind.work_of_supports += project(behind.velocity, closed, state.selected, supports);
       // Where closed points hold everything there is no way behind them: then they rebound.
       constexpr double nothing = 1e-12;
-      if (kinetic_energy(behind) > nothing * whole) way = behind;
-      const double change = least_change(kinetic_energy(way), product(v, way), wanted);
-      for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way[i];
+      if (kinetic_energy(behind.velocity) > nothing * whole) way = behind;
+      const double slope = product(v, way.velocity) - way.work_of_supports;
+      const double change = least_change(kinetic_energy(way.velocity), slope, wanted);
+      for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way.velocity[i];
+      energy.work_of_supports = work + change * way.work_of_supports;
     } else {
       v = given;  // the two sides hang together by other ties
     }
   }
-  if (fastest(relative_velocities(points, v), sliding) <= resting) return 0;
-  const double before = kinetic_energy(v);
-  project(v, sticking, state.selected);
-  return before - kinetic_energy(v);
+  if (fastest(relative_velocities(points, v), sliding) <= resting) return energy;
+  const auto stopped = stop(v, sticking, state.selected, supports);
+  energy.friction = stopped.friction;
+  energy.work_of_supports += stopped.work_of_supports;
+  return energy;
 }
 
 template <int dim>
@@ -186,12 +223,11 @@ std::vector<char> VelocityUpdate<dim>::calm(const ContactState& state, double en
 }
 
 template <int dim>
-double VelocityUpdate<dim>::settle(ContactState& state, double resting) {
-  if (!at_rest_.rubs()) return 0;
+EnergyOfJump VelocityUpdate<dim>::settle(ContactState& state, double resting) {
+  if (!at_rest_.rubs()) return {};
   const auto speed = relative_velocities(at_rest_.points(), state.velocity);
-  const double before = kinetic_energy(state.velocity);
-  project(state.velocity, contacts(at_rest_, state, speed, resting).second, state.selected);
-  return before - kinetic_energy(state.velocity);
+  return stop(state.velocity, contacts(at_rest_, state, speed, resting).second, state.selected,
+              moving_supports(state.velocity));
 }
 
 template double largest_force<2>(const Model<2>&, const ContactState&);

@@ -5,6 +5,10 @@
 // velocity jumps repair both: relative velocities of closed points become zero by normal impulses, and the energy this
 // and the closing took returns as the least change along the way the impulse spreads behind the joint. Points that
 // begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
+//
+// Energies are those seen from the supports. Where one moves, the impulse that holds it at its velocity does work, and
+// what the kinetic energy loses but for that work is what was taken: it is never negative and the same for whoever
+// moves, a stone on a bed or the bed under a stone.
 // Reasons and numbers: dynamics/README.md.
 #pragma once
 
@@ -23,6 +27,12 @@ inline constexpr double no_force = 1e-8;
 template <int dim>
 double largest_force(const Model<dim>&, const ContactState&);
 
+/// What a change of velocities adds to the book of a step. [J]
+struct EnergyOfJump {
+  double friction = 0;          ///< taken, >= 0
+  double work_of_supports = 0;  ///< of those that move
+};
+
 template <int dim>
 class VelocityUpdate {
  public:
@@ -30,20 +40,20 @@ class VelocityUpdate {
   VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass);
   ~VelocityUpdate();
 
-  /// Collective; returns what friction took [J].
+  /// Collective.
   /// @param step     model of the time step
   /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
   /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
   /// @param resting  relative velocity below which a point counts as resting [m/s]
-  double apply(const Model<dim>& step, ContactState& state, double lost, double resting);
+  EnergyOfJump apply(const Model<dim>& step, ContactState& state, double lost, double resting);
 
   /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
   /// may take.
   /// @param energy  of the relative motion of a point [J]
   std::vector<char> calm(const ContactState&, double energy, double resting) const;
   /// Ends the relative velocities of tied points: the two nodes of a point that was tied in motion would swing against
-  /// each other from step to step. Collective; returns what friction took [J].
-  double settle(ContactState&, double resting);
+  /// each other from step to step. Collective.
+  EnergyOfJump settle(ContactState&, double resting);
 
   /// Forgets what depends on the model of a time step; to be called before that model goes.
   void forget();
@@ -53,10 +63,20 @@ class VelocityUpdate {
  private:
   struct Spread;
   double product(const std::vector<double>& v, const std::vector<double>& w) const;
-  void project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& selected);
+  using Supports = std::unique_ptr<const std::vector<double>>;  ///< [m/s] velocities there; none where none moves
+  Supports moving_supports(const std::vector<double>& velocity) const;
+  double project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& selected,
+                 const Supports&);
+  EnergyOfJump stop(std::vector<double>& velocity, const std::vector<char>& held, const std::vector<char>& selected,
+                    const Supports&);
   double fastest(const PointField& speed, const std::vector<char>& held) const;
-  std::vector<double> spread(const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
-                             double resting);
+  /// A change of velocities, and the work of supports that comes with it.
+  struct Way {
+    std::vector<double> velocity;  ///< [m/s]
+    double work_of_supports = 0;   ///< [J]
+  };
+  Way spread(const Model<dim>& step, const PointField& lambda, const PointField& speed,
+             const std::vector<char>& closed, double resting, const Supports&);
 
   const Model<dim>& at_rest_;
   const Structure<dim>& mass_;

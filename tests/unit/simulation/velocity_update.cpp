@@ -65,7 +65,7 @@ class Flight {
   void tie_beds() {
     for (std::size_t k = 0; k < state.selected.size(); ++k) state.selected[k] = !bed(k);
   }
-  double settle() { return update_.settle(state, resting); }
+  double settle() { return update_.settle(state, resting).friction; }
   bool calm(double energy) const {
     const auto all = update_.calm(state, energy, resting);
     const bool mine = std::all_of(all.begin(), all.end(), [](char is_calm) { return is_calm != 0; });
@@ -73,7 +73,7 @@ class Flight {
     Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, static_cast<int>(mine), Teuchos::outArg(everywhere));
     return everywhere != 0;
   }
-  double apply() { return update_.apply(step_, state, 0.0, resting); }
+  double apply() { return update_.apply(step_, state, 0.0, resting).friction; }
 
   bool bed(std::size_t k) const { return std::abs(at_rest_.points().points()[k].axis[0][1]) > 0.5; }
   /// Largest relative velocity at bed points, normal (0) or tangential (1) [m/s].
