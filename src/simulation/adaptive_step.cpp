@@ -226,8 +226,8 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       // Joints that were held together may be what left no way: resolve them all before giving up.
       // A mechanism in which tied points move alike is one without ties too.
       const bool falls = report.newton.outcome == NewtonOutcome::collapse;
-      if (falls || selection.mode != SelectionMode::adaptive || count_selected(model_, state) == model_.points().total())
-        return report;
+      const bool no_ties = count_selected(model_, state) == model_.points().total();
+      if (falls || no_ties || selection.mode != SelectionMode::adaptive) return report;
       state.displacement = solved_last.displacement;
       state.lambda = solved_last.lambda;
       state.fast_way = before.fast_way;

@@ -4,8 +4,8 @@
 
 namespace voussoir {
 
-// Depth-first search from a root that holds all supported blocks (Hopcroft and Tarjan, Commun. ACM 16 (1973) 372-378): a
-// block whose descendants reach no higher than its parent depends on the parent.
+// Depth-first search from a root that holds all supported blocks (Hopcroft and Tarjan, Commun. ACM 16 (1973) 372-378):
+// a block whose descendants reach no higher than its parent depends on the parent.
 DependentStones::DependentStones(const BlockGraph& graph, const std::vector<int>& supported,
                                  const std::vector<int>& absent) {
   const int n = static_cast<int>(supported.size());

@@ -34,6 +34,15 @@ void warn_of_no_joints(const Model<2>& model, Warnings& all) {
                      "; draw every stone as a surface of its own, stones that touch sharing the curve between them"});
 }
 
+void warn_of_bonds(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  if (scene.selection.mode != SelectionMode::bonded || model.points().total() == 0) return;
+  all.push_back({"bonded", scene.file + ": scene > selection > mode = bonded", "",
+                 static_cast<double>(model.points().total()),
+                 "no joint that is closed at first opens or slips: what stands so is a continuum, not an equilibrium "
+                 "of stones"});
+}
+
 /// The longer side of the box around a block [m].
 double extent(const Block<2>& block) {
   double longest = 0;
@@ -144,6 +153,7 @@ Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
 Warnings input_warnings(const Model<2>& model) {
   Warnings all;
   warn_of_no_joints(model, all);
+  warn_of_bonds(model, all);
   append(all, mesh_warnings(model.scene(), model.source()));
   warn_of_idle_laws(model, all);
   append(all, model.loads().warnings());

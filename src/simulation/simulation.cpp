@@ -28,6 +28,7 @@
 #include "simulation/scene_file.hpp"
 #include "simulation/shares_of_ranks.hpp"
 #include "simulation/stop_signals.hpp"
+#include "simulation/tie_balance.hpp"
 
 namespace voussoir {
 namespace {
@@ -180,6 +181,7 @@ class Run {
       return false;
     }
     if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
+    for (const auto& w : held_by_ties(report.tied_share, report.tied_block, at_factor(stage, target))) warn(w);
     failure_.reset();
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
     steps_.accept();
@@ -214,6 +216,7 @@ class Run {
     }
     const bool compares = target == 1 || writes();  // outlines of stones
     if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
+    for (const auto& w : held_by_ties(report.step.tied_share, report.step.tied_block, at_time(stage, time))) warn(w);
     recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
     const double duration = steps_.stage_parameters().duration;
     steps_.accept();

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linalg/reduce.hpp"
 
@@ -14,8 +15,8 @@ constexpr double share_of_step = 0.5;
 // A heavy ball rolls on with so much of its last way: the best share where balance is found a dozen stones away, for
 // which (1 - 1/12)^2 = 0.84. Own weight of W(16), W(32), W(64), W(128) takes 25, 40, 133, 617 sweeps.
 constexpr double momentum = 0.85;
-// No balance is found where so many sweeps do not lower what all stones lack together by a thousandth: a push has crossed
-// as many stones by then.
+// No balance is found where so many sweeps do not lower what all stones lack together by a thousandth: a push has
+// crossed as many stones by then.
 constexpr int patience = 50;
 constexpr double progress = 0.999;
 // Foundation of a stone that no point touches in some direction, relative to the stiffness of its points.

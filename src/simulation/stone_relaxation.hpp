@@ -2,9 +2,9 @@
 //
 // The springs are the contact points, each with its local stiffness and its law; what holds is told by motion, as in
 // the structure itself: a stone that opens its joints, slides on all of them or tips over an edge finds no balance,
-// a wedge finds one where it is pressed and none where it would have to be. A stone takes half the step that balances it
-// between neighbours that stay, as all move at once, and as if every spring held: so it never moves farther than the
-// stiffest of its neighbours could bear. Owners compute the steps, so that ranks do not matter.
+// a wedge finds one where it is pressed and none where it would have to be. A stone takes half the step that balances
+// it between neighbours that stay, as all move at once, and as if every spring held: so it never moves farther than
+// the stiffest of its neighbours could bear. Owners compute the steps, so that ranks do not matter.
 #pragma once
 
 #include <functional>

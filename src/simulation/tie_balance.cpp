@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
 #include "simulation/dependent_stones.hpp"
@@ -19,20 +20,31 @@ constexpr double noise = 10;
 // Loads of a stone that add up to less than this share of their magnitudes are in balance, up to round-off.
 constexpr double balanced = 1e-10;
 
+/// Stiffness of the springs [N/m]: that of the softest point, for all alike. Which stones find a balance is a matter of
+/// places and laws; springs that differ by orders of magnitude would only make them wait for each other. Collective.
+double stiffness_of_springs(const Model<2>& model) {
+  double softest = std::numeric_limits<double>::max();
+  for (int k = 0; k < model.points().size(); ++k) {
+    const double sigma = model.local_stiffness()[k];
+    softest = std::min(softest, sigma);
+    if (model.compliance().empty()) continue;
+    for (int c = 0; c < 2; ++c) softest = std::min(softest, sigma / (1 + sigma * model.compliance()[k].along(c)));
+  }
+  return -largest_over_ranks(*model.structure().comm(), -softest);
+}
+
 /// The points as springs, each with the nearest force that its law admits, normal part first; an open one bears none.
 std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, const ContactState& state,
                                 const std::vector<int>& cluster) {
   std::vector<StonePoint> springs;
   const auto open = open_points(model);
   const auto gap = model.gaps(state.displacement);
+  const double stiffness = stiffness_of_springs(model);
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& p = model.points().points()[k];
     StonePoint spring;
     spring.law = law[k];
-    for (int c = 0; c < 2; ++c) {
-      const double sigma = model.local_stiffness()[k];
-      spring.stiffness[c] = model.compliance().empty() ? sigma : sigma / (1 + sigma * model.compliance()[k].along(c));
-    }
+    spring.stiffness = {stiffness, stiffness};
     const bool tied = cluster[p.node_i] == cluster[p.node_j];
     if (!tied || (!open.empty() && open[k])) spring.gap = std::max(0.0, gap[2 * k]);
     if (open.empty() || !open[k] || !tied) {
@@ -75,14 +87,14 @@ std::vector<double> passing(const Model<2>& model, const std::vector<StonePoint>
 }
 
 /// The blocks as rigid bodies where they are.
-std::vector<Stone> stones_of(const Model<2>& model) {
+std::vector<Stone> stones_of(const Model<2>& model, double stiffness) {
   const auto& s = model.structure();
   std::vector<Stone> stones;
   for (const auto& block : s.blocks()) {
     Stone stone;
     const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
     for (int i = first; i < first + count; ++i) stone.middle = stone.middle + (1.0 / count) * s.position()[i];
-    const double held = block.material.young_modulus * s.model().thickness;  // as stiff as a point sees a block
+    const double held = stiffness;  // as stiff as a point
     for (int i = first; i < first + count; ++i) {
       const Vector<2> arm = s.position()[i] - stone.middle;
       stone.radius = std::max(stone.radius, norm(arm));
@@ -124,7 +136,7 @@ std::array<std::vector<int>, 2> held_and_absent(const Model<2>& model) {
           std::vector<int>(all.begin() + static_cast<long>(blocks), all.end())};
 }
 
-/// Per owned block the share of its load, and of that of its dependants, that it lacks alone between its neighbours [-].
+/// Per owned block the share of its load, with that of its dependants, that it lacks alone between its neighbours [-].
 std::vector<double> left_alone(const Model<2>& model, const std::vector<Stone>& stones, const std::vector<double>& own,
                                const std::vector<StoneVector>& loads, double unknown, StoneRelaxation& relaxation) {
   const auto& s = model.structure();
@@ -203,7 +215,7 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
     if (model.held()[i]) lacking[i] = 0;
   const double unknown = noise * model.scene().newton.tolerance * largest_normal_force(model, state.lambda);
   const auto through = passing(model, points);
-  auto stones = stones_of(model);
+  auto stones = stones_of(model, stiffness_of_springs(model));
   std::vector<double> own(s.owned_blocks());
   std::vector<StoneVector> loads;
   for (int b = 0; b < s.owned_blocks(); ++b) {
@@ -248,6 +260,14 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(balance.where));
   if (balance.where == none) balance.where = -1;
   return balance;
+}
+
+Warnings held_by_ties(double share, int block, const std::string& when) {
+  if (share <= largest_tied_share) return {};
+  return {{"held_by_ties", "block " + std::to_string(block), when, share,
+           number_text(share) + " of its load is borne by tied points beyond the law of their joints, and no round was "
+           "left to release them: without ties it may fall; raise selection > largest rounds, or take selection > mode "
+           "= all"}};
 }
 
 }  // namespace voussoir

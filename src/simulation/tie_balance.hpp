@@ -12,12 +12,13 @@
 // stone's own. The resultants of a group of blocks are the sums of theirs, since what two of them exchange cancels: the
 // bound holds for every group too.
 //
-// Two questions follow. Does every stone, with all that depends on it alone (dependent_stones.hpp), find a balance between
-// its neighbours? What hangs, slides or tips by itself is found so, however small its excess. And where the share of a
-// stone is larger than a bound, do all stones together find one, as rigid bodies between springs (stone_relaxation.hpp)?
-// Those that do not are loose.
+// Two questions follow. Does every stone, with all that depends on it alone (dependent_stones.hpp), find a balance
+// between its neighbours? What hangs, slides or tips by itself is found so, however small its excess. And where the
+// share of a stone is larger than a bound, do all stones together find one, as rigid bodies between springs
+// (stone_relaxation.hpp)? Those that do not are loose.
 #pragma once
 
+#include "base/warning.hpp"
 #include "simulation/contact_problem.hpp"
 #include "simulation/model.hpp"
 
@@ -44,5 +45,9 @@ struct TieBalance {
 /// @param load     forces on the stones from outside, which shares refer to [N, dim x local node copies]
 TieBalance tie_balance(const Model<2>&, const PointLaws&, const ContactState& state, const std::vector<int>& cluster,
                        const std::vector<double>& borne, const std::vector<double>& load);
+
+/// What is said where ties may not be released (selection > largest rounds): one warning, or none.
+/// @param share, block  largest share of a stone's load that ties bear beyond their law, and that stone
+Warnings held_by_ties(double share, int block, const std::string& when);
 
 }  // namespace voussoir
