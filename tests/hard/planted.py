@@ -4,6 +4,8 @@ A structure is a pier of courses, a wall without bond or an arch; it stands. The
 a wedge that opens downwards, alone or several together, and weigh a millionth to a tenth of the structure. They must
 fall in load steps, at the load factor that theory tells, when the prop below them goes, and in time.
 
+A run that comes to no decision says so, which is no wrong answer; an equilibrium is.
+
     planted.py PROGRAM [--count N] [--first SEED] [--mode adaptive]
 """
 
@@ -188,13 +190,18 @@ class Planted:
             result["observations"] = {"stone": {"place": "mean", "blocks": "loose"}}
         return result
 
-    def verdict(self, folder, result):
+    undecided = False  # the program found neither an equilibrium nor a mechanism, and says so
+
+    def verdict(self, result):
         """What is wrong with a result, or nothing."""
         if self.task == "time":
             acceleration = (self.push - self.friction if self.way == "slides" else 1.0) * GRAVITY
             expected = acceleration * DURATION**2 / 2
             moved = result["largest_displacement_m"]
             return "" if moved > 0.5 * expected else f"moved {moved:.3g} m, not {expected:.3g}"
+        if result["outcome"] == "not_converged":
+            self.undecided = True
+            return ""
         if result["outcome"] != "collapse":
             return f"{result['outcome']}: {result.get('message', '')}"
         if self.task == "load factor":
@@ -214,7 +221,7 @@ class Planted:
         results = folder / "out" / "result.json"
         if done.returncode not in (0, 3) or not results.exists():
             return f"exit code {done.returncode}: {done.stderr.strip()}"
-        return self.verdict(folder, json.loads(results.read_text()))
+        return self.verdict(json.loads(results.read_text()))
 
 
 def main():
@@ -225,15 +232,16 @@ def main():
     parser.add_argument("--mode", default="adaptive")
     parser.add_argument("--keep", type=pathlib.Path, help="folder in which scenes and results stay")
     asked = parser.parse_args()
-    wrong = 0
+    wrong = undecided = 0
     with tempfile.TemporaryDirectory() as temporary:
         folder = asked.keep or pathlib.Path(temporary)
         for seed in range(asked.first, asked.first + asked.count):
             planted = Planted(seed)
             problem = planted.run(asked.program, folder / str(seed), asked.mode)
-            print(f"{seed}: {planted}: {problem or 'falls'}", flush=True)
+            print(f"{seed}: {planted}: {problem or ('undecided' if planted.undecided else 'falls')}", flush=True)
             wrong += bool(problem)
-    print(f"{asked.count - wrong} of {asked.count} fall.")
+            undecided += planted.undecided
+    print(f"{wrong} of {asked.count} stand or are wrong, {undecided} undecided.")
     sys.exit(wrong > 0)
 
 
