@@ -178,13 +178,17 @@ long long AdaptiveStep<dim>::release_loose(ContactState& state, const std::vecto
                                            const std::vector<int>& cluster, StepReport& report,
                                            bool may_release) const {
   report.tied_share = 0;
+  report.tied_block = -1;
   if (model_.scene().selection.mode == SelectionMode::bonded) return 0;
   if (count_selected(model_, state) == model_.points().total()) return 0;
   const auto& own = own_load ? *own_load : load;
   const auto balance = tie_balance(model_, law_, state, cluster, borne_by_joints(state, load), own);
+  if (!balance.any) return 0;
+  const auto released = may_release ? release_blocks(model_, law_, balance.loose, state) : 0;
+  if (released > 0) return released;
   report.tied_share = balance.largest;
   report.tied_block = balance.where;
-  return may_release && balance.any ? release_blocks(model_, law_, balance.loose, state) : 0;
+  return 0;
 }
 
 template <int dim>

@@ -15,8 +15,8 @@ struct StepReport {
   int selection_rounds = 0;
   int estimate_solves = 0;  ///< linear solves for error estimates, besides those of newton
   double error_estimate = 0;  ///< [-] relative, energy norm
-  double tied_share = 0;  ///< [-] the largest share of a stone's load that ties bear beyond their law
-  int tied_block = -1;    ///< that stone
+  double tied_share = 0;  ///< [-] largest share of a loose stone's load that ties bear, where it could not be released
+  int tied_block = -1;    ///< that stone; -1 where no stone is left loose
   long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
   SystemCost cost;
 

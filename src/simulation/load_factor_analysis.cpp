@@ -8,6 +8,7 @@
 #include "linalg/reduce.hpp"
 #include "simulation/finite_rotations.hpp"
 #include "simulation/mechanism_words.hpp"
+#include "simulation/tie_balance.hpp"
 
 namespace voussoir {
 namespace {
@@ -68,6 +69,8 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
+    for (const auto& w : held_by_ties(report.tied_share, report.tied_block, end.when))
+      if (run.recorder.warn(w)) run.narrator.warn(w);
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
     run.narrator.end(report, run.recorder.status(), seconds, summary);

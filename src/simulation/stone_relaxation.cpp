@@ -53,10 +53,6 @@ std::vector<long long> block_ids(const Structure<2>& s) {
   return ids;
 }
 
-double size_of(const StoneVector& v, double radius) {
-  return std::max(std::hypot(v[0], v[1]), std::abs(v[2]) / radius);
-}
-
 }  // namespace
 
 StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stones,

@@ -7,6 +7,8 @@
 // the stiffest of its neighbours could bear. Owners compute the steps, so that ranks do not matter.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "simulation/model.hpp"
@@ -15,6 +17,11 @@ namespace voussoir {
 
 /// A stone in plane: two displacements [m] and a turn [rad] about its middle, or the force [N] and moment [N m].
 using StoneVector = std::array<double, 3>;
+
+/// Of a force and moment: the force, or the moment over the radius of the stone [N].
+inline double size_of(const StoneVector& v, double radius) {
+  return std::max(std::hypot(v[0], v[1]), std::abs(v[2]) / radius);
+}
 
 /// A block as one rigid body.
 struct Stone {

@@ -35,11 +35,10 @@ double stiffness_of_springs(const Model<2>& model) {
 
 /// The points as springs, each with the nearest force that its law admits, normal part first; an open one bears none.
 std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, const ContactState& state,
-                                const std::vector<int>& cluster) {
+                                const std::vector<int>& cluster, double stiffness) {
   std::vector<StonePoint> springs;
   const auto open = open_points(model);
   const auto gap = model.gaps(state.displacement);
-  const double stiffness = stiffness_of_springs(model);
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& p = model.points().points()[k];
     StonePoint spring;
@@ -71,10 +70,6 @@ StoneVector sum_over(const Structure<2>& s, const LocalBlock<2>& block, const Ve
   return sum;
 }
 
-double size_of(const StoneVector& v, double radius) {
-  return std::max(std::hypot(v[0], v[1]), std::abs(v[2]) / radius);
-}
-
 /// Half the magnitudes of the forces of its points, per local block: what passes through a block. [N]
 std::vector<double> passing(const Model<2>& model, const std::vector<StonePoint>& points) {
   std::vector<double> sum(model.structure().blocks().size(), 0.0);
@@ -86,7 +81,7 @@ std::vector<double> passing(const Model<2>& model, const std::vector<StonePoint>
   return sum;
 }
 
-/// The blocks as rigid bodies where they are.
+/// The blocks as rigid bodies where they are; supports hold a node as a point does.
 std::vector<Stone> stones_of(const Model<2>& model, double stiffness) {
   const auto& s = model.structure();
   std::vector<Stone> stones;
@@ -94,14 +89,13 @@ std::vector<Stone> stones_of(const Model<2>& model, double stiffness) {
     Stone stone;
     const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
     for (int i = first; i < first + count; ++i) stone.middle = stone.middle + (1.0 / count) * s.position()[i];
-    const double held = stiffness;  // as stiff as a point
     for (int i = first; i < first + count; ++i) {
       const Vector<2> arm = s.position()[i] - stone.middle;
       stone.radius = std::max(stone.radius, norm(arm));
       for (int c = 0; c < 2; ++c) {
         if (!model.held()[2 * i + c]) continue;
-        stone.support[c] += held;
-        stone.support[2] += held * arm[1 - c] * arm[1 - c];
+        stone.support[c] += stiffness;
+        stone.support[2] += stiffness * arm[1 - c] * arm[1 - c];
       }
     }
     stones.push_back(stone);
@@ -206,7 +200,8 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
                        const std::vector<int>& cluster, const std::vector<double>& borne,
                        const std::vector<double>& load) {
   const auto& s = model.structure();
-  const auto points = springs(model, law, state, cluster);
+  const double stiffness = stiffness_of_springs(model);
+  const auto points = springs(model, law, state, cluster, stiffness);
   PointField forces;
   for (const auto& p : points) forces.insert(forces.end(), p.force.begin(), p.force.end());
   auto lacking = borne;
@@ -215,7 +210,7 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
     if (model.held()[i]) lacking[i] = 0;
   const double unknown = noise * model.scene().newton.tolerance * largest_normal_force(model, state.lambda);
   const auto through = passing(model, points);
-  auto stones = stones_of(model, stiffness_of_springs(model));
+  auto stones = stones_of(model, stiffness);
   std::vector<double> own(s.owned_blocks());
   std::vector<StoneVector> loads;
   for (int b = 0; b < s.owned_blocks(); ++b) {
@@ -243,7 +238,7 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
   }
   TieBalance balance;
   for (int b = 0; b < s.owned_blocks(); ++b) {
-    if (lacks[b] <= unknown) continue;
+    if (lacks[b] <= stones[b].bearable) continue;
     const double share = own[b] > 0 ? lacks[b] / own[b] : std::numeric_limits<double>::infinity();
     if (share <= balance.largest) continue;
     balance.largest = share;
@@ -263,7 +258,7 @@ TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const Contac
 }
 
 Warnings held_by_ties(double share, int block, const std::string& when) {
-  if (share <= largest_tied_share) return {};
+  if (block < 0) return {};
   return {{"held_by_ties", "block " + std::to_string(block), when, share,
            number_text(share) + " of its load is borne by tied points beyond the law of their joints, and no round was "
            "left to release them: without ties it may fall; raise selection > largest rounds, or take selection > mode "

@@ -34,7 +34,7 @@ constexpr double largest_share_alone = 1e-3;
 struct TieBalance {
   std::vector<char> loose;  ///< per local block, halo included: 1 where nothing but ties balances it
   bool any = false;         ///< some block of some rank is
-  double largest = 0;       ///< [-] largest share of all blocks once they have been let go
+  double largest = 0;       ///< [-] largest share of the loose blocks
   int where = -1;           ///< the block that has it, the lowest number of several
 };
 
@@ -47,7 +47,7 @@ TieBalance tie_balance(const Model<2>&, const PointLaws&, const ContactState& st
                        const std::vector<double>& borne, const std::vector<double>& load);
 
 /// What is said where ties may not be released (selection > largest rounds): one warning, or none.
-/// @param share, block  largest share of a stone's load that ties bear beyond their law, and that stone
+/// @param share, block  largest share of a loose stone's load that ties bear, and that stone; -1 for none
 Warnings held_by_ties(double share, int block, const std::string& when);
 
 }  // namespace voussoir
