@@ -13,7 +13,7 @@ namespace {
 // Neighbours move at the same time: half of the step to balance is what Jacobi's method bears between two springs.
 constexpr double share_of_step = 0.5;
 // A heavy ball rolls on with so much of its last way: the best share where balance is found a dozen stones away, for
-// which (1 - 1/12)^2 = 0.84. Own weight of W(16), W(32), W(64), W(128) takes 25, 40, 133, 617 sweeps.
+// which (1 - 1/12)^2 = 0.84.
 constexpr double momentum = 0.85;
 // No balance is found where so many sweeps do not lower what all stones lack together by a thousandth: a push has
 // crossed as many stones by then.

@@ -24,8 +24,8 @@
 
 namespace voussoir {
 
-/// So much of the load of a stone may be left to ties beyond the law of its joint where all stones move [-]: that much
-/// relaxation leaves of own weight on W(128) in 600 sweeps, so walls pay nothing for it.
+/// So much of the load of a stone may be left to ties beyond the law of its joint where all stones move [-]: relaxation
+/// leaves no more of own weight on walls up to W(128), so they pay no linear solve for it (src/selection/ties.md).
 constexpr double largest_tied_share = 0.03;
 /// The same of a stone alone between its neighbours, whose balance is found at once [-]: the accuracy of load factors.
 constexpr double largest_share_alone = 1e-3;
