@@ -1,5 +1,5 @@
 # The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod, ::umfpack,
-# ::mumps, ::openmp.
+# ::mumps, ::clp, ::openmp.
 # Used by the build and, installed, by find_package(Voussoir).
 
 find_package(MPI REQUIRED COMPONENTS CXX)
@@ -31,6 +31,10 @@ voussoir_find_library(gmsh gmsh.h gmsh libgmsh-dev)
 voussoir_find_library(cholmod suitesparse/cholmod.h cholmod libsuitesparse-dev)
 voussoir_find_library(umfpack suitesparse/umfpack.h umfpack libsuitesparse-dev)
 voussoir_find_library(mumps dmumps_c.h dmumps libmumps-dev)
+# Linear programmes; CLP's headers need those of CoinUtils, which lie beside them.
+voussoir_find_library(coinutils CoinPackedMatrix.hpp CoinUtils coinor-libcoinutils-dev HEADER_PATHS /usr/include/coin)
+voussoir_find_library(clp ClpSimplex.hpp Clp coinor-libclp-dev HEADER_PATHS /usr/include/coin)
+set_property(TARGET Voussoir::clp APPEND PROPERTY INTERFACE_LINK_LIBRARIES Voussoir::coinutils)
 
 # CHOLMOD's threads are told to stay away: only the library, no pragmas.
 find_package(OpenMP REQUIRED COMPONENTS CXX)

@@ -1,4 +1,4 @@
-// Dry stone walls on rigid ground, the walls 1, 2, 3 and 5 of M. C. Ferris, F. Tin-Loi, Limit analysis of frictional block
+// Dry stone walls on rigid ground, the walls 1, 2, 3, 5 and 6 of M. C. Ferris, F. Tin-Loi, Limit analysis of frictional block
 // assemblies as a mathematical program with complementarity constraints, Int. J. Mech. Sci. 43 (2001) 209-224.
 //
 // A course is a list of widths in half stones, from the left to the right: 2 is a stone, 1 half a stone, -2 an opening
@@ -6,7 +6,7 @@
 // One plane surface = one stone = one block. Curves are half a stone long, so that courses share them.
 
 DefineConstant[
-  wall      = {1,     Name "wall"},         // [-] 1, 2, 3 or 5
+  wall      = {1,     Name "wall"},         // [-] 1, 2, 3, 5 or 6
   length    = {0.4,   Name "length"},       // [m] of a stone
   height    = {0.175, Name "height"},       // [m]
   cells     = {1,     Name "cells"},        // [-] along half a stone, and up a stone
@@ -32,8 +32,14 @@ ElseIf (wall == 5)
   w() = {2, -2, 2, 0};
   v() = {1, 1, -2, 1, 1, 0};
   courses() = {e(), u(), e(), w(), v(), w(), v(), w(), e(), u(), e(), w(), v(), w(), v(), w(), e(), u(), e()};
+ElseIf (wall == 6)
+  e() = {1, 2, 2, 2, 2, 2, 2, 1, 0};
+  u() = {2, 2, 2, 2, 2, 2, 2, 0};
+  w() = {1, 2, -2, 2, 2, -2, 2, 1, 0};
+  v() = {2, 1, -2, 1, 2, 1, -2, 1, 2, 0};
+  courses() = {e(), u(), e(), u(), w(), v(), w(), v(), w(), u(), e(), u(), w(), v(), w(), v(), w(), u(), e(), u(), e()};
 Else
-  Error("wall = %g: there are the walls 1, 2, 3 and 5", wall);
+  Error("wall = %g: there are the walls 1, 2, 3, 5 and 6", wall);
   Abort;
 EndIf
 

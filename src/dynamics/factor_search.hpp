@@ -4,6 +4,10 @@
 // equilibrium was found) and the smallest that collapses (a mechanism was found) is halved. A factor at which neither
 // was found proves nothing: nearer ones are tried first, then it is tried again from the equilibrium nearest to it,
 // then larger ones are, in growing steps, until one collapses. What is undecided in the end leaves a wider bracket.
+//
+// Where a theorem tells a factor above which no equilibrium exists, none above it is tried, and it ends the bracket until
+// a mechanism is found below. A guess is tried from just below and just above when doubling comes to it; where nothing
+// slides the structure stands up to what the theorem tells, and that is tried from just below.
 #pragma once
 
 #include <algorithm>
@@ -31,17 +35,21 @@ class FactorSearch {
 
   /// The factor to try next; none when the search is over.
   std::optional<double> next() const {
-    const double edge = std::min(upper_, undecided_);
-    if (edge == none) {
-      if (lower_ >= p_.largest) return {};
-      return std::min(lower_ > 0 ? 2 * lower_ : p_.first, p_.largest);
+    const double edge = std::min(upper(), undecided_);
+    if (upper_ == none && undecided_ == none) {
+      const double near = p_.accuracy / 2, end = std::min(p_.largest, certified_ * (1 - near));
+      if (lower_ >= end) return {};
+      double next = std::min(lower_ > 0 ? 2 * lower_ : p_.first, end);
+      for (const double target : {guess_ * (1 - near), guess_ * (1 + near)})
+        if (lower_ < target) next = std::min(next, target);
+      return next;
     }
     // A structure that bears nothing of the pattern would be asked for ever smaller shares of it.
     if (edge - lower_ > p_.accuracy * edge && edge > p_.accuracy * p_.first) return (lower_ + edge) / 2;
-    if (edge == upper_ || probes_ == largest_probes) return {};
+    if (edge == upper() || probes_ == largest_probes) return {};
     if (tried_from_ < lower_) return undecided_;
     const double probe = undecided_ + p_.accuracy * undecided_ * static_cast<double>(1 << probes_);
-    if (probe >= std::min(upper_, p_.largest)) return {};
+    if (probe >= std::min(upper(), p_.largest)) return {};
     return probe;
   }
 
@@ -72,14 +80,22 @@ class FactorSearch {
     probes_ = 0;
   }
 
+  /// No equilibrium exists above this factor, which is no larger than the largest to be tried.
+  void certify(double factor) { certified_ = factor; }
+  double certified() const { return certified_; }
+  /// About where the search may end.
+  void guess(double factor) { guess_ = factor; }
+
   bool finished() const { return !next(); }
   /// The largest factor that stands; 0 is the end of the last stage.
   double lower() const { return lower_; }
-  /// The smallest factor that collapses; infinite as long as none has.
-  double upper() const { return upper_; }
-  bool found() const { return upper_ < none; }
+  /// The smallest factor that collapses, or the one above which none can stand; infinite as long as none is known.
+  double upper() const { return std::min(upper_, certified_); }
+  bool found() const { return upper() < none; }
+  /// A mechanism was found, at upper().
+  bool has_mechanism() const { return upper_ < none && upper_ <= certified_; }
   /// No factor tried has remained undecided within the bracket.
-  bool sharp() const { return undecided_ >= upper_; }
+  bool sharp() const { return undecided_ >= upper(); }
   const std::vector<FactorAttempt>& attempts() const { return attempts_; }
 
   /// Names what a checkpoint keeps (output/checkpoint.hpp).
@@ -87,6 +103,8 @@ class FactorSearch {
   void keep(Archive& archive) {
     archive.within("load_factor.lower", lower_, 0, none);
     archive.within("load_factor.upper", upper_, 0, none);
+    archive.within("load_factor.certified", certified_, 0, none);
+    archive.within("load_factor.guess", guess_, 0, none);
     archive.within("load_factor.undecided", undecided_, 0, none);
     archive.within("load_factor.tried_from", tried_from_, 0, none);
     archive.within("load_factor.probes", probes_, 0, largest_probes);
@@ -112,6 +130,8 @@ class FactorSearch {
 
   LoadFactorParameters p_;
   double lower_ = 0, upper_ = none;
+  double certified_ = none;  ///< no equilibrium exists above it
+  double guess_ = none;
   double undecided_ = none;  ///< smallest undecided factor above the lower end
   double tried_from_ = 0;    ///< equilibrium from which that one was tried
   int probes_ = 0;           ///< undecided factors above that one

@@ -8,6 +8,7 @@
 #include "linalg/reduce.hpp"
 #include "simulation/finite_rotations.hpp"
 #include "simulation/mechanism_words.hpp"
+#include "simulation/static_theorem.hpp"
 #include "simulation/tie_balance.hpp"
 
 namespace voussoir {
@@ -38,7 +39,31 @@ double overlap_of(const std::vector<double>& mechanism, const ContactState& stat
 
 }  // namespace
 
+namespace {
+
+RigidLimits limits_of(const LoadFactorParameters& p, const Attempting& run) {
+  const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p.pattern, run.steps.time());
+  return RigidLimits(run.model, {&run.construction.absent(), &run.state.broken, run.load, raised});
+}
+
+}  // namespace
+
+/// What the static theorem and the estimate without dilatancy say, before anything is tried.
+void LoadFactorAnalysis::certify(const Attempting& run) {
+  asked_theorem_ = true;
+  if (!theorem_applies(run.model)) return;
+  const auto limits = limits_of(p_, run);
+  const auto limit = limits.largest_factor(p_.largest);
+  if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
+  search_.certify(limit.verdict == LimitVerdict::limited ? std::max(0.0, limit.factor) : 0.0);
+  estimate_ = limits.without_dilatancy(p_.largest);
+  if (estimate_) search_.guess(*estimate_);
+  run.narrator.say("  Above load factor " + factor_text(search_.certified()) +
+                   " no equilibrium exists, by the static theorem (rigid limit analysis).");
+}
+
 void LoadFactorAnalysis::attempt(const Attempting& run) {
+  if (!asked_theorem_) certify(run);
   const auto next = search_.next();
   if (!next) return;
   const double factor = *next;
@@ -79,7 +104,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   run.narrator.failed(report, stage, factor);
   const auto failed = std::exchange(run.state, before);
-  const bool collapse = report.newton.outcome == NewtonOutcome::collapse, first = !search_.found();
+  const bool collapse = report.newton.outcome == NewtonOutcome::collapse, first = !search_.has_mechanism();
   search_.add(collapse ? Verdict::collapse : Verdict::undecided, solves);
   if (!collapse) return;
   // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
@@ -90,9 +115,20 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   failed_ = failed;
 }
 
+/// The mechanism that proves the limit, with the forces that balance loads there.
+void LoadFactorAnalysis::show_limit(const Attempting& run) {
+  const auto limits = limits_of(p_, run);
+  const auto limit = limits.largest_factor(p_.largest);
+  if (limit.mechanism.empty()) return;
+  mechanism_ = limits.on_nodes(limit);
+  failed_ = run.state;
+  failed_.lambda = limits.on_points(limit);
+}
+
 void LoadFactorAnalysis::judge(const Attempting& run) {
   auto& summary = run.recorder.summary();
-  summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {}};
+  summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {},
+                                     search_.certified(), estimate_};
   constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
   for (const auto& a : search_.attempts())
     summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
@@ -108,10 +144,15 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
     return;
   }
   summary.outcome = Outcome::collapse;
-  summary.message = "at " + factor_text(search_.upper()) + " times the pattern no equilibrium exists; " + stands;
+  const bool theorem_alone = !search_.has_mechanism();
+  summary.message = (theorem_alone ? "above " : "at ") + factor_text(search_.upper()) +
+                    " times the pattern no equilibrium exists" +
+                    (theorem_alone ? ", by the static theorem; " : "; ") + stands;
   if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
   if (!beyond_.empty() && beyond_at_ > search_.lower() && beyond_at_ < search_.upper())
     summary.message += ": at " + factor_text(beyond_at_) + " " + beyond_;
+  if (theorem_alone) show_limit(run);
+  if (mechanism_.empty()) return;
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
   summary.message += "; " + mechanism_in_words(run.model, mechanism_);

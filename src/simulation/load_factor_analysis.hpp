@@ -2,7 +2,8 @@
 //
 // Every attempt is one load step from the last equilibrium; dynamics/factor_search.hpp says which one is next. A
 // load factor stands when an equilibrium was found, and collapses when the solver reports a mechanism. An attempt at
-// which it finds neither is no proof of anything and is told apart.
+// which it finds neither is no proof of anything and is told apart. Rigid limit analysis tells at the beginning above
+// which factor none can stand, by the static theorem: no larger one is tried.
 #pragma once
 
 #include <limits>
@@ -48,9 +49,10 @@ class LoadFactorAnalysis {
   void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim) {
     const bool over = finished();
     search_.keep(archive);
+    archive.value("load_factor.asked_theorem", asked_theorem_);
     archive.value("load_factor.beyond_at", beyond_at_);
     archive.value("load_factor.beyond", beyond_);
-    if (search_.found()) {  // then the tables are there
+    if (search_.has_mechanism()) {  // then the tables are there
       mechanism_.resize(nodes.ids.size() * dim);
       failed_.lambda.resize(points.ids.size() * dim);
       failed_.selected.resize(points.ids.size());
@@ -64,12 +66,16 @@ class LoadFactorAnalysis {
   }
 
  private:
+  void certify(const Attempting&);
   void judge(const Attempting&);
+  void show_limit(const Attempting&);
 
   static constexpr auto stage = "load factor";  ///< as history and fields call its steps
 
   LoadFactorParameters p_;
   FactorSearch search_;
+  bool asked_theorem_ = false;
+  std::optional<double> estimate_;  ///< of the largest factor where slip does not dilate
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
   std::string beyond_;                                      ///< why that is; empty when there is none
   std::vector<double> mechanism_;  ///< of the smallest factor that collapses with a clear one, on node copies

@@ -27,6 +27,7 @@
 #include "simulation/saved_run.hpp"
 #include "simulation/scene_file.hpp"
 #include "simulation/shares_of_ranks.hpp"
+#include "simulation/static_theorem.hpp"
 #include "simulation/stop_signals.hpp"
 #include "simulation/tie_balance.hpp"
 
@@ -54,6 +55,7 @@ class Run {
         steps_(model.scene().stages, model.scene().load_steps),
         state_(step_.initial_state()),
         construction_(model),
+        theorem_(model),
         range_(model, [this](const Warning& w) { warn(w); }),
         load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
@@ -71,6 +73,7 @@ class Run {
     narrator_ = std::make_unique<Narrator>(say, options.verbose);
     step_.narrate = [this](const NewtonProgress& p) {
       narrator_->solve(p);
+      theorem_.count_solve();
       if (stop_signal_on_any_rank(*model_.structure().comm())) throw StopWithinStep{};
     };
     step_.narrate_round = [this](int round, long long selected, double estimate) {
@@ -166,13 +169,18 @@ class Run {
     narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
     const LoadStepBook<2> book(model_, step_, before, load_);
-    const auto report = solve_load_step(model_, step_, state_, next_load, prescribed);
+    theorem_.begin(construction_.absent(), before.broken, load_, next_load);
+    const auto report = theorem_.solve(step_, model_, state_, prescribed);
     const double seconds = clock.totalElapsedTime(true);
     const std::string stage = steps_.stage();
     const double target = steps_.target();
     if (report.newton.outcome != NewtonOutcome::converged) {
       narrator_->failed(report, stage, target);
       const auto failed = std::exchange(state_, before);
+      if (theorem_.refusal()) {
+        fail({failed, report, theorem_.refusal()->mechanism, target}, target);
+        return false;
+      }
       if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
         failure_ = Failure{failed, report, step_.mechanism(), target};
       const bool same = half_asks_the_same(model_, construction_, steps_, before, next_load, prescribed);
@@ -332,6 +340,7 @@ class Run {
   TimeStepLevel level_;
   ContactState state_;
   Construction<2> construction_;
+  StaticTheorem theorem_;
   RangeCheck range_;
   std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
   /// The load step that failed while smaller ones are tried: a collapse where one was found. Not in checkpoints: a run

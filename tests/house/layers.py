@@ -12,11 +12,12 @@ SEES = {
     "selection": ["linalg"],
     "homogenisation": ["joints", "linalg"],
     "nonlinear": ["linalg"],
+    "statics": ["base"],
     "dynamics": ["nonlinear"],
     "loads": ["blocks"],
     "output": ["base"],
     "scene": ["base"],
-    "simulation": ["scene", "homogenisation", "selection", "dynamics", "loads", "output"],
+    "simulation": ["scene", "homogenisation", "selection", "statics", "dynamics", "loads", "output"],
     "drivers": ["simulation"],
 }
 
@@ -24,7 +25,7 @@ SEES = {
 PURE = {"joints/contact_law.hpp"}
 
 # Libraries with one owner: each is included by at most one source file and by no header.
-ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5"}
+ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp"}
 
 
 def reach(folder):

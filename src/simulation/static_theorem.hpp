@@ -1,0 +1,52 @@
+// When the static theorem of limit analysis is asked of a run, and what it answers.
+//
+// It holds for the model as it is computed: the same points with the same laws, where stones turn by small angles. So
+// where it refuses loads, the solver would look in vain. A step that is solved in the usual number of linear solves
+// never asks.
+#pragma once
+
+#include <optional>
+
+#include "simulation/finite_rotations.hpp"
+#include "simulation/rigid_limits.hpp"
+
+namespace voussoir {
+
+/// Whether the theorem says something about a scene, in a time that compares with its solution. The same on all ranks.
+bool theorem_applies(const Model<2>&);
+
+/// Loads that no admissible forces balance.
+struct Refusal {
+  double share = 0;                ///< [-] of the way from the loads before to these that can be borne
+  std::vector<double> mechanism;   ///< on local nodes, largest component 1
+  PointField lambda;               ///< [N] forces at that share
+};
+
+/// What the theorem says of one load step at a time.
+class StaticTheorem {
+ public:
+  explicit StaticTheorem(const Model<2>& model) : model_(model), applies_(theorem_applies(model)) {}
+
+  /// A load step begins. What is passed must live as long as the step.
+  void begin(const std::vector<char>& absent, const std::vector<char>& broken, const std::vector<double>& load_before,
+             const std::vector<double>& load);
+  /// Solves it. Where that takes many linear solves, or leads nowhere, the theorem is asked; if it refuses, the step
+  /// ends as a collapse in a state that holds forces alone. Collective.
+  StepReport solve(AdaptiveStep<2>&, Model<2>&, ContactState&, const std::vector<double>& prescribed);
+  /// To be called after each linear solve within solve(). Collective.
+  void count_solve();
+  /// What the last step came to, if the theorem refused it.
+  const std::optional<Refusal>& refusal() const { return refusal_; }
+
+ private:
+  bool refuses();
+
+  const Model<2>& model_;
+  bool applies_, waits_ = false;
+  int solves_ = 0;
+  const std::vector<char>*absent_ = nullptr, *broken_ = nullptr;
+  const std::vector<double>*before_ = nullptr, *load_ = nullptr;
+  std::optional<Refusal> refusal_;
+};
+
+}  // namespace voussoir

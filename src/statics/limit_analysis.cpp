@@ -1,0 +1,346 @@
+#include "statics/limit_analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "statics/admissible_forces.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+// Points lie on a line and have one normal to so much of the size of their stones: what places of a drawing keep.
+constexpr double straight = 1e-9;
+// A motion may press into points by so much of its size, a hundred times the programme's tolerance; more than that
+// proves nothing.
+constexpr double against_the_law = 1e-8;
+// Forces are in balance to so much of the largest load, which the programme's tolerance leaves room for.
+constexpr double out_of_balance = 1e-8;
+// Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium of
+// the elastic structure may be out of balance.
+constexpr double clear_gain = 1e-6;
+// A share of joints is bisected to one part in two to this power.
+constexpr int halvings = 10;
+// Friction that hardly dilates: this share of Coulomb's slope is left, so that programmes keep an inside.
+constexpr double slope_left = 1e-3;
+// What the normal forces of the last programme weigh in the next, and when the sequence has settled, as in the source.
+constexpr double weight_of_last = 0.6;
+constexpr double settled = 1e-4;
+constexpr int most_programmes = 100;
+
+Wrench scaled(const Wrench& w, double radius, double unit) { return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)}; }
+
+double size_of(const Wrench& w, double radius) { return std::max(std::hypot(w[0], w[1]), std::abs(w[2]) / radius); }
+
+double power(const Wrench& load, const Wrench& motion) {
+  return load[0] * motion[0] + load[1] * motion[1] + load[2] * motion[2];
+}
+
+bool dry(const PointLaw& law) { return law.cohesion == 0 && law.tension == 0; }
+
+/// Whether contacts [first, last) of an order are dry and on one line.
+bool on_a_line(const RigidStructure& s, const std::vector<int>& order, std::size_t first, std::size_t last) {
+  const auto& a = s.contacts[static_cast<std::size_t>(order[first])];
+  const double radius = s.stones[static_cast<std::size_t>(a.stone_i)].radius;
+  for (std::size_t k = first; k < last; ++k) {
+    const auto& c = s.contacts[static_cast<std::size_t>(order[k])];
+    if (!dry(c.law) || c.law.friction != a.law.friction || norm(c.axis[0] - a.axis[0]) > straight ||
+        std::abs(dot(c.arm_i - a.arm_i, a.axis[0])) > straight * radius ||
+        std::abs(dot(c.arm_j - a.arm_j, a.axis[0])) > straight * radius)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+/// Contacts that bear whatever all of them can bear, in pairs where a joint is dry and straight.
+void LimitAnalysis::keep_ends_of_joints() {
+  const auto& s = s_;
+  std::vector<int> order(s.contacts.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
+  const auto at = [&](int k) -> const RigidContact& { return s.contacts[static_cast<std::size_t>(k)]; };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a).joint < at(b).joint; });
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && at(order[last]).joint == at(order[first]).joint) ++last;
+    const auto begin = order.begin() + static_cast<long>(first), end = order.begin() + static_cast<long>(last);
+    if (last - first > 1 && on_a_line(s, order, first, last)) {
+      const auto tangent = at(*begin).axis[1];
+      const auto ends = std::minmax_element(
+          begin, end, [&](int a, int b) { return dot(at(a).arm_i, tangent) < dot(at(b).arm_i, tangent); });
+      for (const auto& [one, other] : {ends, std::make_pair(ends.second, ends.first)}) {
+        kept_.push_back(*one);
+        partner_.push_back(*other);
+      }
+    } else {
+      kept_.insert(kept_.end(), begin, end);
+      partner_.resize(kept_.size(), -1);
+    }
+  }
+}
+
+struct LimitAnalysis::Programme {
+  /// What holds a stone in one direction; moments over the radius of the stone.
+  struct Held {
+    int stone, support;
+    Wrench direction;
+  };
+  LinearProgramme lp;
+  std::vector<AdmissibleForces> forces;          ///< per kept contact
+  std::vector<int> first_column;                 ///< of a kept contact
+  std::vector<std::array<Vector<2>, 2>> arm;     ///< of kept contacts, on both stones
+  std::vector<Held> held;                        ///< per column from held_column on
+  int held_column = 0, factor_column = 0;
+
+  /// Force of a kept contact [N]: normal, tangential.
+  Vector<2> force(std::size_t k, const std::vector<double>& x, double unit) const {
+    auto f = forces[k].apex;
+    for (std::size_t g = 0; g < forces[k].generators.size(); ++g)
+      f = f + unit * x[static_cast<std::size_t>(first_column[k]) + g] * forces[k].generators[g].direction;
+    return f;
+  }
+};
+
+LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
+  keep_ends_of_joints();
+  for (const auto& stone : s_.stones) {
+    unit_ = std::max(unit_, size_of(stone.fixed, stone.radius));
+    raised_unit_ = std::max(raised_unit_, size_of(stone.raised, stone.radius));
+  }
+  if (unit_ == 0) unit_ = raised_unit_ > 0 ? raised_unit_ : 1;
+  if (raised_unit_ == 0) raised_unit_ = unit_;
+}
+
+/// Balance of every stone, rows in units of the largest load: forces of contacts and supports + factor x raised loads
+/// = - fixed loads.
+/// @param share_of_joints  of dry straight joints, about their middle, that may bear
+/// @param sliding  friction with hardly any slope beside a bound on shear that the caller sets
+LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool sliding) const {
+  Programme p;
+  for (const auto& stone : s_.stones) {
+    const auto load = scaled(stone.fixed, stone.radius, unit_);
+    for (const double l : load) p.lp.add_row(-l, -l);
+  }
+  const auto entries = [&](int stone, const Wrench& wrench, double sign, std::vector<ProgrammeEntry>& list) {
+    const auto w = scaled(wrench, s_.stones[static_cast<std::size_t>(stone)].radius, 1);
+    for (int c = 0; c < 3; ++c) list.push_back({3 * stone + c, sign * w[static_cast<std::size_t>(c)]});
+  };
+  std::vector<double> apex(3 * s_.stones.size(), 0.0);
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    const auto& c = s_.contacts[static_cast<std::size_t>(kept_[k])];
+    std::array<Vector<2>, 2> arm{c.arm_i, c.arm_j};
+    if (partner_[k] >= 0) {
+      const auto& other = s_.contacts[static_cast<std::size_t>(partner_[k])];
+      const double move = (1 - share_of_joints) / 2;
+      arm = {c.arm_i + move * (other.arm_i - c.arm_i), c.arm_j + move * (other.arm_j - c.arm_j)};
+    }
+    auto law = c.law;
+    const bool slides = sliding && law.friction > 0 && std::isfinite(law.friction) && dry(law);
+    if (slides) law = {slope_left * law.friction, 1, 0};
+    p.forces.push_back(admissible_forces(law));
+    p.arm.push_back(arm);
+    const auto column = [&](const Vector<2>& direction) {
+      const Vector<2> f = direction[0] * c.axis[0] + direction[1] * c.axis[1];
+      std::vector<ProgrammeEntry> list;
+      entries(c.stone_j, wrench_of(arm[1], f), 1, list);
+      entries(c.stone_i, wrench_of(arm[0], f), -1, list);
+      return list;
+    };
+    p.first_column.push_back(p.lp.columns());
+    for (const auto& g : p.forces.back().generators)
+      p.lp.add_column(column(g.direction), g.lower / unit_, g.upper / unit_, 0);
+    for (const auto& e : column(p.forces.back().apex)) apex[static_cast<std::size_t>(e.row)] += e.value / unit_;
+  }
+  for (std::size_t row = 0; row < apex.size(); ++row) {
+    if (apex[row] == 0) continue;
+    const auto& stone = s_.stones[row / 3];
+    const double b = -scaled(stone.fixed, stone.radius, unit_)[row % 3] - apex[row];
+    p.lp.set_row(static_cast<int>(row), b, b);
+  }
+  p.held_column = p.lp.columns();
+  std::vector<std::vector<Wrench>> of_stone(s_.stones.size());
+  for (const auto& support : s_.supports) {
+    auto& basis = of_stone[static_cast<std::size_t>(support.stone)];
+    auto w = scaled(wrench_of(support.arm, support.direction), s_.stones[static_cast<std::size_t>(support.stone)].radius, 1);
+    for (const auto& b : basis) {
+      const double share = power(b, w);
+      for (std::size_t c = 0; c < 3; ++c) w[c] -= share * b[c];
+    }
+    const double left = std::sqrt(power(w, w));
+    if (left < straight) continue;
+    for (auto& x : w) x /= left;
+    basis.push_back(w);
+    std::vector<ProgrammeEntry> list;
+    for (int c = 0; c < 3; ++c) list.push_back({3 * support.stone + c, w[static_cast<std::size_t>(c)]});
+    p.lp.add_column(list, -endless, endless, 0);
+    p.held.push_back({support.stone, support.name, w});
+  }
+  std::vector<ProgrammeEntry> raised;
+  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
+    const auto w = scaled(s_.stones[b].raised, s_.stones[b].radius, raised_unit_);
+    for (int c = 0; c < 3; ++c) raised.push_back({3 * static_cast<int>(b) + c, w[static_cast<std::size_t>(c)]});
+  }
+  p.factor_column = p.lp.add_column(raised, 0, 0, 0);
+  return p;
+}
+
+/// What a programme says, checked with the structure's own numbers: forces against balance, the mechanism against the
+/// laws, and the factors that both give against each other.
+LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& found, double largest) const {
+  LimitAnswer answer;
+  answer.iterations = found.iterations;
+  if (found.end != ProgrammeEnd::optimal) return answer;
+  const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
+  answer.force.assign(s_.contacts.size(), Vector<2>{});
+  std::vector<Wrench> left(s_.stones.size());
+  for (std::size_t b = 0; b < left.size(); ++b)
+    for (std::size_t c = 0; c < 3; ++c) left[b][c] = s_.stones[b].fixed[c] + factor * s_.stones[b].raised[c];
+  const auto push = [&](int stone, const Wrench& w, double amount) {
+    for (std::size_t c = 0; c < 3; ++c) left[static_cast<std::size_t>(stone)][c] += amount * w[c];
+  };
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    const auto& c = s_.contacts[static_cast<std::size_t>(kept_[k])];
+    const auto f = p.force(k, found.x, unit_);
+    const Vector<2> force = f[0] * c.axis[0] + f[1] * c.axis[1];
+    answer.force[static_cast<std::size_t>(kept_[k])] = f;
+    push(c.stone_j, wrench_of(p.arm[k][1], force), 1);
+    push(c.stone_i, wrench_of(p.arm[k][0], force), -1);
+  }
+  for (std::size_t k = 0; k < p.held.size(); ++k) {
+    auto w = p.held[k].direction;
+    w[2] *= s_.stones[static_cast<std::size_t>(p.held[k].stone)].radius;
+    push(p.held[k].stone, w, unit_ * found.x[static_cast<std::size_t>(p.held_column) + k]);
+  }
+  for (std::size_t b = 0; b < left.size(); ++b)
+    answer.out_of_balance = std::max(answer.out_of_balance, size_of(left[b], s_.stones[b].radius) / unit_);
+  answer.factor = factor;
+  if (answer.out_of_balance > out_of_balance) return answer;
+  if (factor >= largest * (1 - clear_gain)) {
+    answer.verdict = LimitVerdict::unlimited;
+    return answer;
+  }
+  double size = 0;
+  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
+    const double r = s_.stones[b].radius;
+    answer.mechanism.push_back({found.price[3 * b], found.price[3 * b + 1], found.price[3 * b + 2] / r});
+    const auto& v = answer.mechanism.back();
+    size = std::max(size, std::hypot(v[0], v[1]) + std::abs(v[2]) * r);
+  }
+  double of_fixed = 0, of_raised = 0, turned_over = 0, absorbed = 0, against = 0;
+  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
+    for (auto& v : answer.mechanism[b]) v /= size;
+    of_fixed += power(s_.stones[b].fixed, answer.mechanism[b]);
+    of_raised += power(s_.stones[b].raised, answer.mechanism[b]);
+    turned_over += std::abs(power(s_.stones[b].raised, answer.mechanism[b]));
+  }
+  for (const auto& c : s_.contacts) {
+    const auto most = absorbed_at_most(admissible_forces(c.law), relative_velocity(c, answer.mechanism));
+    absorbed += most.power;
+    against = std::max(against, most.against);
+  }
+  for (const auto& h : s_.supports)
+    against = std::max(
+        against, std::abs(dot(velocity_at(answer.mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
+  if (!(size > 0) || against > against_the_law || !(of_raised > clear_gain * turned_over)) return answer;
+  answer.factor = (absorbed - of_fixed) / of_raised;
+  if (std::abs(answer.factor - factor) <= clear_gain * std::max(1.0, factor)) answer.verdict = LimitVerdict::limited;
+  return answer;
+}
+
+LimitAnalysis LimitAnalysis::under_loads(double factor) const {
+  auto s = s_;
+  for (auto& stone : s.stones)
+    for (std::size_t c = 0; c < 3; ++c)
+      stone.raised[c] = stone.fixed[c] + factor * std::exchange(stone.raised[c], 0.0), stone.fixed[c] = 0;
+  return LimitAnalysis(std::move(s));
+}
+
+LimitAnswer LimitAnalysis::largest_factor(double largest) const {
+  auto p = programme(1, false);
+  p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
+  p.lp.set_cost(p.factor_column, 1);
+  const auto found = p.lp.maximise();
+  if (found.end != ProgrammeEnd::infeasible) return judge(p, found, largest);
+  auto answer = bears(0);
+  if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
+  return answer;
+}
+
+LimitAnswer LimitAnalysis::bears(double factor) const {
+  const auto loaded = under_loads(factor);
+  auto p = loaded.programme(1, false);
+  p.lp.set_column(p.factor_column, 0, loaded.raised_unit_ / loaded.unit_);
+  p.lp.set_cost(p.factor_column, 1);
+  auto answer = loaded.judge(p, p.lp.maximise(), 1);
+  if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
+  return answer;
+}
+
+LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) const {
+  const auto loaded = under_loads(factor);
+  const auto with = [&](double share) {
+    auto p = loaded.programme(share, false);
+    p.lp.set_column(p.factor_column, 0, loaded.raised_unit_ / loaded.unit_);
+    p.lp.set_cost(p.factor_column, 1);
+    return loaded.judge(p, p.lp.maximise(), 1);
+  };
+  auto best = with(1);
+  double stands = 1, falls = 0;
+  if (best.verdict == LimitVerdict::unlimited)
+    for (int k = 0; k < halvings; ++k) {
+      const double share = (stands + falls) / 2;
+      auto answer = with(share);
+      const bool borne = answer.verdict == LimitVerdict::unlimited;
+      (borne ? stands : falls) = share;
+      if (borne) best = std::move(answer);
+    }
+  if (free_share) *free_share = 1 - stands;
+  return best;
+}
+
+ReactionRange LimitAnalysis::reaction(int support, int component, double factor) const {
+  auto p = programme(1, false);
+  const double f = factor * raised_unit_ / unit_;
+  p.lp.set_column(p.factor_column, f, f);
+  ReactionRange range;
+  for (const double sign : {1.0, -1.0}) {
+    for (std::size_t k = 0; k < p.held.size(); ++k)
+      if (p.held[k].support == support)
+        p.lp.set_cost(p.held_column + static_cast<int>(k),
+                      sign * p.held[k].direction[static_cast<std::size_t>(component)]);
+    const auto found = p.lp.maximise();
+    if (found.end == ProgrammeEnd::optimal) (sign > 0 ? range.most : range.least) = sign * found.value * unit_;
+  }
+  return range;
+}
+
+std::optional<double> LimitAnalysis::without_dilatancy(double largest) const {
+  const auto associated = largest_factor(largest);
+  if (associated.verdict == LimitVerdict::unlimited) return associated.factor;
+  if (associated.verdict != LimitVerdict::limited) return {};
+  auto p = programme(1, true);
+  p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
+  p.lp.set_cost(p.factor_column, 1);
+  std::vector<double> presses;
+  for (const int k : kept_) presses.push_back(associated.force[static_cast<std::size_t>(k)][0]);
+  double last = associated.factor;
+  for (int round = 0; round < most_programmes; ++round) {
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      const auto& law = s_.contacts[static_cast<std::size_t>(kept_[k])].law;
+      if (p.forces[k].generators.size() != 3 || !dry(law)) continue;
+      const double shear = (1 - slope_left) * law.friction * presses[k] / unit_;
+      p.lp.set_column(p.first_column[k] + 2, -shear, shear);
+    }
+    const auto found = p.lp.maximise();
+    if (found.end != ProgrammeEnd::optimal) return {};
+    const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
+    if (round > 0 && std::abs(factor - last) <= settled * std::max(factor, last)) return factor;
+    last = factor;
+    for (std::size_t k = 0; k < kept_.size(); ++k)
+      presses[k] += weight_of_last * (p.force(k, found.x, unit_)[0] - presses[k]);
+  }
+  return {};
+}
+
+}  // namespace voussoir

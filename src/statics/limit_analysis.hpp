@@ -1,0 +1,71 @@
+// Rigid limit analysis: how much of a pattern of loads can be borne, told by equilibrium and the laws of joints alone.
+//
+// Static theorem: where no admissible forces balance the loads, no equilibrium exists, however stones deform and
+// joints slide. A mechanism proves it: the loads gain more along it than any admissible force can absorb.
+// Source  R. K. Livesley, Int. J. Numer. Methods Eng. 12 (1978) 1853-1871; for friction that does not dilate
+//         M. Gilbert, C. Casapulla, H. M. Ahmed, Computers & Structures 84 (2006) 873-887.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "statics/linear_programme.hpp"
+#include "statics/rigid_structure.hpp"
+
+namespace voussoir {
+
+enum class LimitVerdict {
+  limited,    ///< the factor is the largest that can be balanced
+  unlimited,  ///< the largest factor asked can be balanced
+  refused,    ///< the fixed loads, or those asked for, cannot be balanced
+  unknown     ///< the programme was not solved, or its answer is not exact enough to prove anything
+};
+
+struct LimitAnswer {
+  LimitVerdict verdict = LimitVerdict::unknown;
+  double factor = 0;                ///< [-] of raised loads, by the power of the mechanism where there is one
+  std::vector<Wrench> mechanism;    ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
+  std::vector<Vector<2>> force;     ///< [N] per contact, normal and tangential, where loads are balanced
+  double out_of_balance = 0;        ///< [-] of those forces, relative to the largest load of a stone
+  int iterations = 0;               ///< of the simplex method
+};
+
+/// Range of a reaction over all admissible forces [N]; no numbers where it has no end.
+struct ReactionRange {
+  std::optional<double> least, most;
+};
+
+class LimitAnalysis {
+ public:
+  explicit LimitAnalysis(RigidStructure);
+
+  const RigidStructure& structure() const { return s_; }
+  /// The largest factor of raised loads, up to a largest one, that can be balanced together with the fixed loads.
+  LimitAnswer largest_factor(double largest) const;
+  /// Whether fixed loads and so much of the raised ones can be balanced.
+  LimitAnswer bears(double factor) const;
+  /// Forces that balance loads with the resultants of all joints as near to the middle of their joints as can be: the
+  /// share of every joint, from its edges, that they leave free. Dry straight joints alone can be narrowed.
+  LimitAnswer most_balanced(double factor, double* free_share) const;
+  /// Least and most of the reaction along a component (0: x, 1: y) of all nodes a support holds.
+  ReactionRange reaction(int support, int component, double factor) const;
+  /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
+  /// of programmes does not settle.
+  std::optional<double> without_dilatancy(double largest) const;
+
+ private:
+  struct Programme;
+  void keep_ends_of_joints();
+  Programme programme(double share_of_joints, bool sliding) const;
+  LimitAnswer judge(const Programme&, const ProgrammeSolution&, double largest) const;
+  /// The same structure under its fixed loads and a factor of the raised ones, all of them raised from nothing.
+  LimitAnalysis under_loads(double factor) const;
+
+  RigidStructure s_;
+  std::vector<int> kept_;     ///< contacts that bear what all bear: the ends of dry straight joints, every other point
+  std::vector<int> partner_;  ///< of a kept contact, the other end of its dry straight joint; -1
+  double unit_ = 0;           ///< [N] largest load of a stone
+  double raised_unit_ = 0;    ///< the same of the raised loads
+};
+
+}  // namespace voussoir

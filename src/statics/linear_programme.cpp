@@ -1,0 +1,118 @@
+#include "statics/linear_programme.hpp"
+
+#include <ClpSimplex.hpp>
+#include <ClpSolve.hpp>
+#include <CoinError.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voussoir {
+namespace {
+
+// Balance and prices are exact to so much of the largest of their kind, which has size one: a stone of a millionth of
+// the weight of the heaviest is in balance to a ten-thousandth of its own.
+constexpr double tolerance = 1e-10;
+
+double bound(double value) { return std::isfinite(value) ? value : std::copysign(COIN_DBL_MAX, value); }
+
+}  // namespace
+
+struct LinearProgramme::Parts {
+  ClpSimplex simplex;
+  std::vector<double> row_lower, row_upper, lower, upper, cost, value;
+  std::vector<CoinBigIndex> start{0};
+  std::vector<int> row;
+  bool loaded = false;
+
+  void load() {
+    if (loaded) return;
+    const int columns = static_cast<int>(lower.size());
+    const CoinPackedMatrix matrix(true, static_cast<int>(row_lower.size()), columns, start.back(), value.data(),
+                                  row.data(), start.data(), nullptr);
+    simplex.loadProblem(matrix, lower.data(), upper.data(), cost.data(), row_lower.data(), row_upper.data());
+    loaded = true;
+  }
+};
+
+LinearProgramme::LinearProgramme() : parts_(std::make_unique<Parts>()) {
+  parts_->simplex.setLogLevel(0);
+  parts_->simplex.setOptimizationDirection(-1);
+  parts_->simplex.setPrimalTolerance(tolerance);
+  parts_->simplex.setDualTolerance(tolerance);
+}
+LinearProgramme::~LinearProgramme() = default;
+LinearProgramme::LinearProgramme(LinearProgramme&&) noexcept = default;
+LinearProgramme& LinearProgramme::operator=(LinearProgramme&&) noexcept = default;
+
+int LinearProgramme::add_row(double lower, double upper) {
+  parts_->row_lower.push_back(bound(lower));
+  parts_->row_upper.push_back(bound(upper));
+  return rows() - 1;
+}
+
+int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lower, double upper, double cost) {
+  auto& p = *parts_;
+  for (const auto& e : entries) {
+    if (e.value == 0) continue;
+    p.row.push_back(e.row);
+    p.value.push_back(e.value);
+  }
+  p.start.push_back(static_cast<CoinBigIndex>(p.row.size()));
+  p.lower.push_back(bound(lower));
+  p.upper.push_back(bound(upper));
+  p.cost.push_back(cost);
+  return columns() - 1;
+}
+
+void LinearProgramme::set_row(int row, double lower, double upper) {
+  parts_->row_lower[static_cast<std::size_t>(row)] = bound(lower);
+  parts_->row_upper[static_cast<std::size_t>(row)] = bound(upper);
+  if (parts_->loaded) parts_->simplex.setRowBounds(row, bound(lower), bound(upper));
+}
+
+void LinearProgramme::set_column(int column, double lower, double upper) {
+  parts_->lower[static_cast<std::size_t>(column)] = bound(lower);
+  parts_->upper[static_cast<std::size_t>(column)] = bound(upper);
+  if (parts_->loaded) parts_->simplex.setColumnBounds(column, bound(lower), bound(upper));
+}
+
+void LinearProgramme::set_cost(int column, double cost) {
+  parts_->cost[static_cast<std::size_t>(column)] = cost;
+  if (parts_->loaded) parts_->simplex.setObjectiveCoefficient(column, cost);
+}
+
+int LinearProgramme::rows() const { return static_cast<int>(parts_->row_lower.size()); }
+int LinearProgramme::columns() const { return static_cast<int>(parts_->lower.size()); }
+
+ProgrammeSolution LinearProgramme::maximise() {
+  ProgrammeSolution solution;
+  auto& simplex = parts_->simplex;
+  try {
+    const bool again = parts_->loaded;
+    parts_->load();
+    if (again) {
+      simplex.primal();
+    } else {
+      ClpSolve how;
+      how.setSolveType(ClpSolve::useDual);
+      how.setPresolveType(ClpSolve::presolveOff);  // undone, it leaves prices less exact
+      simplex.initialSolve(how);
+    }
+  } catch (const CoinError&) {
+    return solution;
+  }
+  constexpr ProgrammeEnd ends[] = {ProgrammeEnd::optimal, ProgrammeEnd::infeasible, ProgrammeEnd::unbounded};
+  const int status = simplex.status();
+  solution.end = status >= 0 && status < 3 ? ends[status] : ProgrammeEnd::failed;
+  solution.value = simplex.objectiveValue();
+  const double* x = simplex.primalColumnSolution();
+  const double* price = simplex.dualRowSolution();
+  solution.x.assign(x, x + columns());
+  solution.price.assign(price, price + rows());
+  solution.iterations = simplex.numberIterations();
+  return solution;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,47 @@
+// A linear programme, solved by CLP: maximise cost . x, where rows of A x and x itself lie between bounds.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace voussoir {
+
+struct ProgrammeEntry {
+  int row;
+  double value;
+};
+
+enum class ProgrammeEnd { optimal, infeasible, unbounded, failed };
+
+struct ProgrammeSolution {
+  ProgrammeEnd end = ProgrammeEnd::failed;
+  double value = 0;           ///< of the objective
+  std::vector<double> x;      ///< per column
+  std::vector<double> price;  ///< per row: change of the objective per change of its bounds
+  int iterations = 0;
+};
+
+class LinearProgramme {
+ public:
+  LinearProgramme();
+  ~LinearProgramme();
+  LinearProgramme(LinearProgramme&&) noexcept;
+  LinearProgramme& operator=(LinearProgramme&&) noexcept;
+
+  int add_row(double lower, double upper);
+  int add_column(std::vector<ProgrammeEntry> entries, double lower, double upper, double cost);
+  void set_row(int row, double lower, double upper);
+  void set_column(int column, double lower, double upper);
+  void set_cost(int column, double cost);
+  int rows() const;
+  int columns() const;
+
+  /// From the basis of the last time, where there is one.
+  ProgrammeSolution maximise();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace voussoir
