@@ -39,6 +39,7 @@ struct LinearProgramme::Parts {
 LinearProgramme::LinearProgramme() : parts_(std::make_unique<Parts>()) {
   parts_->simplex.setLogLevel(0);
   parts_->simplex.setOptimizationDirection(-1);
+  parts_->simplex.scaling(0);  // callers give rows and columns of size one; scaled prices may be worth nothing unscaled
   parts_->simplex.setPrimalTolerance(tolerance);
   parts_->simplex.setDualTolerance(tolerance);
 }
