@@ -58,6 +58,11 @@ Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityPar
   return centre;
 }
 
+/// [m/s]
+double wave_speed(const Material& material, const ModelParameters& model) {
+  return std::sqrt(plane_elasticity(material, model.plane)[0][0] / material.density);
+}
+
 }  // namespace
 
 template <int dim>
@@ -76,10 +81,18 @@ double DynamicStep<dim>::total(double mine) const {
 }
 
 template <int dim>
+double DynamicStep<dim>::crossing_time() const {
+  double longest = 0;
+  for (const auto& b : at_rest_.structure().blocks())
+    longest = std::max(longest, mass_.size() / wave_speed(b.material, mass_.model()));
+  return largest_over_ranks(*mass_.comm(), longest);
+}
+
+template <int dim>
 double DynamicStep<dim>::courant_time() const {
   double shortest = std::numeric_limits<double>::max();
   for (const auto& b : at_rest_.structure().blocks()) {
-    const double speed = std::sqrt(plane_elasticity(b.material, mass_.model().plane)[0][0] / b.material.density);
+    const double speed = wave_speed(b.material, mass_.model());
     for (const auto& cell : b.mesh.cells)
       for (int i = 0; i < cell.count; ++i) {
         const auto edge = b.mesh.position[cell.node[(i + 1) % cell.count]] - b.mesh.position[cell.node[i]];

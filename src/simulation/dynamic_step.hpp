@@ -32,6 +32,11 @@ class DynamicStep {
 
   /// Passage of a wave through the smallest cell of the structure [s]. Collective.
   double courant_time() const;
+  /// Passage of a wave through the whole structure, in its softest material [s]. Collective.
+  double crossing_time() const;
+  double total_mass() const { return total_mass_; }  ///< [kg]
+  /// Another factor of Rayleigh damping than the scene's [s], before the time step is set.
+  void set_stiffness_damping(double beta) { rule_.stiffness_damping = beta; }
   /// Gives a state at rest the initial velocities of the scene; joints whose sides differ in velocity are selected.
   /// Returns the kinetic energy given [J]. Collective.
   double begin(ContactState&);

@@ -8,6 +8,7 @@
 #include "linalg/reduce.hpp"
 #include "simulation/finite_rotations.hpp"
 #include "simulation/mechanism_words.hpp"
+#include "simulation/settling_in_time.hpp"
 #include "simulation/static_theorem.hpp"
 #include "simulation/tie_balance.hpp"
 
@@ -20,6 +21,9 @@ std::string factor_text(double factor) {
   text << factor;
   return text.str();
 }
+
+// Attempts that stand rarely take five times the linear solves of the dearest that did; and the first need some hundreds.
+constexpr int patience = 5, fewest_solves = 300;
 
 /// Beyond this share of the structure displacements change what bears what, which small ones leave out.
 constexpr double small_displacements = 0.01;
@@ -62,6 +66,52 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
                    " no equilibrium exists, by the static theorem (rigid limit analysis).");
 }
 
+/// A load step by statics, or else in time. The state is where it ends.
+LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, const ContactState& before,
+                                                     const LoadIncrement& increment) {
+  Found found;
+  const bool in_time = can_settle_in_time(run.model);
+  const int most = in_time ? std::max(fewest_solves, patience * most_solves_) : run.model.scene().newton.largest_iterations;
+  {
+    SolveBudget budget(run.step, in_time ? most : std::numeric_limits<int>::max());
+    try {
+      found.report = solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
+      found.mechanism = run.step.mechanism();
+    } catch (const OutOfSolves&) {
+      found.report.newton.newton_iterations = budget.solves();
+      found.report.newton.reason = "no equilibrium within " + std::to_string(most) + " linear solves, " +
+                                   std::to_string(patience) + " times those of the dearest attempt that stands";
+    }
+  }
+  if (found.report.newton.outcome == NewtonOutcome::converged)
+    most_solves_ = std::max(most_solves_, found.report.newton.newton_iterations);
+  if (found.report.newton.outcome != NewtonOutcome::not_converged || !in_time) return found;
+  int all = found.report.newton.newton_iterations;
+  for (const auto& a : search_.attempts()) all += a.linear_solves;
+  run.narrator.say("  Undecided by statics (" + found.report.newton.reason + "): let go in time.");
+  auto settled = settle_in_time(run.model, run.step, before, increment, all);
+  found.solves = settled.solves;
+  const auto seconds = factor_text(settled.time) + " s";
+  if (settled.verdict == Verdict::undecided) {
+    run.narrator.say("  Not decided in " + seconds + " of time and " + std::to_string(settled.solves) + " linear solves.");
+    return found;
+  }
+  const bool stands = settled.verdict == Verdict::equilibrium;
+  run.narrator.say(std::string(stands ? "  Came to rest within " : "  Moves on with growing speed after ") + seconds + ".");
+  run.state = std::move(settled.state);
+  if (stands) {
+    found.solves -= settled.report.newton.newton_iterations;
+    settled.report.newton.newton_iterations += found.report.newton.newton_iterations;
+    found.report = settled.report;
+  } else {
+    run.state.velocity.clear();
+    found.report.newton.outcome = NewtonOutcome::collapse;
+    found.report.newton.reason = "let go under these loads it moves on with growing speed, as seen in time";
+    found.mechanism = std::move(settled.mechanism);
+  }
+  return found;
+}
+
 void LoadFactorAnalysis::attempt(const Attempting& run) {
   if (!asked_theorem_) certify(run);
   const auto next = search_.next();
@@ -78,9 +128,10 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   Teuchos::Time clock("attempt", true);
   const ContactState before = run.state;
   const LoadStepBook<2> book(run.model, run.step, before, run.load);
-  const auto report = solve_load_step(run.model, run.step, run.state, next_load, prescribed);
+  const auto found = decide(run, before, {run.load, next_load, prescribed});
+  const auto& report = found.report;
   const double seconds = clock.totalElapsedTime(true);
-  const int solves = report.newton.newton_iterations + report.estimate_solves;
+  const int solves = report.newton.newton_iterations + report.estimate_solves + found.solves;
   const bool stands = report.newton.outcome == NewtonOutcome::converged;
   const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
   const auto beyond = stands ? run.range.beyond(end) : "";
@@ -108,7 +159,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   search_.add(collapse ? Verdict::collapse : Verdict::undecided, solves);
   if (!collapse) return;
   // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
-  const auto& mechanism = run.step.mechanism();
+  const auto& mechanism = found.mechanism;
   const auto overlap = [&](const auto& motion, const auto& state) { return overlap_of(motion, state, run.model); };
   if (!first && overlap(mechanism, failed) > std::max(believable_overlap, overlap(mechanism_, failed_))) return;
   mechanism_ = mechanism;

@@ -2,7 +2,8 @@
 //
 // Every attempt is one load step from the last equilibrium; dynamics/factor_search.hpp says which one is next. A
 // load factor stands when an equilibrium was found, and collapses when the solver reports a mechanism. An attempt at
-// which it finds neither is no proof of anything and is told apart. Rigid limit analysis tells at the beginning above
+// which it finds neither is settled in time, and where that does not decide, it is no proof of anything and is told
+// apart. Rigid limit analysis tells at the beginning above
 // which factor none can stand, by the static theorem: no larger one is tried.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include "simulation/narrator.hpp"
 #include "simulation/range_check.hpp"
 #include "simulation/recorder.hpp"
+#include "simulation/settling_in_time.hpp"
 
 namespace voussoir {
 
@@ -50,6 +52,7 @@ class LoadFactorAnalysis {
     const bool over = finished();
     search_.keep(archive);
     archive.value("load_factor.asked_theorem", asked_theorem_);
+    archive.value("load_factor.most_solves", most_solves_);
     archive.value("load_factor.beyond_at", beyond_at_);
     archive.value("load_factor.beyond", beyond_);
     if (search_.has_mechanism()) {  // then the tables are there
@@ -66,6 +69,13 @@ class LoadFactorAnalysis {
   }
 
  private:
+  /// What an attempt came to; its motion, where it collapses; linear solves beside those of the report.
+  struct Found {
+    StepReport report;
+    std::vector<double> mechanism;
+    int solves = 0;
+  };
+  Found decide(const Attempting&, const ContactState& before, const LoadIncrement&);
   void certify(const Attempting&);
   void judge(const Attempting&);
   void show_limit(const Attempting&);
@@ -75,6 +85,7 @@ class LoadFactorAnalysis {
   LoadFactorParameters p_;
   FactorSearch search_;
   bool asked_theorem_ = false;
+  int most_solves_ = 0;  ///< linear solves of the dearest attempt that stands
   std::optional<double> estimate_;  ///< of the largest factor where slip does not dilate
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
   std::string beyond_;                                      ///< why that is; empty when there is none
