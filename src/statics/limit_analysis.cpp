@@ -29,7 +29,9 @@ constexpr double weight_of_last = 0.6;
 constexpr double settled = 1e-4;
 constexpr int most_programmes = 100;
 
-Wrench scaled(const Wrench& w, double radius, double unit) { return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)}; }
+Wrench scaled(const Wrench& w, double radius, double unit) {
+  return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)};
+}
 
 double size_of(const Wrench& w, double radius) { return std::max(std::hypot(w[0], w[1]), std::abs(w[2]) / radius); }
 
@@ -162,7 +164,8 @@ LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool s
   std::vector<std::vector<Wrench>> of_stone(s_.stones.size());
   for (const auto& support : s_.supports) {
     auto& basis = of_stone[static_cast<std::size_t>(support.stone)];
-    auto w = scaled(wrench_of(support.arm, support.direction), s_.stones[static_cast<std::size_t>(support.stone)].radius, 1);
+    const double radius = s_.stones[static_cast<std::size_t>(support.stone)].radius;
+    auto w = scaled(wrench_of(support.arm, support.direction), radius, 1);
     for (const auto& b : basis) {
       const double share = power(b, w);
       for (std::size_t c = 0; c < 3; ++c) w[c] -= share * b[c];
@@ -244,7 +247,10 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
         against, std::abs(dot(velocity_at(answer.mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
   if (!(size > 0) || against > against_the_law || !(of_raised > clear_gain * turned_over)) return answer;
   answer.factor = (absorbed - of_fixed) / of_raised;
-  if (std::abs(answer.factor - factor) <= clear_gain * std::max(1.0, factor)) answer.verdict = LimitVerdict::limited;
+  // The mechanism proves by itself. Forces agree as well as balance lets them, which of light stones is little.
+  const double apart = clear_gain * std::max(1.0, factor) + out_of_balance * unit_ / of_raised;
+  if (std::abs(answer.factor - factor) <= apart && answer.factor < largest * (1 - clear_gain))
+    answer.verdict = LimitVerdict::limited;
   return answer;
 }
 

@@ -45,7 +45,9 @@ struct RigidStructure {
 };
 
 /// Force and moment of a force at a place of a stone.
-inline Wrench wrench_of(const Vector<2>& arm, const Vector<2>& force) { return {force[0], force[1], cross(arm, force)}; }
+inline Wrench wrench_of(const Vector<2>& arm, const Vector<2>& force) {
+  return {force[0], force[1], cross(arm, force)};
+}
 
 /// Velocity of a place of a stone.
 inline Vector<2> velocity_at(const Wrench& motion, const Vector<2>& arm) {
