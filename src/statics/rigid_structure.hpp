@@ -24,10 +24,10 @@ struct RigidStone {
 
 struct RigidContact {
   int stone_i = 0, stone_j = 0;
-  Vector<2> arm_i{}, arm_j{};          ///< [m] from the middles of the stones to the point
-  std::array<Vector<2>, 2> axis{};     ///< normal from i to j, tangent
+  Vector<2> arm_i{}, arm_j{};       ///< [m] from the middles of the stones to the point
+  std::array<Vector<2>, 2> axis{};  ///< normal from i to j, tangent
   PointLaw law;
-  int joint = 0;                       ///< points of one joint have one number
+  int joint = 0;  ///< points of one joint have one number
 };
 
 /// A component of motion of a node that is held.

@@ -54,6 +54,28 @@ TEUCHOS_UNIT_TEST(Units, RaisedLoadsMayBeFarSmallerOrLargerThanFixedOnes) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Units, StonesThatJamWithoutEndLeaveOthersTheirLimit) {
+  // Two held stones side by side, and a stone between held walls that press it as one likes.
+  for (const double friction : {0.0, 0.375, 2.0}) {
+    auto s = box_on_bed(1, 0.5, {0.3});
+    const int neighbour = add_box(s, {-1, -1}, 1, 1, 0);
+    hold(s, neighbour);
+    add_joint(s, neighbour, 0, {0, 0}, {0, -1}, {friction});
+    const int left = add_box(s, {4, 0}, 1, 1, 0), jammed = add_box(s, {5, 0}, 1, 1, 1),
+              right = add_box(s, {6, 0}, 1, 1, 0);
+    hold(s, left);
+    hold(s, right);
+    add_joint(s, left, jammed, {5, 1}, {5, 0}, {friction});
+    add_joint(s, jammed, right, {6, 1}, {6, 0}, {friction});
+    add_joint(s, left, jammed, {5, 0}, {5.5, 0}, {friction});  // a shoulder
+    push_sideways(s);
+    const auto answer = LimitAnalysis(s).largest_factor(most);
+    TEST_ASSERT(answer.verdict == LimitVerdict::limited);
+    TEST_FLOATING_EQUALITY(answer.factor, 0.3, 1e-8);
+    TEST_ASSERT(answer.out_of_balance < 1e-8);
+  }
+}
+
 TEUCHOS_UNIT_TEST(LightStones, SlideOnHeavyOnesAtTheirOwnFriction) {
   for (const double share : {1e-2, 1e-4, 1e-6}) {
     auto s = box_on_bed(2, 1, {0.6});
