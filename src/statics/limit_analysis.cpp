@@ -17,6 +17,11 @@ constexpr double straight = 1e-9;
 constexpr double against_the_law = 1e-8;
 // Forces are in balance to so much of the largest load, which the programme's tolerance leaves room for.
 constexpr double out_of_balance = 1e-8;
+// Stones that are held, or jam between such, may press on each other as much as one likes. Forces end at so many times
+// the largest load: their round-off is as large as the programme's tolerance there.
+constexpr double most_force = 1e6;
+// A reaction of more than this comes from forces at their end, so that it has none.
+constexpr double endless_reaction = most_force / 10;
 // Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium of
 // the elastic structure may be out of balance.
 constexpr double clear_gain = 1e-6;
@@ -29,7 +34,9 @@ constexpr double weight_of_last = 0.6;
 constexpr double settled = 1e-4;
 constexpr int most_programmes = 100;
 
-Wrench scaled(const Wrench& w, double radius, double unit) { return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)}; }
+Wrench scaled(const Wrench& w, double radius, double unit) {
+  return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)};
+}
 
 double size_of(const Wrench& w, double radius) { return std::max(std::hypot(w[0], w[1]), std::abs(w[2]) / radius); }
 
@@ -87,10 +94,10 @@ struct LimitAnalysis::Programme {
     Wrench direction;
   };
   LinearProgramme lp;
-  std::vector<AdmissibleForces> forces;          ///< per kept contact
-  std::vector<int> first_column;                 ///< of a kept contact
-  std::vector<std::array<Vector<2>, 2>> arm;     ///< of kept contacts, on both stones
-  std::vector<Held> held;                        ///< per column from held_column on
+  std::vector<AdmissibleForces> forces;       ///< per kept contact
+  std::vector<int> first_column;              ///< of a kept contact
+  std::vector<std::array<Vector<2>, 2>> arm;  ///< of kept contacts, on both stones
+  std::vector<Held> held;                     ///< per column from held_column on
   int held_column = 0, factor_column = 0;
 
   /// Force of a kept contact [N]: normal, tangential.
@@ -149,7 +156,8 @@ LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool s
     };
     p.first_column.push_back(p.lp.columns());
     for (const auto& g : p.forces.back().generators)
-      p.lp.add_column(column(g.direction), g.lower / unit_, g.upper / unit_, 0);
+      p.lp.add_column(column(g.direction), std::max(g.lower / unit_, -most_force),
+                      std::min(g.upper / unit_, most_force), 0);
     for (const auto& e : column(p.forces.back().apex)) apex[static_cast<std::size_t>(e.row)] += e.value / unit_;
   }
   for (std::size_t row = 0; row < apex.size(); ++row) {
@@ -162,7 +170,8 @@ LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool s
   std::vector<std::vector<Wrench>> of_stone(s_.stones.size());
   for (const auto& support : s_.supports) {
     auto& basis = of_stone[static_cast<std::size_t>(support.stone)];
-    auto w = scaled(wrench_of(support.arm, support.direction), s_.stones[static_cast<std::size_t>(support.stone)].radius, 1);
+    const double radius = s_.stones[static_cast<std::size_t>(support.stone)].radius;
+    auto w = scaled(wrench_of(support.arm, support.direction), radius, 1);
     for (const auto& b : basis) {
       const double share = power(b, w);
       for (std::size_t c = 0; c < 3; ++c) w[c] -= share * b[c];
@@ -244,7 +253,10 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
         against, std::abs(dot(velocity_at(answer.mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
   if (!(size > 0) || against > against_the_law || !(of_raised > clear_gain * turned_over)) return answer;
   answer.factor = (absorbed - of_fixed) / of_raised;
-  if (std::abs(answer.factor - factor) <= clear_gain * std::max(1.0, factor)) answer.verdict = LimitVerdict::limited;
+  // The mechanism proves by itself. Forces agree as well as balance lets them, which of light stones is little.
+  const double apart = clear_gain * std::max(1.0, factor) + out_of_balance * unit_ / of_raised;
+  if (std::abs(answer.factor - factor) <= apart && answer.factor < largest * (1 - clear_gain))
+    answer.verdict = LimitVerdict::limited;
   return answer;
 }
 
@@ -310,7 +322,8 @@ ReactionRange LimitAnalysis::reaction(int support, int component, double factor)
         p.lp.set_cost(p.held_column + static_cast<int>(k),
                       sign * p.held[k].direction[static_cast<std::size_t>(component)]);
     const auto found = p.lp.maximise();
-    if (found.end == ProgrammeEnd::optimal) (sign > 0 ? range.most : range.least) = sign * found.value * unit_;
+    if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction)
+      (sign > 0 ? range.most : range.least) = sign * found.value * unit_;
   }
   return range;
 }

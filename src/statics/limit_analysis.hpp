@@ -23,11 +23,11 @@ enum class LimitVerdict {
 
 struct LimitAnswer {
   LimitVerdict verdict = LimitVerdict::unknown;
-  double factor = 0;                ///< [-] of raised loads, by the power of the mechanism where there is one
-  std::vector<Wrench> mechanism;    ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
-  std::vector<Vector<2>> force;     ///< [N] per contact, normal and tangential, where loads are balanced
-  double out_of_balance = 0;        ///< [-] of those forces, relative to the largest load of a stone
-  int iterations = 0;               ///< of the simplex method
+  double factor = 0;              ///< [-] of raised loads, by the power of the mechanism where there is one
+  std::vector<Wrench> mechanism;  ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
+  std::vector<Vector<2>> force;   ///< [N] per contact, normal and tangential, where loads are balanced
+  double out_of_balance = 0;      ///< [-] of those forces, relative to the largest load of a stone
+  int iterations = 0;             ///< of the simplex method
 };
 
 /// Range of a reaction over all admissible forces [N]; no numbers where it has no end.

@@ -100,6 +100,9 @@ ProgrammeSolution LinearProgramme::maximise() {
       how.setSolveType(ClpSolve::useDual);
       how.setPresolveType(ClpSolve::presolveOff);  // undone, it leaves prices less exact
       simplex.initialSolve(how);
+      // Costs of columns without bounds leave its first basis without feasible prices; what it then takes for a
+      // contradiction is none until the primal method, from the same basis, agrees.
+      if (simplex.status() != 0) simplex.primal();
     }
   } catch (const CoinError&) {
     return solution;

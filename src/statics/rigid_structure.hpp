@@ -24,10 +24,10 @@ struct RigidStone {
 
 struct RigidContact {
   int stone_i = 0, stone_j = 0;
-  Vector<2> arm_i{}, arm_j{};          ///< [m] from the middles of the stones to the point
-  std::array<Vector<2>, 2> axis{};     ///< normal from i to j, tangent
+  Vector<2> arm_i{}, arm_j{};       ///< [m] from the middles of the stones to the point
+  std::array<Vector<2>, 2> axis{};  ///< normal from i to j, tangent
   PointLaw law;
-  int joint = 0;                       ///< points of one joint have one number
+  int joint = 0;  ///< points of one joint have one number
 };
 
 /// A component of motion of a node that is held.
@@ -45,7 +45,9 @@ struct RigidStructure {
 };
 
 /// Force and moment of a force at a place of a stone.
-inline Wrench wrench_of(const Vector<2>& arm, const Vector<2>& force) { return {force[0], force[1], cross(arm, force)}; }
+inline Wrench wrench_of(const Vector<2>& arm, const Vector<2>& force) {
+  return {force[0], force[1], cross(arm, force)};
+}
 
 /// Velocity of a place of a stone.
 inline Vector<2> velocity_at(const Wrench& motion, const Vector<2>& arm) {
