@@ -5,9 +5,9 @@
 // was found proves nothing: nearer ones are tried first, then it is tried again from the equilibrium nearest to it,
 // then larger ones are, in growing steps, until one collapses. What is undecided in the end leaves a wider bracket.
 //
-// Where a theorem tells a factor above which no equilibrium exists, none above it is tried, and it ends the bracket until
-// a mechanism is found below. A guess is tried from just below and just above when doubling comes to it; where nothing
-// slides the structure stands up to what the theorem tells, and that is tried from just below.
+// Where a theorem tells a factor above which no equilibrium exists, none above it is tried, and it ends the bracket
+// until a mechanism is found below. A guess is tried from just below and just above when doubling comes to it; where
+// nothing slides the structure stands up to what the theorem tells, and that is tried from just below.
 #pragma once
 
 #include <algorithm>

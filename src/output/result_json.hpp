@@ -41,7 +41,7 @@ struct CollapseSummary {
   double upper = 0;                       ///< [-] smallest that collapses; infinite when none was found
   bool sharp = true;                      ///< no factor between them was tried without a decision
   std::vector<Attempt> attempts;
-  double certified = 0;            ///< [-] above which none can stand, by the static theorem; infinite: nothing is known
+  double certified = 0;            ///< [-] none can stand above it, by the static theorem; infinite: nothing is known
   std::optional<double> estimate;  ///< [-] of rigid limit analysis without dilatancy
 };
 

@@ -22,7 +22,7 @@ std::string factor_text(double factor) {
   return text.str();
 }
 
-// Attempts that stand rarely take five times the linear solves of the dearest that did; and the first need some hundreds.
+// Attempts that stand rarely take five times the linear solves of the dearest that did; the first may need hundreds.
 constexpr int patience = 5, fewest_solves = 300;
 
 /// Beyond this share of the structure displacements change what bears what, which small ones leave out.
@@ -71,9 +71,9 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
                                                      const LoadIncrement& increment) {
   Found found;
   const bool in_time = can_settle_in_time(run.model);
-  const int most = in_time ? std::max(fewest_solves, patience * most_solves_) : run.model.scene().newton.largest_iterations;
+  const int most = in_time ? std::max(fewest_solves, patience * most_solves_) : std::numeric_limits<int>::max();
   {
-    SolveBudget budget(run.step, in_time ? most : std::numeric_limits<int>::max());
+    SolveBudget budget(run.step, most);
     try {
       found.report = solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
       found.mechanism = run.step.mechanism();
@@ -93,11 +93,11 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
   found.solves = settled.solves;
   const auto seconds = factor_text(settled.time) + " s";
   if (settled.verdict == Verdict::undecided) {
-    run.narrator.say("  Not decided in " + seconds + " of time and " + std::to_string(settled.solves) + " linear solves.");
+    run.narrator.say("  Not decided in " + seconds + " of time, " + std::to_string(settled.solves) + " linear solves.");
     return found;
   }
   const bool stands = settled.verdict == Verdict::equilibrium;
-  run.narrator.say(std::string(stands ? "  Came to rest within " : "  Moves on with growing speed after ") + seconds + ".");
+  run.narrator.say((stands ? "  Came to rest within " : "  Moves on with growing speed after ") + seconds + ".");
   run.state = std::move(settled.state);
   if (stands) {
     found.solves -= settled.report.newton.newton_iterations;

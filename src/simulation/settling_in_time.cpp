@@ -38,12 +38,14 @@ double size_of(const Structure<2>& s, const std::vector<double>& load) {
 double largest_motion(const Structure<2>& s, const std::vector<double>& a, const std::vector<double>* b = nullptr) {
   double largest = 0;
   for (int n = 0; n < s.owned_nodes(); ++n)
-    largest = std::max(largest, std::hypot(a[2 * n] - (b ? (*b)[2 * n] : 0), a[2 * n + 1] - (b ? (*b)[2 * n + 1] : 0)));
+    largest = std::max(largest, b ? std::hypot(a[2 * n] - (*b)[2 * n], a[2 * n + 1] - (*b)[2 * n + 1])
+                                  : std::hypot(a[2 * n], a[2 * n + 1]));
   return largest_over_ranks(*s.comm(), largest);
 }
 
 /// A load step from where the structure has come to rest. Says whether that is an equilibrium.
-bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increment, int most_solves, Settled& settled) {
+bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increment, int most_solves,
+             Settled& settled) {
   auto state = settled.state;
   untie_what_moved(model, state);
   state.velocity.clear();
@@ -108,7 +110,8 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
     }
     grown = kinetic > growth * energy_before && length > 0 ? grown + 1 : 0;
     energy_before = kinetic;
-    if (grown >= lengths_of_growth && largest_motion(s, state.displacement, &equilibrium.displacement) > far * deforms) {
+    const bool moves_on = grown >= lengths_of_growth;
+    if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > far * deforms) {
       settled.verdict = Verdict::collapse;
       settled.mechanism = state.velocity;
       const double largest = largest_motion(s, state.velocity);

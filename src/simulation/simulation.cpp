@@ -38,8 +38,7 @@ using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 
 constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
-/// A signal was seen within a step; the step is given up.
-struct StopWithinStep {};
+struct StopWithinStep {};  ///< thrown when a signal is seen within a step, which is given up
 
 /// The steps of a scene.
 class Run {
@@ -57,9 +56,10 @@ class Run {
         construction_(model),
         theorem_(model),
         range_(model, [this](const Warning& w) { warn(w); }),
-        load_factor_(load_factor_of(model.scene())),
         load_(state_.displacement.size(), 0.0),
         saved_(model, options.folder, options.restart_from) {
+    const auto& search = model.scene().load_factor;
+    if (search.asked()) load_factor_ = std::make_unique<LoadFactorAnalysis>(search);
     for (const char* phase : phases) seconds_[phase] = 0;
     seconds_["total"] = 0;
     Record so_far;
@@ -177,16 +177,12 @@ class Run {
     if (report.newton.outcome != NewtonOutcome::converged) {
       narrator_->failed(report, stage, target);
       const auto failed = std::exchange(state_, before);
-      if (theorem_.refusal()) {
-        fail({failed, report, theorem_.refusal()->mechanism, target}, target);
-        return false;
-      }
+      if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target}, target);
       if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
         failure_ = Failure{failed, report, step_.mechanism(), target};
       const bool same = half_asks_the_same(model_, construction_, steps_, before, next_load, prescribed);
       if (!same && steps_.halve()) return true;
-      fail(*failure_, target);
-      return false;
+      return fail(*failure_, target);
     }
     if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
     for (const auto& w : held_by_ties(report.tied_share, report.tied_block, at_factor(stage, target))) warn(w);
@@ -219,8 +215,7 @@ class Run {
         narrator_->say("  Time step halved to " + number_text(control_->time_step()) + " s.");
         return true;
       }
-      fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
-      return false;
+      return fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
     }
     const bool compares = target == 1 || writes();  // outlines of stones
     if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
@@ -259,9 +254,6 @@ class Run {
 
   bool finished() const { return steps_.finished() && (!load_factor_ || load_factor_->finished()); }
 
-  static std::unique_ptr<LoadFactorAnalysis> load_factor_of(const Scene& scene) {
-    return scene.load_factor.asked() ? std::make_unique<LoadFactorAnalysis>(scene.load_factor) : nullptr;
-  }
   Attempting attempting() {
     return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
   }
@@ -284,20 +276,22 @@ class Run {
     return false;
   }
 
+  /// The run ends here: false.
   /// @param last  the load tried last; where a smaller one is not decided, the collapse under a larger one is told
-  void fail(const Failure& failure, double last) {
+  bool fail(const Failure& failure, double last) {
     auto& summary = recorder_->summary();
     saved_.save(here());
     summary.outcome = failure.collapse() ? Outcome::collapse : Outcome::not_converged;
     summary.load_factor = steps_.reached();
     summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(failure.target) + ": " +
                       failure.report.newton.reason;
-    if (!failure.collapse()) return;
+    if (!failure.collapse()) return false;
     if (last < failure.target)
       summary.message += "; smaller steps, down to load factor " + std::to_string(last) + ", could not be decided";
     recorder_->record_mechanism(failure.mechanism, failure.state, steps_.stage(), failure.target);
     summary.mechanism = largest_mover(model_, failure.mechanism);
     summary.message += "; " + mechanism_in_words(model_, failure.mechanism);
+    return false;
   }
 
   RunState here() {
