@@ -34,6 +34,7 @@ GRAVITY = scenes.GRAVITY
 FACTOR_TOLERANCE = 0.05
 DURATION, TIME_STEP = 0.2, 0.002  # [s]
 SHAKEN = 0.1  # of the way of the stones: less than that a structure alone moves in time
+NARROWEST = 0.03  # [m] of a stone that tips: cells below it, as high as a course, are no slivers (1 degree)
 LONGEST = 600  # [s] of a run
 WAYS = [(way, task) for way, tasks in {"hangs": ("load step", "construction", "time"),
                                        "slides": ("load step", "load factor", "time"),
@@ -65,7 +66,9 @@ class Planted:
         self.height = s if self.way in ("hangs", "wedge") else s * self.random.uniform(0.5, 1.0)
         self.width = s
         if self.way == "tips":
-            self.width = min(s, 0.6 * self.push * self.height * self.count)
+            slope = 0.6 * self.push  # of its diagonal
+            self.width = max(NARROWEST, min(s, slope * self.height * self.count))
+            self.height = max(self.height, self.width / slope / self.count)
         ends = [0.0, self.width]
         if self.way == "wedge":
             ends += [2 * self.width, 3 * self.width]
