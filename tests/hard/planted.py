@@ -156,8 +156,8 @@ class Planted:
             return ""
         if result["outcome"] != "collapse":
             return f"{result['outcome']}: {result.get('message', '')}"
-        if "(loose)" not in result["mechanism"]["largest_mover_name"]:
-            return f"something else falls: {result['message']}"
+        if "(loose)" not in result.get("mechanism", {}).get("largest_mover_name", ""):
+            return f"not said to fall: {result['message']}"
         if self.task == "load factor":
             limit = self.friction if self.way == "slides" else min(0.7, self.width**2 / self.areas)
             lower, upper = result["collapse"]["lower"], result["collapse"]["upper"]
