@@ -88,8 +88,8 @@ class Random:
         left, right, y, tilt = 0.0, r.uniform(0.6, 1.2), 0.0, 0.0
         self.held.append(((left, 0.0), (right, 0.0)))
         for _ in range(r.randint(2, 6)):
-            rise = r.uniform(-0.15, 0.15)  # of the upper bed
-            height = r.uniform(0.2, 0.6)
+            rise = r.uniform(-0.1, 0.1)  # of the upper bed
+            height = r.uniform(0.35, 0.7)
             low = [(x, y + tilt * x) for x in (left, right)]
             a = r.uniform(left - 0.15, left + 0.15)
             b = r.uniform(right - 0.15, right + 0.15)
