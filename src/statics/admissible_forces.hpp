@@ -17,7 +17,7 @@
 namespace voussoir {
 
 struct Generator {
-  Vector<2> direction{};  ///< normal, tangential
+  Vector<2> direction{};  ///< normal, tangential; of size 1
   double lower = 0;
   double upper = std::numeric_limits<double>::infinity();
 };
@@ -27,9 +27,13 @@ struct AdmissibleForces {
   std::vector<Generator> generators;
 };
 
+/// Friction of so much and more counts as without end, which admits a little more: such a joint slips where the force
+/// is within 0.6 degrees of its plane, and generators of its cone could hardly be told from each other.
+constexpr double endless_friction = 100;
+
 inline AdmissibleForces admissible_forces(const PointLaw& law) {
   constexpr double endless = std::numeric_limits<double>::infinity();
-  const bool cone = law.friction > 0 && std::isfinite(law.friction) && std::isfinite(law.cohesion);
+  const bool cone = law.friction > 0 && law.friction < endless_friction && std::isfinite(law.cohesion);
   const double least = cone ? std::max(-law.tension, -law.cohesion / law.friction) : -law.tension;
   AdmissibleForces set;
   const bool pulls_freely = !std::isfinite(least);
@@ -40,8 +44,8 @@ inline AdmissibleForces admissible_forces(const PointLaw& law) {
     if (shear > 0) set.generators.push_back({{0, 1}, -shear, shear});
     return set;
   }
-  set.generators.push_back({{1, law.friction}, 0, endless});
-  set.generators.push_back({{1, -law.friction}, 0, endless});
+  const double size = std::hypot(1, law.friction);
+  for (const double sign : {1.0, -1.0}) set.generators.push_back({{1 / size, sign * law.friction / size}, 0, endless});
   const double shear = law.cohesion + law.friction * least;
   if (shear > 0) set.generators.push_back({{0, 1}, -shear, shear});
   return set;
@@ -64,7 +68,7 @@ inline Absorbed absorbed_at_most(const AdmissibleForces& set, const Vector<2>& m
     if (std::isfinite(amount))
       most.power -= amount * along;
     else
-      most.against = std::max(most.against, std::abs(along) / norm(g.direction));
+      most.against = std::max(most.against, std::abs(along));
   }
   return most;
 }

@@ -104,6 +104,47 @@ TEUCHOS_UNIT_TEST(FactorSearch, NearerAttemptsDecideWhatFarOnesCouldNot) {
   TEST_COMPARE(search.upper() - search.lower(), <=, 0.005 * search.upper());
 }
 
+FactorSearch with_certificate(double certified, double guess) {
+  FactorSearch search(wanted());
+  search.certify(certified);
+  search.guess(guess);
+  return search;
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, NothingIsTriedAboveWhatATheoremExcludes) {
+  for (double critical : {0.05, 0.3, 0.37}) {
+    const auto search = searched(collapses_at(critical), with_certificate(0.37, 0.31));
+    for (const auto& a : search.attempts()) TEST_COMPARE(a.factor, <, 0.37);
+    TEST_ASSERT(search.found() && search.sharp());
+    TEST_COMPARE(search.upper() - search.lower(), <=, 0.005 * search.upper());
+    TEST_EQUALITY(search.has_mechanism(), critical < 0.3699);
+  }
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, WhereNothingSlidesOneAttemptNearTheTheoremIsEnough) {
+  const auto search = searched(collapses_at(0.37), with_certificate(0.37, 0.37));
+  TEST_EQUALITY(search.attempts().size(), 3u);  // 0.1, 0.2, just below 0.37
+  TEST_EQUALITY(search.upper(), 0.37);
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, AGoodGuessIsBracketedAtOnce) {
+  const auto search = searched(collapses_at(0.3), with_certificate(0.37, 0.3));
+  TEST_EQUALITY(search.attempts().size(), 4u);  // 0.1, 0.2, on both sides of 0.3
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, UndecidedBelowATheoremTheBracketIsWideButClosed) {
+  const auto search = searched([](double factor, double) {
+    return factor < 0.3 ? Verdict::equilibrium : Verdict::undecided;
+  }, with_certificate(0.37, 0.31));
+  TEST_ASSERT(search.finished() && search.found() && !search.sharp() && !search.has_mechanism());
+  TEST_EQUALITY(search.upper(), 0.37);
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, WhatBearsNothingOfThePatternIsNotTried) {
+  const auto search = searched(collapses_at(0), with_certificate(0, 0));
+  TEST_ASSERT(search.attempts().empty() && search.found());
+}
+
 /// An archive in memory: saves on its first use, restores when it is turned round.
 struct Memory {
   std::map<std::string, std::any> values;

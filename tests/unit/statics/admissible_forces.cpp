@@ -75,10 +75,12 @@ TEUCHOS_UNIT_TEST(AdmissibleForces, WhatIsAbsorbedAtMostIsTheSupportOfTheLaw) {
 
 TEUCHOS_UNIT_TEST(AdmissibleForces, StrengthWithoutEndAbsorbsAnyMotion) {
   const Vector<2> opens{1, 0}, slips{0, 1}, presses{-1, 0};
-  const auto rough = admissible_forces({endless, 0, 0});
-  TEST_EQUALITY(absorbed_at_most(rough, slips).against, 1);
-  TEST_EQUALITY(absorbed_at_most(rough, opens).against, 0);
-  TEST_EQUALITY(absorbed_at_most(rough, presses).against, 1);
+  for (const double friction : {100.0, endless}) {
+    const auto rough = admissible_forces({friction, 0, 0});
+    TEST_EQUALITY(absorbed_at_most(rough, slips).against, 1);
+    TEST_EQUALITY(absorbed_at_most(rough, opens).against, 0);
+    TEST_EQUALITY(absorbed_at_most(rough, presses).against, 1);
+  }
   const auto bonded = admissible_forces({0.6, endless, endless});
   for (const auto& motion : {opens, slips, presses}) TEST_EQUALITY(absorbed_at_most(bonded, motion).against, 1);
   const auto no_tension = admissible_forces({0.6, endless, 0});

@@ -26,6 +26,17 @@ TEUCHOS_UNIT_TEST(LimitAnalysis, ABoxSlidesAtItsFrictionOrTipsAtItsSlenderness) 
     }
 }
 
+TEUCHOS_UNIT_TEST(LimitAnalysis, FrictionMayBeAsLargeAsOneLikes) {
+  const auto wall_of = [](double friction) { return wall({{2, 2}, {1, 2, 1}, {2, 2}, {1, 2, 1}}, friction); };
+  const auto without_end = LimitAnalysis(wall_of(endless)).largest_factor(most);
+  TEST_ASSERT(without_end.verdict == LimitVerdict::limited);
+  for (const double friction : {8.0, 99.0, 100.0, 1e4, 1e9}) {
+    const auto answer = LimitAnalysis(wall_of(friction)).largest_factor(most);
+    TEST_ASSERT(answer.verdict == LimitVerdict::limited);
+    TEST_FLOATING_EQUALITY(answer.factor, without_end.factor, 1e-6);
+  }
+}
+
 TEUCHOS_UNIT_TEST(LimitAnalysis, WhatStandsAtTheLargestFactorAskedIsNotLimited) {
   const auto answer = LimitAnalysis(box_on_bed(1, 1, {0.6})).largest_factor(0.5);
   TEST_ASSERT(answer.verdict == LimitVerdict::unlimited);
