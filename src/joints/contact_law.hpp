@@ -92,6 +92,17 @@ std::array<T, n> project_tangential(const std::array<T, n>& q, double bound) {
   return T(bound / size) * q;
 }
 
+/// Nearest admissible force, normal part first: the tangential one is held to the friction that this bears.
+template <std::size_t n>
+std::array<double, n> nearest_lawful(const PointLaw& law, std::array<double, n> force) {
+  force[0] = project_normal(law, force[0]);
+  std::array<double, n - 1> q;
+  for (std::size_t c = 1; c < n; ++c) q[c - 1] = force[c];
+  q = project_tangential(q, friction_bound(law, force[0]));
+  for (std::size_t c = 1; c < n; ++c) force[c] = q[c - 1];
+  return force;
+}
+
 /// Distance of a force from the admissible set, normal part first (as the projection of the contact law).
 template <std::size_t n>
 double violation(const PointLaw& law, const std::array<double, n>& force) {

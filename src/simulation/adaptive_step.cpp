@@ -11,7 +11,6 @@
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
-#include "simulation/tie_balance.hpp"
 
 namespace voussoir {
 namespace {
@@ -54,7 +53,8 @@ Vector<dim> force_at(const PointField& lambda, int k) {
 }  // namespace
 
 template <int dim>
-AdaptiveStep<dim>::AdaptiveStep(const Model<dim>& model) : model_(model), solver_(model.scene().solver) {}
+AdaptiveStep<dim>::AdaptiveStep(const Model<dim>& model)
+    : model_(model), solver_(model.scene().solver), ties_(model) {}
 
 template <int dim>
 ContactState AdaptiveStep<dim>::initial_state() const {
@@ -162,12 +162,12 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
   }
   Phase phase("selection");
   cluster = problem.space().cluster();
-  const auto r = borne_by_joints(state, load);
+  borne_ = borne_by_joints(state, load);
   if (in_time)
-    recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda, force_before,
+    recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), borne_, state.lambda, force_before,
                         open_points(model_));
   else
-    recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), r, state.lambda);
+    recover_tied_forces(model_.structure(), model_.points(), cluster, model_.held(), borne_, state.lambda);
   model_.points().exchange().update(state.lambda, dim);
   return true;
 }
@@ -175,14 +175,14 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
 /// Releases the stones that nothing but ties balances, where that is allowed; returns how many points that selects.
 template <int dim>
 long long AdaptiveStep<dim>::release_loose(ContactState& state, const std::vector<double>& load,
-                                           const std::vector<int>& cluster, StepReport& report,
-                                           bool may_release) const {
+                                           const std::vector<int>& cluster, double largest_normal, StepReport& report,
+                                           bool may_release) {
   report.tied_share = 0;
   report.tied_block = -1;
   if (model_.scene().selection.mode == SelectionMode::bonded) return 0;
   if (count_selected(model_, state) == model_.points().total()) return 0;
   const auto& own = own_load ? *own_load : load;
-  const auto balance = tie_balance(model_, law_, state, cluster, borne_by_joints(state, load), own);
+  const auto balance = ties_.judge(law_, state, cluster, borne_, own, largest_normal);
   if (!balance.any) return 0;
   const auto released = may_release ? release_blocks(model_, law_, balance.loose, state) : 0;
   if (released > 0) return released;
@@ -304,7 +304,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     }
     if (!more) {
       if (large) estimate();
-      if (wanted <= tolerance && release_loose(state, load, cluster, report, may_release) == 0) return report;
+      if (wanted <= tolerance &&
+          release_loose(state, load, cluster, violations.largest_normal, report, may_release) == 0)
+        return report;
       wanted = tolerance;
     }
   }

@@ -7,6 +7,7 @@
 #include "nonlinear/contact_solver.hpp"
 #include "simulation/contact_problem.hpp"
 #include "simulation/model.hpp"
+#include "simulation/tie_balance.hpp"
 
 namespace voussoir {
 
@@ -72,8 +73,8 @@ class AdaptiveStep {
   double root_of_violations(const ContactState&, const std::vector<int>& cluster) const;
   bool looks_first(long long selected) const;
   double root_of_rest(std::vector<double> decrease, const ContactState&) const;
-  long long release_loose(ContactState&, const std::vector<double>& load, const std::vector<int>& cluster, StepReport&,
-                          bool may_release) const;
+  long long release_loose(ContactState&, const std::vector<double>& load, const std::vector<int>& cluster,
+                          double largest_normal, StepReport&, bool may_release);
   StepReport solve_unbroken(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
   bool solve_round(const typename ContactProblem<dim>::Parts&, ContactState&, const std::vector<double>& load,
                    const std::vector<double>& prescribed, double tolerance, const PointField* known_gap,
@@ -84,6 +85,8 @@ class AdaptiveStep {
   const Model<dim>& model_;
   LinearSolver solver_;
   PointLaws law_;
+  TieCriterion ties_;
+  std::vector<double> borne_;  ///< [N] by joints and supports, as the last round left it
   std::vector<double> mechanism_;
 };
 

@@ -59,7 +59,7 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
   TiedViolations v;
   v.force.assign(points.owned(), 0.0);
   double worst = 0;
-  const double force = largest_normal_force(model, state.lambda);
+  const double force = v.largest_normal = largest_normal_force(model, state.lambda);
   v.noise = std::max(noise * model.scene().newton.tolerance, least_noise) * force;
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {

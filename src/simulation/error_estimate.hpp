@@ -16,6 +16,7 @@ namespace voussoir {
 struct TiedViolations {
   std::vector<double> force;  ///< [N] per owned point; 0 at free points and where it is noise of the solver
   double largest = 0;         ///< [-] over all ranks, relative to the largest normal force
+  double largest_normal = 0;  ///< [N] normal force of all points, tied ones too, over all ranks
   double noise = 0;           ///< [N] forces this near to their bounds are at them
 };
 

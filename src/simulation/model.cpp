@@ -187,6 +187,7 @@ void Model<dim>::hold_supports() {
 
 template <int dim>
 void Model<dim>::set_absent(const std::vector<char>& absent) {
+  ++arrangement_;
   hold_supports();
   for (std::size_t i = 0; i < held_.size(); ++i)
     if (absent[structure_->block_of_node()[i / dim]]) held_[i] = 1;
@@ -195,6 +196,7 @@ void Model<dim>::set_absent(const std::vector<char>& absent) {
 template <int dim>
 double Model<dim>::follow(const std::vector<double>& displacement) {
   Phase phase("blocks");
+  ++arrangement_;
   const double turned = structure_->follow(displacement);
   points_->follow(*structure_);
   return turned;

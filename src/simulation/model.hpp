@@ -59,6 +59,8 @@ class Model {
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
   /// Holds all of the blocks that are not there [per local block], and what supports hold.
   void set_absent(const std::vector<char>& absent);
+  /// Another number wherever places or supports may have changed: what is made of them is to be made again.
+  int arrangement() const { return arrangement_; }
 
   /// Nodal forces [N] and prescribed displacements [m] under load factors by name of the load.
   /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
@@ -87,6 +89,7 @@ class Model {
   std::vector<double> initial_gap_;
   bool brittle_ = false, rubs_ = false;
   double inertia_ = 0;
+  int arrangement_ = 0;
   std::unique_ptr<LoadsAtWork<dim>> loads_;
 };
 

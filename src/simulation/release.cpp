@@ -8,17 +8,15 @@
 namespace voussoir {
 namespace {
 
-/// Brings the forces of selected points to the nearest admissible ones, normal part first.
+/// Brings the forces of selected points to the nearest admissible ones.
 template <int dim>
 void admit(const PointLaws& law, ContactState& state) {
   for (std::size_t k = 0; k < law.size(); ++k) {
     if (!state.selected[k]) continue;
-    const double normal = project_normal(law[k], state.lambda[dim * k]);
-    Vector<dim - 1> q;
-    std::copy_n(state.lambda.begin() + dim * k + 1, dim - 1, q.begin());
-    q = project_tangential(q, friction_bound(law[k], normal));
-    state.lambda[dim * k] = normal;
-    std::copy_n(q.begin(), dim - 1, state.lambda.begin() + dim * k + 1);
+    Vector<dim> f;
+    std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
+    f = nearest_lawful(law[k], f);
+    std::copy_n(f.begin(), dim, state.lambda.begin() + dim * k);
   }
 }
 

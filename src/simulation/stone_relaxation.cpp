@@ -39,12 +39,9 @@ void solve_plane(std::array<StoneVector, 3>& a, StoneVector& b) {
 }
 
 /// Force of a spring whose ends have moved against each other.
-Vector<2> force_of(const StonePoint& spring, const Vector<2>& motion) {
-  Vector<2> force;
-  force[0] = project_normal(spring.law, spring.force[0] - spring.stiffness[0] * (motion[0] + spring.gap));
-  const double bound = friction_bound(spring.law, force[0]);
-  force[1] = std::clamp(spring.force[1] - spring.stiffness[1] * motion[1], -bound, bound);
-  return force;
+Vector<2> force_of(const StonePoint& spring, double stiffness, const Vector<2>& motion) {
+  return nearest_lawful(spring.law, Vector<2>{spring.force[0] - stiffness * (motion[0] + spring.gap),
+                                              spring.force[1] - stiffness * motion[1]});
 }
 
 std::vector<long long> block_ids(const Structure<2>& s) {
@@ -55,24 +52,40 @@ std::vector<long long> block_ids(const Structure<2>& s) {
 
 }  // namespace
 
-StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stones,
-                                 const std::vector<StonePoint>& points)
+StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stones, double stiffness)
     : model_(model),
       stones_(std::move(stones)),
-      points_(points),
+      stiffness_(stiffness),
       exchange_(block_ids(model.structure()), model.structure().owned_blocks(), model.structure().comm()),
       links_(stones_.size()),
-      place_(stones_.size()),
-      way_(stones_.size()) {
+      known_alone_(stones_.size()) {
   const auto& s = model.structure();
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& p = model.points().points()[k];
-    force_.push_back(points[k].force);
     const int i = s.block_of_node()[p.node_i], j = s.block_of_node()[p.node_j];
-    links_[i].push_back({k, j, -1.0, s.position()[p.node_i] - stones_[i].middle});
-    links_[j].push_back({k, i, 1.0, s.position()[p.node_j] - stones_[j].middle});
+    links_[i].push_back({k, j, stones_[j].rides_on == i, -1.0, s.position()[p.node_i] - stones_[i].middle});
+    links_[j].push_back({k, i, stones_[i].rides_on == j, 1.0, s.position()[p.node_j] - stones_[j].middle});
   }
-  for (int b = 0; b < s.owned_blocks(); ++b) lack_.push_back(stones_[b].lacks);
+}
+
+void StoneRelaxation::begin(std::vector<StonePoint> points, std::vector<StoneVector> lacks) {
+  points_ = std::move(points);
+  lacks_ = std::move(lacks);
+  force_.resize(points_.size());
+  take_back();
+}
+
+void StoneRelaxation::take_back() {
+  place_.assign(stones_.size(), {});
+  way_.assign(stones_.size(), {});
+  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] = points_[k].force;
+  lack_ = lacks_;
+}
+
+double StoneRelaxation::passing(int block) const {
+  double sum = 0;
+  for (const auto& link : links_[block]) sum += norm(points_[link.point].force) / 2;
+  return sum;
 }
 
 Vector<2> StoneRelaxation::motion_of(int block, int node, const ContactPoint<2>& p) const {
@@ -86,15 +99,15 @@ void StoneRelaxation::update_force(int point) {
   const auto& block = model_.structure().block_of_node();
   const auto& p = model_.points().points()[point];
   const auto motion = motion_of(block[p.node_j], p.node_j, p) - motion_of(block[p.node_i], p.node_i, p);
-  force_[point] = force_of(points_[point], motion);
+  force_[point] = force_of(points_[point], stiffness_, motion);
 }
 
 /// What a stone lacks where it is now.
-StoneVector StoneRelaxation::lacking(int block) const {
-  const auto& stone = stones_[block];
-  auto lack = stone.lacks;
-  for (int c = 0; c < 3; ++c) lack[c] -= stone.support[c] * place_[block][c];
+StoneVector StoneRelaxation::lacking(int block, const StoneVector& at_first, Neighbours which) const {
+  auto lack = at_first;
+  for (int c = 0; c < 3; ++c) lack[c] -= stones_[block].support[c] * place_[block][c];
   for (const auto& link : links_[block]) {
+    if (which == Neighbours::that_stay && link.rides) continue;
     const auto& axis = model_.points().points()[link.point].axis;
     const auto change = force_[link.point] - points_[link.point].force;
     const Vector<2> f = link.sign * (change[0] * axis[0] + change[1] * axis[1]);
@@ -106,22 +119,22 @@ StoneVector StoneRelaxation::lacking(int block) const {
 }
 
 /// The step that would balance a stone if every spring held.
-StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack) const {
+StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack, Neighbours which) const {
   const auto& stone = stones_[block];
   std::array<StoneVector, 3> matrix{};
-  double stiffest = 0;
+  bool held = false;
   for (const auto& link : links_[block]) {
+    if (which == Neighbours::that_stay && link.rides) continue;
+    held = true;
     const auto& axis = model_.points().points()[link.point].axis;
     for (int a = 0; a < 2; ++a) {
       const StoneVector way{axis[a][0], axis[a][1], cross(link.arm, axis[a])};
-      const double k = points_[link.point].stiffness[a];
       for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) matrix[r][c] += k * way[r] * way[c];
-      stiffest = std::max(stiffest, k);
+        for (int c = 0; c < 3; ++c) matrix[r][c] += stiffness_ * way[r] * way[c];
     }
   }
   for (int c = 0; c < 3; ++c) matrix[c][c] += stone.support[c];
-  const double ground = foundation * stiffest;
+  const double ground = held ? foundation * stiffness_ : 0;
   matrix[0][0] += ground;
   matrix[1][1] += ground;
   matrix[2][2] += ground * stone.radius * stone.radius;
@@ -130,32 +143,49 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack) const {
   return step;
 }
 
-double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable,
-                              const std::function<bool(int)>& rides) {
-  double least = size_of(lacks, stones_[block].radius);
-  if (least <= bearable) return least;
-  const auto begun = std::exchange(stones_[block].lacks, lacks);
-  const auto all_links = links_[block];
-  auto& links = links_[block];
-  links.erase(std::remove_if(links.begin(), links.end(), [&](const Link& l) { return rides(l.other); }), links.end());
-  for (int k = 0; k < most_steps_alone && least > bearable; ++k) {
-    const auto step = step_of(block, lacking(block));
-    for (int c = 0; c < 3; ++c) place_[block][c] += step[c];
-    for (const auto& link : links_[block]) update_force(link.point);
-    least = std::min(least, size_of(lacking(block), stones_[block].radius));
+double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable) {
+  const double begun = size_of(lacks, stones_[block].radius);
+  if (begun <= bearable) return begun;
+  auto& place = place_[block];
+  auto& known = known_alone_[block];
+  const auto lack_at = [&](const StoneVector& there) {
+    place = there;
+    for (const auto& link : links_[block])
+      if (!link.rides) update_force(link.point);
+    return lacking(block, lacks, Neighbours::that_stay);
+  };
+  double least = begun;
+  if (known != StoneVector{}) least = std::min(begun, size_of(lack_at(known), stones_[block].radius));
+  if (least > bearable) {
+    least = begun;
+    StoneVector lack = lacks, there{};
+    for (int k = 0; k < most_steps_alone && least > bearable; ++k) {
+      const auto step = step_of(block, lack, Neighbours::that_stay);
+      for (int c = 0; c < 3; ++c) there[c] += step[c];
+      lack = lack_at(there);
+      least = std::min(least, size_of(lack, stones_[block].radius));
+    }
+    known = least <= bearable ? there : StoneVector{};
   }
-  stones_[block].lacks = begun;
-  place_[block] = {};
-  links = all_links;
-  for (const auto& link : links) force_[link.point] = points_[link.point].force;
+  place = {};
+  for (const auto& link : links_[block]) force_[link.point] = points_[link.point].force;
   return least;
 }
 
-/// Moves the stones, and takes up what they and their neighbours lack then.
-/// @param steps  of owned blocks, three numbers each, with room for those of the halo
-void StoneRelaxation::move(std::vector<double>& steps) {
+/// Steps of owned stones that lack more than they may, three numbers each, with room for those of the halo.
+std::vector<double> StoneRelaxation::steps(const std::vector<double>& lacks) const {
+  std::vector<double> steps(3 * stones_.size(), 0.0);
+  for (int b = 0; b < static_cast<int>(lack_.size()); ++b) {
+    if (lacks[b] <= bearable_[b] || links_[b].empty()) continue;
+    const auto step = step_of(b, lack_[b], Neighbours::all);
+    for (int c = 0; c < 3; ++c) steps[3 * b + c] = share_of_step * step[c];
+  }
+  return steps;
+}
+
+/// Moves the stones on.
+void StoneRelaxation::move(std::vector<double> steps) {
   exchange_.update(steps, 3);
-  std::vector<char> touched(stones_.size(), 0);
   std::vector<int> moved;
   for (std::size_t b = 0; b < stones_.size(); ++b) {
     const auto at = steps.begin() + 3L * static_cast<long>(b);
@@ -169,6 +199,21 @@ void StoneRelaxation::move(std::vector<double>& steps) {
     }
     moved.push_back(static_cast<int>(b));
   }
+  take_up(moved);
+}
+
+/// Puts the stones where others were; only those that moved then are away from where they begin.
+void StoneRelaxation::go_to(const std::vector<StoneVector>& places) {
+  place_ = places;
+  std::vector<int> moved;
+  for (std::size_t b = 0; b < places.size(); ++b)
+    if (places[b] != StoneVector{}) moved.push_back(static_cast<int>(b));
+  take_up(moved);
+}
+
+/// Forces of stones that have moved, and what they and their neighbours lack then.
+void StoneRelaxation::take_up(const std::vector<int>& moved) {
+  std::vector<char> touched(stones_.size(), 0);
   for (const int b : moved) {
     touched[b] = 1;
     for (const auto& link : links_[b]) {
@@ -176,33 +221,64 @@ void StoneRelaxation::move(std::vector<double>& steps) {
       touched[link.other] = 1;
     }
   }
-  for (std::size_t b = 0; b < lack_.size(); ++b)
-    if (touched[b]) lack_[b] = lacking(static_cast<int>(b));
+  for (int b = 0; b < static_cast<int>(lack_.size()); ++b)
+    if (touched[b]) lack_[b] = lacking(b, lacks_[b], Neighbours::all);
 }
 
-std::vector<double> StoneRelaxation::relax() {
-  const auto& comm = *model_.structure().comm();
-  std::vector<double> lacks(lack_.size());
-  double least = 0;  // [N] that all stones which lack too much have lacked together
-  for (int sweep = 0, last_progress = 0;; ++sweep) {
-    double sums[2] = {0, 0}, all[2];
-    std::vector<double> steps(3 * stones_.size(), 0.0);
-    for (std::size_t b = 0; b < lack_.size(); ++b) {
-      lacks[b] = size_of(lack_[b], stones_[b].radius);
-      if (lacks[b] <= stones_[b].bearable || links_[b].empty()) continue;
-      sums[0] += 1;
-      sums[1] += lacks[b];
-      const auto step = step_of(static_cast<int>(b), lack_[b]);
-      for (int c = 0; c < 3; ++c) steps[3 * b + c] = share_of_step * step[c];
+StoneRelaxation::Lacking StoneRelaxation::measure(std::vector<double>& lacks) const {
+  Lacking sum;
+  lacks.resize(lack_.size());
+  for (std::size_t b = 0; b < lack_.size(); ++b) {
+    lacks[b] = size_of(lack_[b], stones_[b].radius);
+    if (lacks[b] <= bearable_[b]) continue;
+    if (links_[b].empty()) {
+      sum.stuck += 1;
+      continue;
     }
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, sums, all);
-    if (sweep == 0 || all[1] < progress * least) {
-      least = all[1];
+    sum.stones += 1;
+    sum.force += lacks[b];
+  }
+  return sum;
+}
+
+RelaxedStones StoneRelaxation::relax(const std::vector<double>& bearable, int loose) {
+  bearable_ = bearable;
+  RelaxedStones relaxed;
+  auto& lacks = relaxed.lacks;
+  const auto over_ranks = [&](const Lacking& mine, double known) {
+    const std::array<double, 4> here{mine.stones, mine.force, mine.stuck + loose, known};
+    std::array<double, 4> all{};
+    Teuchos::reduceAll(*model_.structure().comm(), Teuchos::REDUCE_SUM, 4, here.data(), all.data());
+    return all;
+  };
+  // One message tells of both, of where the stones begin and of the places known.
+  const auto begun = measure(lacks);
+  std::vector<double> lacks_there;
+  double lacking_there = 0;
+  if (!known_.empty()) {
+    go_to(known_);
+    lacking_there = measure(lacks_there).stones;
+  }
+  auto [lacking, force, loose_already, there] = over_ranks(begun, lacking_there);
+  if (!known_.empty() && lacking > 0 && there == 0) return {lacks_there, loose_already > 0};
+  if (!known_.empty()) take_back();
+  double least = force;  // [N] that all stones which lack too much have lacked together
+  int sweep = 0;
+  for (int last_progress = 0;; ++sweep) {
+    if (force < progress * least) {
+      least = force;
       last_progress = sweep;
     }
-    if (all[0] == 0 || sweep - last_progress == patience) return lacks;
-    move(steps);
+    if (lacking == 0 || sweep - last_progress == patience) break;
+    move(steps(lacks));
+    const auto all = over_ranks(measure(lacks), 0);
+    lacking = all[0];
+    force = all[1];
+    loose_already = all[2];
   }
+  if (sweep > 0 && lacking == 0) known_ = place_;
+  relaxed.any_loose = lacking + loose_already > 0;
+  return relaxed;
 }
 
 }  // namespace voussoir

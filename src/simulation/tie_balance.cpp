@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/text.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
-#include "simulation/dependent_stones.hpp"
 #include "simulation/error_estimate.hpp"
-#include "simulation/stone_relaxation.hpp"
 
 namespace voussoir {
 namespace {
@@ -33,26 +32,24 @@ double stiffness_of_springs(const Model<2>& model) {
   return -largest_over_ranks(*model.structure().comm(), -softest);
 }
 
-/// The points as springs, each with the nearest force that its law admits, normal part first; an open one bears none.
+/// The points as springs, each with the nearest force that its law admits; an open one bears none.
 std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, const ContactState& state,
-                                const std::vector<int>& cluster, double stiffness) {
-  std::vector<StonePoint> springs;
+                                const std::vector<int>& cluster) {
+  std::vector<StonePoint> springs(model.points().size());
   const auto open = open_points(model);
-  const auto gap = model.gaps(state.displacement);
+  PointField gap;  // where a point bears nothing
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& p = model.points().points()[k];
-    StonePoint spring;
+    auto& spring = springs[k];
     spring.law = law[k];
-    spring.stiffness = {stiffness, stiffness};
-    const bool tied = cluster[p.node_i] == cluster[p.node_j];
-    if (!tied || (!open.empty() && open[k])) spring.gap = std::max(0.0, gap[2 * k]);
-    if (open.empty() || !open[k] || !tied) {
-      const double normal = project_normal(law[k], state.lambda[2 * k]);
-      const double bound = friction_bound(law[k], normal);
-      spring.force = {normal, std::clamp(state.lambda[2 * k + 1], -bound, bound)};
-      if (normal > -law[k].tension) spring.gap = 0;
+    const bool tied = cluster[p.node_i] == cluster[p.node_j], is_open = !open.empty() && open[k];
+    if (!is_open || !tied) {
+      spring.force = nearest_lawful(spring.law, Vector<2>{state.lambda[2 * k], state.lambda[2 * k + 1]});
+      if (spring.force[0] > -spring.law.tension) continue;
     }
-    springs.push_back(spring);
+    if (tied && !is_open) continue;
+    if (gap.empty()) gap = model.gaps(state.displacement);
+    spring.gap = std::max(0.0, gap[2 * k]);
   }
   return springs;
 }
@@ -70,19 +67,16 @@ StoneVector sum_over(const Structure<2>& s, const LocalBlock<2>& block, const Ve
   return sum;
 }
 
-/// Half the magnitudes of the forces of its points, per local block: what passes through a block. [N]
-std::vector<double> passing(const Model<2>& model, const std::vector<StonePoint>& points) {
-  std::vector<double> sum(model.structure().blocks().size(), 0.0);
-  const auto& block = model.structure().block_of_node();
-  for (int k = 0; k < model.points().size(); ++k) {
-    const auto& p = model.points().points()[k];
-    for (int node : {p.node_i, p.node_j}) sum[block[node]] += norm(points[k].force) / 2;
-  }
+/// Sum of the magnitudes of nodal forces of a block [N].
+double magnitudes_over(const LocalBlock<2>& block, const std::vector<double>& nodal) {
+  double sum = 0;
+  const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
+  for (int i = first; i < first + count; ++i) sum += norm(Vector<2>{nodal[2 * i], nodal[2 * i + 1]});
   return sum;
 }
 
 /// The blocks as rigid bodies where they are; supports hold a node as a point does.
-std::vector<Stone> stones_of(const Model<2>& model, double stiffness) {
+std::vector<Stone> stones_of(const Model<2>& model, const DependentStones& dependent, double stiffness) {
   const auto& s = model.structure();
   std::vector<Stone> stones;
   for (const auto& block : s.blocks()) {
@@ -98,6 +92,7 @@ std::vector<Stone> stones_of(const Model<2>& model, double stiffness) {
         stone.support[2] += stiffness * arm[1 - c] * arm[1 - c];
       }
     }
+    if (const BlockId under = dependent.depends_on(block.mesh.id); under >= 0) stone.rides_on = s.local_block(under);
     stones.push_back(stone);
   }
   return stones;
@@ -108,86 +103,40 @@ StoneVector about(const StoneVector& v, const Vector<2>& from, const Vector<2>& 
   return {v[0], v[1], v[2] + cross(from - to, Vector<2>{v[0], v[1]})};
 }
 
-/// What all ranks know of every block: 1 where a support holds it; 1 where it is not there, all its joints far open.
-std::array<std::vector<int>, 2> held_and_absent(const Model<2>& model) {
+/// 1 for each owned block that is not there, all its joints far open; empty for none.
+std::vector<char> absent_here(const Model<2>& model) {
   const auto& s = model.structure();
-  const std::size_t blocks = s.owner_of_block().size();
-  std::vector<int> mine(2 * blocks, 0), all(2 * blocks);
-  for (std::size_t i = 0; i < model.held().size() / 2; ++i)
-    if (model.held()[2 * i] || model.held()[2 * i + 1]) mine[s.blocks()[s.block_of_node()[i]].mesh.id] = 1;
-  if (!model.initial_gap().empty()) {
-    std::vector<int> near(s.blocks().size(), 0), far(s.blocks().size(), 0);
-    for (int k = 0; k < model.points().size(); ++k) {
-      const auto& p = model.points().points()[k];
-      auto& count = model.initial_gap()[k] >= s.size() ? far : near;
-      for (int node : {p.node_i, p.node_j}) ++count[s.block_of_node()[node]];
-    }
-    for (int b = 0; b < s.owned_blocks(); ++b)
-      mine[blocks + s.blocks()[b].mesh.id] = far[b] > 0 && near[b] == 0;
+  const auto& gap = model.initial_gap();
+  const auto is_far = [&](double g) { return g >= s.size(); };
+  if (std::none_of(gap.begin(), gap.end(), is_far)) return {};
+  std::vector<int> near(s.blocks().size(), 0), far(s.blocks().size(), 0);
+  for (int k = 0; k < model.points().size(); ++k) {
+    const auto& p = model.points().points()[k];
+    auto& count = is_far(gap[k]) ? far : near;
+    for (int node : {p.node_i, p.node_j}) ++count[s.block_of_node()[node]];
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
-  return {std::vector<int>(all.begin(), all.begin() + static_cast<long>(blocks)),
-          std::vector<int>(all.begin() + static_cast<long>(blocks), all.end())};
+  std::vector<char> absent(s.owned_blocks());
+  for (int b = 0; b < s.owned_blocks(); ++b) absent[b] = far[b] > 0 && near[b] == 0;
+  return absent;
 }
 
-/// Per owned block the share of its load, with that of its dependants, that it lacks alone between its neighbours [-].
-std::vector<double> left_alone(const Model<2>& model, const std::vector<Stone>& stones, const std::vector<double>& own,
-                               const std::vector<StoneVector>& loads, double unknown, StoneRelaxation& relaxation) {
+/// Which stones depend on which, from what every rank knows of its own. Collective.
+DependentStones dependent_stones(const Model<2>& model, const std::vector<char>& absent) {
   const auto& s = model.structure();
-  const auto [held, absent] = held_and_absent(model);
-  const DependentStones dependent(model.source().graph(), held, absent);
-  const auto& ids = dependent.dependants();
-  // Moments are taken about a point of the structure: the middle of the first dependant.
-  std::vector<double> mine(6 * ids.size() + 2, 0.0), all(mine.size());
-  const auto of = [&](BlockId id) {
-    const int b = s.local_block(id);
-    return b >= 0 && b < s.owned_blocks() ? b : -1;
-  };
-  const auto total = [&] {
-    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  };
-  if (!ids.empty() && of(ids[0]) >= 0) std::copy_n(stones[of(ids[0])].middle.begin(), 2, mine.end() - 2);
-  total();
-  const Vector<2> centre{all[all.size() - 2], all[all.size() - 1]};
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    const int b = of(ids[k]);
-    if (b < 0) continue;
-    const auto lacks = about(stones[b].lacks, stones[b].middle, centre);
-    const auto load = about(loads[b], stones[b].middle, centre);
-    std::copy(lacks.begin(), lacks.end(), mine.begin() + 6L * static_cast<long>(k));
-    std::copy(load.begin(), load.end(), mine.begin() + 6L * static_cast<long>(k) + 3);
-  }
-  total();
-  std::vector<BlockSums> sums(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k)
-    std::copy_n(all.begin() + 6L * static_cast<long>(k), 6, sums[k].begin());
-  const auto below = dependent.sums(std::move(sums));
-  std::vector<double> share(s.owned_blocks(), 0.0);
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    auto lacks = stones[b].lacks, load = loads[b];
-    if (const auto more = below.find(s.blocks()[b].mesh.id); more != below.end()) {
-      const auto& m = more->second;
-      const auto other_lacks = about({m[0], m[1], m[2]}, centre, stones[b].middle);
-      const auto other_load = about({m[3], m[4], m[5]}, centre, stones[b].middle);
-      for (int c = 0; c < 3; ++c) {
-        lacks[c] += other_lacks[c];
-        load[c] += other_load[c];
-      }
-    }
-    const auto rides = [&](int other) {
-      return dependent.depends_on(s.blocks()[other].mesh.id) == s.blocks()[b].mesh.id;
-    };
-    const double borne = std::max(own[b], size_of(load, stones[b].radius));
-    const double left = relaxation.alone(b, lacks, std::max(unknown, largest_share_alone * borne), rides);
-    if (left > unknown) share[b] = borne > 0 ? left / borne : std::numeric_limits<double>::infinity();
-  }
-  return share;
+  const auto blocks = static_cast<long>(s.owner_of_block().size());
+  std::vector<int> mine(2 * blocks, 0), all(2 * blocks);  // is a block held, is it absent
+  for (std::size_t i = 0; i < model.held().size() / 2; ++i)
+    if (model.held()[2 * i] || model.held()[2 * i + 1]) mine[s.blocks()[s.block_of_node()[i]].mesh.id] = 1;
+  for (std::size_t b = 0; b < absent.size(); ++b) mine[blocks + s.blocks()[b].mesh.id] = absent[b];
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  return {model.source().graph(), {all.begin(), all.begin() + blocks}, {all.begin() + blocks, all.end()}};
 }
 
 /// Marks the stones that lack more than they may, on every rank that sees them.
-std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<Stone>& stones) {
+std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks,
+                         const std::vector<double>& bearable) {
   std::vector<double> flag(s.nodes(), 0.0);
-  for (int b = 0; b < s.owned_blocks(); ++b) flag[s.blocks()[b].first_local] = lacks[b] > stones[b].bearable;
+  for (int b = 0; b < s.owned_blocks(); ++b) flag[s.blocks()[b].first_local] = lacks[b] > bearable[b];
   s.node_exchange().update(flag, 1);
   std::vector<char> loose;
   for (const auto& block : s.blocks()) loose.push_back(flag[block.first_local] != 0);
@@ -196,57 +145,143 @@ std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks
 
 }  // namespace
 
-TieBalance tie_balance(const Model<2>& model, const PointLaws& law, const ContactState& state,
-                       const std::vector<int>& cluster, const std::vector<double>& borne,
-                       const std::vector<double>& load) {
-  const auto& s = model.structure();
-  const double stiffness = stiffness_of_springs(model);
-  const auto points = springs(model, law, state, cluster, stiffness);
+/// What depends on nothing but where stones are, what holds them and which are there.
+struct TieCriterion::Stones {
+  Stones(const Model<2>& model, std::vector<char> absent_here, double stiffness)
+      : arrangement(model.arrangement()),
+        absent(std::move(absent_here)),
+        dependent(dependent_stones(model, absent)),
+        relaxation(model, stones_of(model, dependent, stiffness), stiffness) {
+    // Moments are taken about a point of the structure: the middle of the first dependant.
+    if (dependent.dependants().empty()) return;
+    const auto& s = model.structure();
+    const int first = s.local_block(dependent.dependants()[0]);
+    if (first >= 0 && first < s.owned_blocks()) centre = relaxation.stones()[first].middle;
+    const auto mine = centre;
+    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine.data(), centre.data());
+  }
+
+  int arrangement;
+  std::vector<char> absent;  ///< owned blocks
+  DependentStones dependent;
+  StoneRelaxation relaxation;
+  Vector<2> centre{};
+};
+
+TieCriterion::TieCriterion(const Model<2>& model) : model_(model) {}
+TieCriterion::~TieCriterion() = default;
+
+/// Makes what depends on the stones alone. Collective.
+void TieCriterion::arrange(std::vector<char> absent) {
+  stones_ = std::make_unique<Stones>(model_, std::move(absent), stiffness_of_springs(model_));
+}
+
+/// What the dependants of blocks lack, and their loads; makes anew what it takes where stones have come or gone.
+/// Collective.
+std::map<BlockId, BlockSums> TieCriterion::of_dependants(const Demands& demands) {
+  const auto& s = model_.structure();
+  for (;;) {
+    const auto& ids = stones_->dependent.dependants();
+    std::vector<double> mine(6 * ids.size() + 1, 0.0), all(mine.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const int b = s.local_block(ids[k]);
+      if (b < 0 || b >= s.owned_blocks()) continue;
+      const auto& middle = stones_->relaxation.stones()[b].middle;
+      const auto lack = about(demands.lacks[b], middle, stones_->centre);
+      const auto load = about(demands.loads[b], middle, stones_->centre);
+      std::copy(lack.begin(), lack.end(), mine.begin() + 6L * static_cast<long>(k));
+      std::copy(load.begin(), load.end(), mine.begin() + 6L * static_cast<long>(k) + 3);
+    }
+    auto absent = absent_here(model_);
+    mine.back() = absent != stones_->absent;
+    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+    if (all.back() > 0) {
+      arrange(std::move(absent));
+      continue;
+    }
+    std::vector<BlockSums> sums(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      std::copy_n(all.begin() + 6L * static_cast<long>(k), 6, sums[k].begin());
+    return stones_->dependent.sums(std::move(sums));
+  }
+}
+/// Per owned block the share of its load, with that of its dependants, that it lacks alone between its neighbours [-].
+std::vector<double> TieCriterion::left_alone(const Demands& demands, double unknown,
+                                             const std::map<BlockId, BlockSums>& below) {
+  const auto& s = model_.structure();
+  auto& relaxation = stones_->relaxation;
+  std::vector<double> share(s.owned_blocks(), 0.0);
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& stone = relaxation.stones()[b];
+    auto lacks = demands.lacks[b], load = demands.loads[b];
+    if (const auto more = below.find(s.blocks()[b].mesh.id); more != below.end()) {
+      const auto& m = more->second;
+      const auto other_lacks = about({m[0], m[1], m[2]}, stones_->centre, stone.middle);
+      const auto other_load = about({m[3], m[4], m[5]}, stones_->centre, stone.middle);
+      for (int c = 0; c < 3; ++c) {
+        lacks[c] += other_lacks[c];
+        load[c] += other_load[c];
+      }
+    }
+    const double borne = std::max(demands.own[b], size_of(load, stone.radius));
+    const double left = relaxation.alone(b, lacks, std::max(unknown, largest_share_alone * borne));
+    if (left > unknown) share[b] = borne > 0 ? left / borne : std::numeric_limits<double>::infinity();
+  }
+  return share;
+}
+
+TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, const std::vector<int>& cluster,
+                               const std::vector<double>& borne, const std::vector<double>& load,
+                               double largest_normal) {
+  const auto& s = model_.structure();
+  if (!stones_ || stones_->arrangement != model_.arrangement()) arrange(absent_here(model_));
+  auto points = springs(model_, law, state, cluster);
   PointField forces;
   for (const auto& p : points) forces.insert(forces.end(), p.force.begin(), p.force.end());
   auto lacking = borne;
-  add_contact_forces(model.points(), {}, forces, -1.0, lacking);
+  add_contact_forces(model_.points(), {}, forces, -1.0, lacking);
   for (std::size_t i = 0; i < lacking.size(); ++i)
-    if (model.held()[i]) lacking[i] = 0;
-  const double unknown = noise * model.scene().newton.tolerance * largest_normal_force(model, state.lambda);
-  const auto through = passing(model, points);
-  auto stones = stones_of(model, stiffness);
-  std::vector<double> own(s.owned_blocks());
-  std::vector<StoneVector> loads;
+    if (model_.held()[i]) lacking[i] = 0;
+  Demands demands;
   for (int b = 0; b < s.owned_blocks(); ++b) {
-    auto& stone = stones[b];
-    const auto& block = s.blocks()[b];
-    const auto sum = sum_over(s, block, stone.middle, load);
-    double magnitudes = 0;
-    for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
-      magnitudes += std::hypot(load[2 * (block.first_local + i)], load[2 * (block.first_local + i) + 1]);
+    const auto& stone = stones_->relaxation.stones()[b];
+    demands.loads.push_back(sum_over(s, s.blocks()[b], stone.middle, load));
+    demands.lacks.push_back(sum_over(s, s.blocks()[b], stone.middle, lacking));
+    for (double& l : demands.lacks[b]) l = -l;
+  }
+  const auto below = of_dependants(demands);
+  auto& relaxation = stones_->relaxation;
+  relaxation.begin(std::move(points), demands.lacks);
+  const double unknown = noise * model_.scene().newton.tolerance * largest_normal;
+  std::vector<double> bearable;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
     // A stone without load, or whose loads are in balance as those of heat are, is measured by what passes through it.
-    loads.push_back(sum);
-    own[b] = size_of(sum, stone.radius);
-    if (own[b] <= balanced * magnitudes) own[b] = through[b];
-    stone.lacks = sum_over(s, block, stone.middle, lacking);
-    for (double& l : stone.lacks) l = -l;
-    stone.bearable = std::max(unknown, largest_tied_share * own[b]);
+    double own = size_of(demands.loads[b], relaxation.stones()[b].radius);
+    if (own <= balanced * magnitudes_over(s.blocks()[b], load)) own = relaxation.passing(b);
+    demands.own.push_back(own);
+    bearable.push_back(std::max(unknown, largest_tied_share * own));
   }
-  StoneRelaxation relaxation(model, stones, points);
-  const auto alone = left_alone(model, stones, own, loads, unknown, relaxation);
-  auto lacks = relaxation.relax();
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    if (alone[b] <= largest_share_alone) continue;
-    lacks[b] = std::max(lacks[b], alone[b] * own[b]);
-    stones[b].bearable = 0;
-  }
+  const auto alone = left_alone(demands, unknown, below);
+  const auto is_loose_alone = [](double share) { return share > largest_share_alone; };
+  const auto relaxed = relaxation.relax(
+      bearable, static_cast<int>(std::count_if(alone.begin(), alone.end(), is_loose_alone)));
   TieBalance balance;
+  balance.any = relaxed.any_loose;
+  if (!balance.any) return balance;
+  auto lacks = relaxed.lacks;
   for (int b = 0; b < s.owned_blocks(); ++b) {
-    if (lacks[b] <= stones[b].bearable) continue;
-    const double share = own[b] > 0 ? lacks[b] / own[b] : std::numeric_limits<double>::infinity();
+    if (!is_loose_alone(alone[b])) continue;
+    lacks[b] = std::max(lacks[b], alone[b] * demands.own[b]);
+    bearable[b] = 0;
+  }
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (lacks[b] <= bearable[b]) continue;
+    const double share = demands.own[b] > 0 ? lacks[b] / demands.own[b] : std::numeric_limits<double>::infinity();
     if (share <= balance.largest) continue;
     balance.largest = share;
     balance.where = s.blocks()[b].mesh.id;
   }
-  balance.loose = marked(s, lacks, stones);
-  const bool here_loose = std::find(balance.loose.begin(), balance.loose.end(), 1) != balance.loose.end();
-  balance.any = largest_over_ranks(*s.comm(), here_loose) > 0;
+  balance.loose = marked(s, lacks, bearable);
   const double mine = balance.largest;
   balance.largest = largest_over_ranks(*s.comm(), mine);
   // The lowest number of those that share it, so that all ranks name the same.

@@ -18,9 +18,14 @@
 // (stone_relaxation.hpp)? Those that do not are loose.
 #pragma once
 
+#include <map>
+#include <memory>
+
 #include "base/warning.hpp"
 #include "simulation/contact_problem.hpp"
+#include "simulation/dependent_stones.hpp"
 #include "simulation/model.hpp"
+#include "simulation/stone_relaxation.hpp"
 
 namespace voussoir {
 
@@ -38,13 +43,35 @@ struct TieBalance {
   int where = -1;           ///< the block that has it, the lowest number of several
 };
 
-/// Collective.
-/// @param state    with forces of all points, tied ones too, ghosts up to date
-/// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
-/// @param borne    K u - f of each block alone [N, dim x local node copies]: what joints and supports bear
-/// @param load     forces on the stones from outside, which shares refer to [N, dim x local node copies]
-TieBalance tie_balance(const Model<2>&, const PointLaws&, const ContactState& state, const std::vector<int>& cluster,
-                       const std::vector<double>& borne, const std::vector<double>& load);
+/// Tells which blocks owe more to ties than they may. Kept for a run: what depends on stones alone is made anew only
+/// where their places, supports or presence have changed, and where they found balance is asked first the next time.
+class TieCriterion {
+ public:
+  explicit TieCriterion(const Model<2>&);
+  ~TieCriterion();
+
+  /// Collective.
+  /// @param state    with forces of all points, tied ones too, ghosts up to date
+  /// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
+  /// @param borne    K u - f of each block alone [N, dim x local node copies]: what joints and supports bear
+  /// @param load     forces on the stones from outside, which shares refer to [N, dim x local node copies]
+  /// @param largest_normal  force of all points of all ranks [N]
+  TieBalance judge(const PointLaws& law, const ContactState& state, const std::vector<int>& cluster,
+                   const std::vector<double>& borne, const std::vector<double>& load, double largest_normal);
+
+ private:
+  struct Stones;
+  struct Demands {  ///< of owned blocks
+    std::vector<StoneVector> lacks, loads;
+    std::vector<double> own;  ///< [N] that shares refer to
+  };
+  void arrange(std::vector<char> absent);
+  std::map<BlockId, BlockSums> of_dependants(const Demands&);
+  std::vector<double> left_alone(const Demands&, double unknown, const std::map<BlockId, BlockSums>& below);
+
+  const Model<2>& model_;
+  std::unique_ptr<Stones> stones_;
+};
 
 /// What is said where ties may not be released (selection > largest rounds): one warning, or none.
 /// @param share, block  largest share of a loose stone's load that ties bear, and that stone; -1 for none
