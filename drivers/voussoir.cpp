@@ -36,6 +36,7 @@ const char* const usage =
   --restart-from=DIR2 go on with the run in DIR2, and leave that as it is: results go to DIR
   --validate          check scene and mesh, then stop
   --dry-run           also count unknowns and predict the cost, then stop
+  --limit-analysis    ask rigid limit analysis alone: can the loads be balanced, up to which load factor, how do they fall
   --print-parameters  print every parameter with unit, default and range, as a scene
   --quiet             say nothing but errors
   --verbose           a line for every linear solve
@@ -80,6 +81,8 @@ Arguments parse(const std::vector<std::string>& words) {
       a.run.validate = true;
     else if (word == "--dry-run")
       a.run.dry_run = true;
+    else if (word == "--limit-analysis")
+      a.run.limit_analysis = true;
     else if (word == "--quiet")
       a.quiet = true;
     else if (word == "--verbose")
@@ -93,6 +96,9 @@ Arguments parse(const std::vector<std::string>& words) {
     throw InputError(
         "voussoir: --restart and --overwrite\n  contradict each other: one goes on with what the other "
         "removes.\n  Leave one of them out.");
+  if (a.run.limit_analysis && (a.run.restart || !a.run.restart_from.empty()))
+    throw InputError(
+        "voussoir: --limit-analysis\n  has nothing to go on from: it asks what the scene draws.\n  Leave --restart out.");
   if (a.run.restart && !a.run.restart_from.empty())
     throw InputError(
         "voussoir: --restart and --restart-from\n  contradict each other: one goes on in the folder of the "

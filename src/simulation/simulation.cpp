@@ -16,6 +16,7 @@
 #include "simulation/finite_rotations.hpp"
 #include "simulation/halved_step.hpp"
 #include "simulation/input_warnings.hpp"
+#include "simulation/limit_run.hpp"
 #include "simulation/load_factor_analysis.hpp"
 #include "simulation/masonry_statics.hpp"
 #include "simulation/mechanism_words.hpp"
@@ -361,16 +362,14 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
     say << "The scene is valid: " << source->block_count() << " blocks.\n";
     return {};
   }
-  if (options.dry_run) {
-    predict(scene, *source, comm, say);
-    return {};
-  }
+  if (options.dry_run) return predict(scene, *source, comm, say), RunSummary{};
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
   std::optional<BranchedFolder> branched;
   if (!options.restart_from.empty()) branched.emplace(options.restart_from, options.folder, *comm);
   const OutputFolder folder(options.folder, earlier, *comm);
   if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
   if (!options.restart && !branched) write_scene_file(scene, options.folder, *comm);
+  if (options.limit_analysis) return limit_run(scene, *source, options.folder, comm, say);
   Model<2> model(scene, *source, comm);
   say << source->block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on "

@@ -20,6 +20,7 @@ struct RunOptions {
   std::string restart_from;  ///< or from that in this folder, which stays as it is
   bool validate = false;     ///< check the scene and its mesh, then stop
   bool dry_run = false;      ///< also count unknowns and predict the cost, then stop
+  bool limit_analysis = false;  ///< ask rigid limit analysis alone
   bool verbose = false;      ///< a line for every linear solve
 };
 
