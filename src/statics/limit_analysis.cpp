@@ -123,7 +123,8 @@ LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
 /// = - fixed loads.
 /// @param share_of_joints  of dry straight joints, about their middle, that may bear
 /// @param sliding  friction with hardly any slope beside a bound on shear that the caller sets
-LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool sliding) const {
+/// @param most  at which the forces of joints end, times the largest load
+LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool sliding, double most) const {
   Programme p;
   for (const auto& stone : s_.stones) {
     const auto load = scaled(stone.fixed, stone.radius, unit_);
@@ -156,8 +157,7 @@ LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool s
     };
     p.first_column.push_back(p.lp.columns());
     for (const auto& g : p.forces.back().generators)
-      p.lp.add_column(column(g.direction), std::max(g.lower / unit_, -most_force),
-                      std::min(g.upper / unit_, most_force), 0);
+      p.lp.add_column(column(g.direction), std::max(g.lower / unit_, -most), std::min(g.upper / unit_, most), 0);
     for (const auto& e : column(p.forces.back().apex)) apex[static_cast<std::size_t>(e.row)] += e.value / unit_;
   }
   for (std::size_t row = 0; row < apex.size(); ++row) {
@@ -268,23 +268,34 @@ LimitAnalysis LimitAnalysis::under_loads(double factor) const {
   return LimitAnalysis(std::move(s));
 }
 
+/// The largest factor of raised loads, up to one, of a structure whose dry joints bear on a share of their length.
+/// Forces have an end only where they are out of balance without one: it costs the simplex method as much again.
+LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, bool* balanced_unraised) const {
+  LimitAnswer answer;
+  for (const double most : {endless, most_force}) {
+    auto p = programme(share_of_joints, false, most);
+    p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
+    p.lp.set_cost(p.factor_column, 1);
+    const auto found = p.lp.maximise();
+    *balanced_unraised = found.end != ProgrammeEnd::infeasible;
+    answer = judge(p, found, largest);
+    if (found.end != ProgrammeEnd::optimal || answer.verdict != LimitVerdict::unknown) break;
+  }
+  return answer;
+}
+
 LimitAnswer LimitAnalysis::largest_factor(double largest) const {
-  auto p = programme(1, false);
-  p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
-  p.lp.set_cost(p.factor_column, 1);
-  const auto found = p.lp.maximise();
-  if (found.end != ProgrammeEnd::infeasible) return judge(p, found, largest);
-  auto answer = bears(0);
+  bool balanced_unraised = true;
+  auto answer = raised_up_to(largest, 1, &balanced_unraised);
+  if (balanced_unraised) return answer;
+  answer = bears(0);
   if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
   return answer;
 }
 
 LimitAnswer LimitAnalysis::bears(double factor) const {
-  const auto loaded = under_loads(factor);
-  auto p = loaded.programme(1, false);
-  p.lp.set_column(p.factor_column, 0, loaded.raised_unit_ / loaded.unit_);
-  p.lp.set_cost(p.factor_column, 1);
-  auto answer = loaded.judge(p, p.lp.maximise(), 1);
+  bool balanced = true;
+  auto answer = under_loads(factor).raised_up_to(1, 1, &balanced);
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
   return answer;
 }
@@ -292,10 +303,8 @@ LimitAnswer LimitAnalysis::bears(double factor) const {
 LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) const {
   const auto loaded = under_loads(factor);
   const auto with = [&](double share) {
-    auto p = loaded.programme(share, false);
-    p.lp.set_column(p.factor_column, 0, loaded.raised_unit_ / loaded.unit_);
-    p.lp.set_cost(p.factor_column, 1);
-    return loaded.judge(p, p.lp.maximise(), 1);
+    bool balanced = true;
+    return loaded.raised_up_to(1, share, &balanced);
   };
   auto best = with(1);
   double stands = 1, falls = 0;
@@ -312,7 +321,7 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
 }
 
 ReactionRange LimitAnalysis::reaction(int support, int component, double factor) const {
-  auto p = programme(1, false);
+  auto p = programme(1, false, most_force);
   const double f = factor * raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, f, f);
   ReactionRange range;
@@ -332,7 +341,7 @@ std::optional<double> LimitAnalysis::without_dilatancy(double largest) const {
   const auto associated = largest_factor(largest);
   if (associated.verdict == LimitVerdict::unlimited) return associated.factor;
   if (associated.verdict != LimitVerdict::limited) return {};
-  auto p = programme(1, true);
+  auto p = programme(1, true, most_force);
   p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
   p.lp.set_cost(p.factor_column, 1);
   std::vector<double> presses;

@@ -87,8 +87,9 @@ class RigidStones:
         cost[-1] = -1.0
         # What is balanced to the tolerance of the programme alone must not pass for borne.
         options = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
-        found = linprog(cost, A_ub=less, b_ub=numpy.zeros(2 * len(self.less)), A_eq=equal, b_eq=-self.sums(fixed) / unit,
-                        bounds=self.bounds + [(0, largest)], method="highs", options=options)
+        found = linprog(cost, A_ub=less, b_ub=numpy.zeros(2 * len(self.less)), A_eq=equal,
+                        b_eq=-self.sums(fixed) / unit, bounds=self.bounds + [(0, largest)], method="highs",
+                        options=options)
         if found.status == 2:
             return None
         if found.status != 0:

@@ -1,6 +1,7 @@
 // Rigid structures drawn by hand: stones, joints between two ends, what is held.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
