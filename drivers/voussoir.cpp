@@ -36,7 +36,7 @@ const char* const usage =
   --restart-from=DIR2 go on with the run in DIR2, and leave that as it is: results go to DIR
   --validate          check scene and mesh, then stop
   --dry-run           also count unknowns and predict the cost, then stop
-  --limit-analysis    ask rigid limit analysis alone: can the loads be balanced, up to which load factor, how do they fall
+  --limit-analysis    rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall
   --print-parameters  print every parameter with unit, default and range, as a scene
   --quiet             say nothing but errors
   --verbose           a line for every linear solve
@@ -98,7 +98,8 @@ Arguments parse(const std::vector<std::string>& words) {
         "removes.\n  Leave one of them out.");
   if (a.run.limit_analysis && (a.run.restart || !a.run.restart_from.empty()))
     throw InputError(
-        "voussoir: --limit-analysis\n  has nothing to go on from: it asks what the scene draws.\n  Leave --restart out.");
+        "voussoir: --limit-analysis\n  has nothing to go on from: it asks what the scene draws.\n  "
+        "Leave --restart out.");
   if (a.run.restart && !a.run.restart_from.empty())
     throw InputError(
         "voussoir: --restart and --restart-from\n  contradict each other: one goes on in the folder of the "

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "output/output_folder.hpp"
 #include "simulation/adaptive_step.hpp"
 #include "simulation/construction.hpp"
 #include "simulation/mechanism_words.hpp"

@@ -24,8 +24,8 @@ constexpr int lengths = 10;
 constexpr double far = 1000, growth = 2;
 constexpr int lengths_of_growth = 2;
 // Near rest kinetic energy is so small a share of the elastic one that what is left moves stones by a hundredth of what
-// loads do. The midpoint rule lets stiff vibrations ring on at such a level when time steps are long. Asked again when it
-// is ten times calmer.
+// loads do. The midpoint rule lets stiff vibrations ring on at such a level when time steps are long. Asked again when
+// it is ten times calmer.
 constexpr double near_rest = 1e-4, calmer = 0.1;
 // A load step from a place of rest that is an equilibrium takes dozens of linear solves.
 constexpr int solves_to_confirm = 200;
