@@ -115,11 +115,17 @@ def load_factor_section(page, results):
     page.section("How far the loads can be raised")
     pattern = " + ".join(f"{short(share)} x {load}" for load, share in found.get("pattern", {}).items())
     stands = f"The structure stands with {short(lower, 5)} times the pattern ({pattern}) on top of the loads of the last stage"
+    certified, estimate = number(found.get("certified_upper")), number(found.get("estimate_without_dilatancy"))
     if upper is None:
         page.words(f"{stands}; no factor was found at which it collapses.")
+    elif certified is not None and upper >= certified:  # no mechanism was found below
+        page.words(f"{stands}. The mechanism drawn here is that of rigid stones, which proves the limit.")
     else:
         page.words(f"{stands} and collapses with {short(upper, 5)} times it: there the solver found a mechanism, which is the last step drawn here. "
                    "Every attempt is one load step from the last equilibrium; with friction the way of the loads matters.")
+    if certified is not None:
+        page.words(f"No equilibrium exists above {short(certified, 5)} times the pattern, by the static theorem (rigid limit analysis)."
+                   + ("" if estimate is None else f" Where slip does not dilate it is estimated at {short(estimate, 5)}, no bound on either side."))
     if found.get("sharp") is False:
         page.words("Factors between these two were tried and neither an equilibrium nor a mechanism was found there.")
     page.table(["load factor", "found", "linear solves"],
