@@ -39,6 +39,10 @@ constexpr double creeping_gain = 0.5, usual = 10, faster = 100, fastest = 1e3;
 constexpr double recentring = 1;
 // Forces that drift evenly step after step may go so many steps at once.
 constexpr double drift = 0.9, far = 100;
+// A step cut to less than this, though equilibrium is near, is at a fold: the path turns back there. Friction then
+// follows the pressure by a half (README.md says why a half), and at the next fold not at all: no path of a convex
+// problem folds.
+constexpr double folded = 0.1, half = 0.5;
 // The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
 constexpr int patience = 15;
 constexpr double balanced = 0.1, gained = 0.9;
@@ -99,7 +103,7 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
     resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
     resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
     if (predicting || !p.slips) continue;
-    p.friction = friction(k, lambda[2 * k]);
+    p.friction = follows_ * friction(k, lambda[2 * k]);
     p.drag = p.friction * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
     resistance_[k].coupling = -resistance_[k].tangential * p.drag * resistance_[k].normal;
   }
@@ -263,8 +267,9 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   set_out(lambda, start * std::max(scale_, force_scale(problem_, lambda)));
   std::vector<double> sizes;
   double step = 0;
-  int waits = 0, raised = 0, halts = 0;
+  int waits = 0, changed = 0, halts = 0;
   augmentation_ = usual;
+  follows_ = 1;
   double offered = near;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
@@ -272,9 +277,9 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     arrived = size <= tolerance && after_leaving(lambda) <= tolerance;
-    const bool slow = iteration > raised + patience && equilibrium < balanced * contact &&
+    const bool slow = iteration > changed + patience && equilibrium < balanced * contact &&
                       size > gained * sizes[iteration - patience];
-    const bool stuck = (slow && augmentation_ >= fastest) || halts >= halting_steps;
+    const bool stuck = slow || halts >= halting_steps;
     if (arrived || stuck || iteration >= largest_iterations) break;
     if (shortcut && size <= offered) {
       offered = nearer * size;
@@ -291,10 +296,10 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     waits = 2 * least > distance ? waits + 1 : 0;
     const bool creeping = waits >= creeping_steps && (iteration < creeping_steps ||  // waiting since it set out
                                                       size > creeping_gain * sizes[iteration - creeping_steps]);
-    if (augmentation_ < fastest && (creeping || slow)) {
+    if (augmentation_ < fastest && creeping) {
       augmentation_ *= faster;
       waits = 0;
-      raised = iteration;
+      changed = iteration;
       set_out(lambda, recentring * contact * scale_);
       distance = barrier();
       step = 0;
@@ -311,6 +316,10 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     step = step_length(furthest);
     const double length = step < furthest ? to_boundary * step : full_step * furthest;
     step = std::min(step, 1.0);
+    if (step < folded && equilibrium < balanced * contact && follows_ > 0) {
+      follows_ = follows_ > half ? half : 0;
+      changed = iteration;
+    }
     halts = step < halting ? halts + 1 : 0;
     x.update(length, *direction_, 1.0);
     for (int k = 0; k < problem_.points(); ++k) {

@@ -8,7 +8,8 @@
 // and Newton follows the path w y = nu as nu falls. A point resists with 1 / (y/w + 1/k), a number between nothing and
 // a multiple k of its local stiffness, so each linear system looks like those of the augmented Lagrangian and all
 // statuses of all points move at once: no collision of points cuts a step to nothing. The friction bound b follows the
-// pressure within a step, which makes the systems unsymmetric. Decisions and figures: README.md of this folder.
+// pressure within a step, which makes the systems unsymmetric; past a fold of the path it follows less. Decisions and
+// figures: README.md of this folder.
 //
 // Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
 //          S. Pougkakiotis, J. Gondzio, Comput. Optim. Appl. 78 (2021) 307-351 (proximal multipliers, here 1/k).
@@ -79,6 +80,7 @@ class InteriorPath {
   PointField gap_, gap_direction_, force_;
   Teuchos::RCP<TpetraVector> linear_, gradient_, direction_, work_;
   double augmentation_ = 1;  ///< largest resistance of a point, relative to its local stiffness
+  double follows_ = 1;       ///< share of the pressure's change that the friction bound follows within a step
   double scale_ = 1;  ///< [N]
 };
 

@@ -106,6 +106,31 @@ def grid(columns, rows, width, height, size, **how):
     return drawing
 
 
+def foundations_and_wall(stones, courses, width, height, size, **how):
+    """A wall in bond on stones side by side whose feet, 'foot 0' and so on, are supports; sets: foundation, wall.
+
+    Half a stone at both ends of every other course, from the lowest; vertices where three stones meet.
+    """
+    drawing = Drawing(size, **how)
+
+    def stone(first, last, row, kind):
+        # Products, so that a corner has the same coordinates for all its stones.
+        below = [(k * (width / 2), row * height) for k in range(first, last + 1)]
+        above = [(x, (row + 1) * height) for x, _ in reversed(below)]
+        drawing.stone(below + above, corners=(0, last - first, last - first + 1, 2 * (last - first) + 1), sets=(kind,))
+        return below
+
+    for i in range(stones):
+        foot = stone(2 * i, 2 * i + 2, -1, "foundation")
+        for ends in zip(foot, foot[1:]):
+            drawing.name(f"foot {i}", *ends)
+    for row in range(courses):
+        ends = [*range(0, 2 * stones + 1, 2)] if row % 2 else [0, *range(1, 2 * stones, 2), 2 * stones]
+        for first, last in zip(ends, ends[1:]):
+            stone(first, last, row, "wall")
+    return drawing
+
+
 def block_on_bed(width=1.0, height=0.5, slope=0.0, size=0.25, depth=0.25, **how):
     """A block on a bed as wide as itself, both turned by the angle whose tangent is the slope; facets: ground, top."""
     c = 1 / math.sqrt(1 + slope**2)
