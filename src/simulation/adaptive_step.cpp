@@ -53,8 +53,7 @@ Vector<dim> force_at(const PointField& lambda, int k) {
 }  // namespace
 
 template <int dim>
-AdaptiveStep<dim>::AdaptiveStep(const Model<dim>& model)
-    : model_(model), solver_(model.scene().solver), ties_(model) {}
+AdaptiveStep<dim>::AdaptiveStep(const Model<dim>& model) : model_(model), solver_(model.scene().solver), ties_(model) {}
 
 template <int dim>
 ContactState AdaptiveStep<dim>::initial_state() const {
@@ -195,11 +194,10 @@ template <int dim>
 StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vector<double>& load,
                                              const std::vector<double>& prescribed) {
   const auto& scene = model_.scene();
-  const typename ContactProblem<dim>::Parts parts{model_.structure(),       model_.points(), model_.continuum(),
-                                                  model_.held(),            model_.local_stiffness(),
-                                                  model_.initial_gap(),     scene.preconditioner, solver_,
-                                                  model_.compliance(),      model_.softest_mortar(),
-                                                  scene.newton.has_inertia};
+  const typename ContactProblem<dim>::Parts parts{
+      model_.structure(),       model_.points(),         model_.continuum(),      model_.held(),
+      model_.local_stiffness(), model_.initial_gap(),    scene.preconditioner,    solver_,
+      model_.compliance(),      model_.softest_mortar(), scene.newton.has_inertia};
   StepReport report;
   law_ = current_law(state);
   const auto& selection = scene.selection;

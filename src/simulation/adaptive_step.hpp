@@ -14,7 +14,7 @@ namespace voussoir {
 struct StepReport {
   NewtonReport newton;
   int selection_rounds = 0;
-  int estimate_solves = 0;  ///< linear solves for error estimates, besides those of newton
+  int estimate_solves = 0;    ///< linear solves for error estimates, besides those of newton
   double error_estimate = 0;  ///< [-] relative, energy norm
   double tied_share = 0;  ///< [-] largest share of a loose stone's load that ties bear, where it could not be released
   int tied_block = -1;    ///< that stone; -1 where no stone is left loose

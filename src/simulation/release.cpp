@@ -44,8 +44,8 @@ long long release(const Model<dim>& model, const PointLaws& law, const std::vect
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
     const bool tied = cluster[p.node_i] == cluster[p.node_j];
-    const bool chosen = flag[k] != 0 || (parameters.whole_joints && joint[p.joint]) ||
-                        (tied && vertex[cluster[p.node_i]]);
+    const bool chosen =
+        flag[k] != 0 || (parameters.whole_joints && joint[p.joint]) || (tied && vertex[cluster[p.node_i]]);
     if (!chosen || state.selected[k]) continue;
     state.selected[k] = 1;
     ++released;
@@ -98,8 +98,8 @@ long long count_selected(const Model<dim>& model, const ContactState& state) {
   return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
 }
 
-template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
-                              const std::vector<double>&, ContactState&);
+template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&, const std::vector<double>&,
+                              ContactState&);
 template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
 template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
 template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&, ContactState&);

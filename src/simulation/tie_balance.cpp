@@ -133,8 +133,7 @@ DependentStones dependent_stones(const Model<2>& model, const std::vector<char>&
 }
 
 /// Marks the stones that lack more than they may, on every rank that sees them.
-std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks,
-                         const std::vector<double>& bearable) {
+std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<double>& bearable) {
   std::vector<double> flag(s.nodes(), 0.0);
   for (int b = 0; b < s.owned_blocks(); ++b) flag[s.blocks()[b].first_local] = lacks[b] > bearable[b];
   s.node_exchange().update(flag, 1);
@@ -263,8 +262,8 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
   }
   const auto alone = left_alone(demands, unknown, below);
   const auto is_loose_alone = [](double share) { return share > largest_share_alone; };
-  const auto relaxed = relaxation.relax(
-      bearable, static_cast<int>(std::count_if(alone.begin(), alone.end(), is_loose_alone)));
+  const auto relaxed =
+      relaxation.relax(bearable, static_cast<int>(std::count_if(alone.begin(), alone.end(), is_loose_alone)));
   TieBalance balance;
   balance.any = relaxed.any_loose;
   if (!balance.any) return balance;
@@ -294,8 +293,10 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
 
 Warnings held_by_ties(double share, int block, const std::string& when) {
   if (block < 0) return {};
-  return {{"held_by_ties", "block " + std::to_string(block), when, share,
-           number_text(share) + " of its load is borne by tied points beyond the law of their joints, and no round was "
+  return {
+      {"held_by_ties", "block " + std::to_string(block), when, share,
+       number_text(share) +
+           " of its load is borne by tied points beyond the law of their joints, and no round was "
            "left to release them: without ties it may fall; raise selection > largest rounds, or take selection > mode "
            "= all"}};
 }

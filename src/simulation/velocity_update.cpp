@@ -8,6 +8,7 @@
 #include "dynamics/midpoint_rule.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "simulation/free_bodies.hpp"
 
 namespace voussoir {
 namespace {
@@ -57,16 +58,19 @@ std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& stat
 /// S of the time step with the selection of a step.
 template <int dim>
 struct VelocityUpdate<dim>::Spread {
-  Spread(const Model<dim>& at_rest, const Model<dim>& step_model, const ContactState& s, LinearSolver& solver)
+  Spread(const Model<dim>& at_rest, const Structure<dim>& mass, const Model<dim>& step_model, const ContactState& s,
+         LinearSolver& solver)
       : state(s),
         zero(s.displacement.size(), 0.0),
         problem({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
                  at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, solver},
-                state, at_rest.law(), zero, zero) {}
+                state, at_rest.law(), zero, zero),
+        bodies(at_rest, mass, state.selected) {}
 
   ContactState state;
   std::vector<double> zero, no_gap;
   ContactProblem<dim> problem;
+  FreeBodies<dim> bodies;
 };
 
 template <int dim>
@@ -165,6 +169,24 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& 
   return way;
 }
 
+/// A way without the motions of free bodies as wholes. Seen from supports that move alike these had no work of theirs.
+template <int dim>
+typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::within_bodies(Way way, const Supports& supports) const {
+  const auto momentum = spread_->bodies.remove_motion(way.velocity);
+  if (!supports) return way;
+  std::array<double, dim + 1> mine{}, all{};  // velocities of what is held, and how many nodes are
+  for (int n = 0; n < mass_.owned_nodes(); ++n) {
+    bool holds = false;
+    for (int c = 0; c < dim; ++c) holds = holds || at_rest_.held()[dim * n + c];
+    if (!holds) continue;
+    mine[dim] += 1;
+    for (int c = 0; c < dim; ++c) mine[c] += at_rest_.held()[dim * n + c] ? (*supports)[dim * n + c] : 0.0;
+  }
+  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
+  for (int c = 0; c < dim; ++c) way.work_of_supports -= momentum[c] * all[c] / all[dim];
+  return way;
+}
+
 template <int dim>
 EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
   const auto& points = at_rest_.points();
@@ -179,7 +201,7 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
   if (impact) {
     // A selection that changed on one rank changed for all.
     if (largest_over_ranks(*mass_.comm(), !spread_ || spread_->state.selected != state.selected) > 0)
-      spread_ = std::make_unique<Spread>(at_rest_, step, state, solver_);
+      spread_ = std::make_unique<Spread>(at_rest_, mass_, step, state, solver_);
     const double before = kinetic_energy(v);
     const auto given = v;
     const double work = project(v, closed, state.selected, supports);
@@ -187,10 +209,10 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
     auto way = spread(step, state.lambda, speed, closed, resting, supports);
     const double whole = kinetic_energy(way.velocity);
     if (whole > 0) {
-      auto behind = way;
-      behind.work_of_supports += project(behind.velocity, closed, state.selected, supports);
       // Where closed points hold everything there is no way behind them: then they rebound.
       constexpr double nothing = 1e-12;
+      auto behind = within_bodies(way, supports);
+      behind.work_of_supports += project(behind.velocity, closed, state.selected, supports);
       if (kinetic_energy(behind.velocity) > nothing * whole) way = behind;
       const double slope = product(v, way.velocity) - way.work_of_supports;
       const double change = least_change(kinetic_energy(way.velocity), slope, wanted);

@@ -3,8 +3,9 @@
 // The midpoint rule leaves a point that closed with some relative velocity, whose sign then turns with every step, and
 // its contact force with it; and it loses the energy lambda x gap of the closing. After Laursen and Love (2002)
 // velocity jumps repair both: relative velocities of closed points become zero by normal impulses, and the energy this
-// and the closing took returns as the least change along the way the impulse spreads behind the joint. Points that
-// begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
+// and the closing took returns as the least change along the way the impulse spreads behind the joint, as a vibration
+// within bodies: resultants would be impulses of joints, which may not pull, and of which friction knows nothing.
+// Points that begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
 //
 // Energies are those seen from the supports. Where one moves, the impulse that holds it at its velocity does work, and
 // what the kinetic energy loses but for that work is what was taken: it is never negative and the same for whoever
@@ -75,8 +76,9 @@ class VelocityUpdate {
     std::vector<double> velocity;  ///< [m/s]
     double work_of_supports = 0;   ///< [J]
   };
-  Way spread(const Model<dim>& step, const PointField& lambda, const PointField& speed,
-             const std::vector<char>& closed, double resting, const Supports&);
+  Way spread(const Model<dim>& step, const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
+             double resting, const Supports&);
+  Way within_bodies(Way, const Supports&) const;
 
   const Model<dim>& at_rest_;
   const Structure<dim>& mass_;
