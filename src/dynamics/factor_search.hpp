@@ -83,8 +83,9 @@ class FactorSearch {
   /// No equilibrium exists above this factor, which is no larger than the largest to be tried.
   void certify(double factor) { certified_ = factor; }
   double certified() const { return certified_; }
-  /// About where the search may end.
+  /// About where the search may end; infinite when nothing is known.
   void guess(double factor) { guess_ = factor; }
+  double guess() const { return guess_; }
 
   bool finished() const { return !next(); }
   /// The largest factor that stands; 0 is the end of the last stage.

@@ -39,7 +39,7 @@ Json energy_book(const EnergySummary& energy) {
 Json load_factor_search(const CollapseSummary& c) {
   Json json{{"pattern", c.pattern}, {"lower", c.lower}, {"upper", c.upper}, {"sharp", c.sharp}};
   json["certified_upper"] = c.certified;
-  json["estimate_without_dilatancy"] = c.estimate ? Json(*c.estimate) : Json();
+  json["estimate_without_dilatancy"] = c.estimate;
   json["attempts"] = Json::array();
   for (const auto& a : c.attempts)
     json["attempts"].push_back({{"factor", a.factor}, {"outcome", a.outcome}, {"linear_solves", a.linear_solves}});

@@ -42,7 +42,7 @@ struct CollapseSummary {
   bool sharp = true;                      ///< no factor between them was tried without a decision
   std::vector<Attempt> attempts;
   double certified = 0;            ///< [-] none can stand above it, by the static theorem; infinite: nothing is known
-  std::optional<double> estimate;  ///< [-] of rigid limit analysis without dilatancy
+  double estimate = 0;             ///< [-] of rigid limit analysis without dilatancy; infinite: none
 };
 
 /// Force of a support on the structure.

@@ -99,15 +99,15 @@ RunSummary limit_run(const Scene& scene, const BlockSource<2>& source, const std
     say_reactions(scene, limits, say);
     if (search.asked()) {
       const auto limit = limits.largest_factor(search.largest);
-      summary.collapse = CollapseSummary{search.pattern, 0, INFINITY, true, {}, INFINITY, {}};
+      summary.collapse = CollapseSummary{search.pattern, 0, INFINITY, true, {}, INFINITY, INFINITY};
       auto& c = *summary.collapse;
       if (limit.verdict == LimitVerdict::limited) {
         c.certified = c.upper = limit.factor;
-        c.estimate = limits.without_dilatancy(search.largest);
+        if (const auto estimate = limits.without_dilatancy(search.largest)) c.estimate = *estimate;
         summary.message = "above " + six(limit.factor) +
                           " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip "
                           "dilates stand up to there" +
-                          (c.estimate ? ", an estimate where it does not is " + six(*c.estimate) : "");
+                          (std::isfinite(c.estimate) ? ", an estimate where it does not is " + six(c.estimate) : "");
         prove(limit);
       } else if (limit.verdict == LimitVerdict::unlimited) {
         c.lower = search.largest;

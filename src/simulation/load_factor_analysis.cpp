@@ -60,8 +60,7 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
   const auto limit = limits.largest_factor(p_.largest);
   if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
   search_.certify(limit.verdict == LimitVerdict::limited ? std::max(0.0, limit.factor) : 0.0);
-  estimate_ = limits.without_dilatancy(p_.largest);
-  if (estimate_) search_.guess(*estimate_);
+  if (const auto estimate = limits.without_dilatancy(p_.largest)) search_.guess(*estimate);
   run.narrator.say("  Above load factor " + factor_text(search_.certified()) +
                    " no equilibrium exists, by the static theorem (rigid limit analysis).");
 }
@@ -179,7 +178,7 @@ void LoadFactorAnalysis::show_limit(const Attempting& run) {
 void LoadFactorAnalysis::judge(const Attempting& run) {
   auto& summary = run.recorder.summary();
   summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {},
-                                     search_.certified(), estimate_};
+                                     search_.certified(), search_.guess()};
   constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
   for (const auto& a : search_.attempts())
     summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});

@@ -86,7 +86,6 @@ class LoadFactorAnalysis {
   FactorSearch search_;
   bool asked_theorem_ = false;
   int most_solves_ = 0;  ///< linear solves of the dearest attempt that stands
-  std::optional<double> estimate_;  ///< of the largest factor where slip does not dilate
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
   std::string beyond_;                                      ///< why that is; empty when there is none
   std::vector<double> mechanism_;  ///< of the smallest factor that collapses with a clear one, on node copies
