@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace voussoir {
 namespace {
@@ -43,6 +44,12 @@ std::optional<Number> parsed(std::string text) {
 }
 
 }  // namespace
+
+std::string six_digits(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "nan";

@@ -7,6 +7,8 @@
 
 namespace voussoir {
 
+/// With six digits, which is what a factor or a share can be worth.
+std::string six_digits(double);
 /// The shortest text that reads back as exactly the same double: "0.1", "2e10", "inf".
 std::string number_text(double);
 

@@ -38,7 +38,7 @@ class FactorSearch {
     const double edge = std::min(upper(), undecided_);
     if (upper_ == none && undecided_ == none) {
       const double near = p_.accuracy / 2, end = std::min(p_.largest, certified_ * (1 - near));
-      if (lower_ >= end) return {};
+      if (lower_ >= p_.largest || (certified_ < none && certified_ - lower_ <= p_.accuracy * certified_)) return {};
       double next = std::min(lower_ > 0 ? 2 * lower_ : p_.first, end);
       for (const double target : {guess_ * (1 - near), guess_ * (1 + near)})
         if (lower_ < target) next = std::min(next, target);

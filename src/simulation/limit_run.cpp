@@ -2,8 +2,8 @@
 
 #include <Teuchos_Time.hpp>
 #include <cmath>
-#include <sstream>
 
+#include "base/text.hpp"
 #include "output/output_folder.hpp"
 #include "simulation/adaptive_step.hpp"
 #include "simulation/construction.hpp"
@@ -12,12 +12,6 @@
 
 namespace voussoir {
 namespace {
-
-std::string six(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 /// The scene for a model that is not solved: one in time alone has no continuum.
 Scene without_load_steps(Scene scene) {
@@ -40,7 +34,7 @@ std::map<std::string, double> factors_after(const Scene& scene, std::size_t stag
 }
 
 void say_reactions(const Scene& scene, const RigidLimits& limits, std::ostream& say) {
-  const auto end = [](const std::optional<double>& force) { return force ? six(*force) : std::string("any"); };
+  const auto end = [](const std::optional<double>& force) { return force ? six_digits(*force) : std::string("any"); };
   for (std::size_t k = 0; k < scene.supports.size(); ++k) {
     const auto x = limits.reaction(static_cast<int>(k), 0, 0), y = limits.reaction(static_cast<int>(k), 1, 0);
     say << "Support '" << scene.supports[k].name << "' can bear from " << end(x.least) << " to " << end(x.most)
@@ -94,8 +88,9 @@ RunSummary limit_run(const Scene& scene, const BlockSource<2>& source, const std
     summary.outcome = Outcome::equilibrium;
     double free_share = 0;
     limits.most_balanced(0, &free_share);
-    summary.message = "forces that joints admit balance the loads; they can leave " + six(100 * free_share) +
-                      " % of every dry joint free, a geometric factor of safety of " + six(1 / (1 - free_share));
+    summary.message = "forces that joints admit balance the loads; they can leave " + six_digits(100 * free_share) +
+                      " % of every dry joint free, a geometric factor of safety of " +
+                      six_digits(1 / (1 - free_share));
     say_reactions(scene, limits, say);
     if (search.asked()) {
       const auto limit = limits.largest_factor(search.largest);
@@ -103,15 +98,17 @@ RunSummary limit_run(const Scene& scene, const BlockSource<2>& source, const std
       auto& c = *summary.collapse;
       if (limit.verdict == LimitVerdict::limited) {
         c.certified = c.upper = limit.factor;
-        if (const auto estimate = limits.without_dilatancy(search.largest)) c.estimate = *estimate;
-        summary.message = "above " + six(limit.factor) +
+        if (const auto estimate = limits.without_dilatancy(search.largest, limit)) c.estimate = *estimate;
+        summary.message = "above " + six_digits(limit.factor) +
                           " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip "
                           "dilates stand up to there" +
-                          (std::isfinite(c.estimate) ? ", an estimate where it does not is " + six(c.estimate) : "");
+                          (std::isfinite(c.estimate) ? ", an estimate where it does not is " + six_digits(c.estimate)
+                                                     : "");
         prove(limit);
       } else if (limit.verdict == LimitVerdict::unlimited) {
         c.lower = search.largest;
-        summary.message += "; so they do at " + six(search.largest) + " times the pattern, the largest asked for";
+        summary.message +=
+            "; so they do at " + six_digits(search.largest) + " times the pattern, the largest asked for";
       } else {
         summary.outcome = Outcome::not_converged;
         summary.message += "; how far the pattern can be raised could not be solved exactly enough";

@@ -2,9 +2,9 @@
 
 #include <Teuchos_Time.hpp>
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
+#include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "simulation/finite_rotations.hpp"
 #include "simulation/mechanism_words.hpp"
@@ -14,13 +14,6 @@
 
 namespace voussoir {
 namespace {
-
-/// A factor with six digits, which is what a bracket can be worth.
-std::string factor_text(double factor) {
-  std::ostringstream text;
-  text << factor;
-  return text.str();
-}
 
 // Attempts that stand rarely take five times the linear solves of the dearest that did; the first may need hundreds.
 constexpr int patience = 5, fewest_solves = 300;
@@ -59,9 +52,17 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
   const auto limits = limits_of(p_, run);
   const auto limit = limits.largest_factor(p_.largest);
   if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
+  if (limit.verdict == LimitVerdict::refused) {
+    const Warning held{"held_by_ties", "the structure", at_factor(stage, 0), 0,
+                       "no admissible forces balance the loads of the last stage, by the static theorem: ties bear "
+                       "them beyond the law of their joints; take selection > mode = all"};
+    if (run.recorder.warn(held)) run.narrator.warn(held);
+  }
   search_.certify(limit.verdict == LimitVerdict::limited ? std::max(0.0, limit.factor) : 0.0);
-  if (const auto estimate = limits.without_dilatancy(p_.largest)) search_.guess(*estimate);
-  run.narrator.say("  Above load factor " + factor_text(search_.certified()) +
+  limit_mechanism_ = limits.on_nodes(limit);
+  limit_lambda_ = limits.on_points(limit);
+  if (const auto estimate = limits.without_dilatancy(p_.largest, limit)) search_.guess(*estimate);
+  run.narrator.say("  Above load factor " + six_digits(search_.certified()) +
                    " no equilibrium exists, by the static theorem (rigid limit analysis).");
 }
 
@@ -90,7 +91,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
   run.narrator.say("  Undecided by statics (" + found.report.newton.reason + "): let go in time.");
   auto settled = settle_in_time(run.model, run.step, before, increment, all);
   found.solves = settled.solves;
-  const auto seconds = factor_text(settled.time) + " s";
+  const auto seconds = six_digits(settled.time) + " s";
   if (settled.verdict == Verdict::undecided) {
     run.narrator.say("  Not decided in " + seconds + " of time, " + std::to_string(settled.solves) + " linear solves.");
     return found;
@@ -135,7 +136,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
   const auto beyond = stands ? run.range.beyond(end) : "";
   if (stands && !beyond.empty()) {  // neither an equilibrium nor a mechanism: it cannot be told
-    run.narrator.say("  Out of range at load factor " + factor_text(factor) + ": " + beyond + ".");
+    run.narrator.say("  Out of range at load factor " + six_digits(factor) + ": " + beyond + ".");
     if (factor < beyond_at_) beyond_at_ = factor, beyond_ = beyond;
     run.state = before;
     go_back(run.model, before);
@@ -167,12 +168,16 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
 
 /// The mechanism that proves the limit, with the forces that balance loads there.
 void LoadFactorAnalysis::show_limit(const Attempting& run) {
-  const auto limits = limits_of(p_, run);
-  const auto limit = limits.largest_factor(p_.largest);
-  if (limit.mechanism.empty()) return;
-  mechanism_ = limits.on_nodes(limit);
+  if (limit_mechanism_.empty()) {  // a run that was stopped and restarted asks again
+    const auto limits = limits_of(p_, run);
+    const auto limit = limits.largest_factor(p_.largest);
+    if (limit.mechanism.empty()) return;
+    limit_mechanism_ = limits.on_nodes(limit);
+    limit_lambda_ = limits.on_points(limit);
+  }
+  mechanism_ = limit_mechanism_;
   failed_ = run.state;
-  failed_.lambda = limits.on_points(limit);
+  failed_.lambda = limit_lambda_;
 }
 
 void LoadFactorAnalysis::judge(const Attempting& run) {
@@ -182,7 +187,7 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
   constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
   for (const auto& a : search_.attempts())
     summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
-  const std::string stands = "it stands at " + factor_text(search_.lower());
+  const std::string stands = "it stands at " + six_digits(search_.lower());
   if (!search_.found()) {
     summary.outcome = search_.lower() >= p_.largest ? Outcome::equilibrium : Outcome::not_converged;
     summary.message = summary.outcome == Outcome::equilibrium
@@ -190,17 +195,17 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
                           : stands + " times the pattern; beyond that neither an equilibrium nor a mechanism was found";
     if (beyond_.empty()) return;
     summary.outcome = Outcome::out_of_range;
-    summary.message = stands + " times the pattern; at " + factor_text(beyond_at_) + " times it " + beyond_;
+    summary.message = stands + " times the pattern; at " + six_digits(beyond_at_) + " times it " + beyond_;
     return;
   }
   summary.outcome = Outcome::collapse;
   const bool theorem_alone = !search_.has_mechanism();
-  summary.message = (theorem_alone ? "above " : "at ") + factor_text(search_.upper()) +
-                    " times the pattern no equilibrium exists" +
-                    (theorem_alone ? ", by the static theorem; " : "; ") + stands;
+  summary.message = theorem_alone ? "above " + six_digits(search_.upper()) +
+                                        " times the pattern no equilibrium exists, by the static theorem; " + stands
+                                  : "at " + six_digits(search_.upper()) + " times the pattern it collapses; " + stands;
   if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
   if (!beyond_.empty() && beyond_at_ > search_.lower() && beyond_at_ < search_.upper())
-    summary.message += ": at " + factor_text(beyond_at_) + " " + beyond_;
+    summary.message += ": at " + six_digits(beyond_at_) + " " + beyond_;
   if (theorem_alone) show_limit(run);
   if (mechanism_.empty()) return;
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
@@ -213,7 +218,7 @@ void LoadFactorAnalysis::conclude(const Attempting& run) {
   auto& summary = run.recorder.summary();
   const double share = summary.largest_displacement / run.model.structure().size();
   if (share > small_displacements && run.model.scene().model.rotations == Rotations::small)
-    summary.message += "; by then displacements are " + factor_text(100 * share) +
+    summary.message += "; by then displacements are " + six_digits(100 * share) +
                        " % of the structure, more than small displacements, which are all that is computed, can tell";
 }
 

@@ -3,8 +3,8 @@
 // Every attempt is one load step from the last equilibrium; dynamics/factor_search.hpp says which one is next. A
 // load factor stands when an equilibrium was found, and collapses when the solver reports a mechanism. An attempt at
 // which it finds neither is settled in time, and where that does not decide, it is no proof of anything and is told
-// apart. Rigid limit analysis tells at the beginning above
-// which factor none can stand, by the static theorem: no larger one is tried.
+// apart. Rigid limit analysis tells at the beginning above which factor none can stand, by the static theorem: no
+// larger one is tried.
 #pragma once
 
 #include <limits>
@@ -85,6 +85,8 @@ class LoadFactorAnalysis {
   LoadFactorParameters p_;
   FactorSearch search_;
   bool asked_theorem_ = false;
+  std::vector<double> limit_mechanism_;  ///< that proves the limit, on node copies; not in checkpoints
+  PointField limit_lambda_;              ///< [N] forces that balance loads there
   int most_solves_ = 0;  ///< linear solves of the dearest attempt that stands
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
   std::string beyond_;                                      ///< why that is; empty when there is none

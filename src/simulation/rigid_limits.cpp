@@ -176,10 +176,10 @@ LimitAnswer RigidLimits::most_balanced(double factor, double* free_share) const 
   return answer;
 }
 
-std::optional<double> RigidLimits::without_dilatancy(double largest) const {
+std::optional<double> RigidLimits::without_dilatancy(double largest, const LimitAnswer& associated) const {
   double found[2] = {0, 0};
   if (analysis_)
-    if (const auto factor = analysis_->without_dilatancy(largest)) found[0] = 1, found[1] = *factor;
+    if (const auto factor = analysis_->without_dilatancy(largest, associated)) found[0] = 1, found[1] = *factor;
   Teuchos::broadcast(*model_.structure().comm(), 0, 2, found);
   return found[0] > 0 ? std::optional<double>(found[1]) : std::nullopt;
 }

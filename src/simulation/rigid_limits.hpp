@@ -31,7 +31,7 @@ class RigidLimits {
   LimitAnswer largest_factor(double largest) const;
   LimitAnswer bears(double factor) const;
   LimitAnswer most_balanced(double factor, double* free_share) const;
-  std::optional<double> without_dilatancy(double largest) const;
+  std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated) const;
   ReactionRange reaction(int support, int component, double factor) const;
 
   /// A mechanism on local nodes [m], largest 1.

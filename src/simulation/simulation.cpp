@@ -170,7 +170,7 @@ class Run {
     narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
     Teuchos::Time clock("step", true);
     const LoadStepBook<2> book(model_, step_, before, load_);
-    theorem_.begin(construction_.absent(), before.broken, load_, next_load);
+    theorem_.begin(construction_.absent(), before.broken, load_, next_load, steps_.target() == 1);
     const auto report = theorem_.solve(step_, model_, state_, prescribed);
     const double seconds = clock.totalElapsedTime(true);
     const std::string stage = steps_.stage();

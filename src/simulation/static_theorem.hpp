@@ -1,8 +1,9 @@
 // When the static theorem of limit analysis is asked of a run, and what it answers.
 //
 // It holds for the model as it is computed: the same points with the same laws, where stones turn by small angles. So
-// where it refuses loads, the solver would look in vain. A step that is solved in the usual number of linear solves
-// never asks.
+// where it refuses loads, the solver would look in vain. It is asked where a load step takes many linear solves or
+// fails; and at the end of a stage of few stones that ties hold: the selection lets these bear a little beyond their
+// law.
 #pragma once
 
 #include <optional>
@@ -28,8 +29,9 @@ class StaticTheorem {
   explicit StaticTheorem(const Model<2>& model) : model_(model), applies_(theorem_applies(model)) {}
 
   /// A load step begins. What is passed must live as long as the step.
+  /// @param ends_stage  whether what it finds will be told as the equilibrium of a stage
   void begin(const std::vector<char>& absent, const std::vector<char>& broken, const std::vector<double>& load_before,
-             const std::vector<double>& load);
+             const std::vector<double>& load, bool ends_stage);
   /// Solves it. Where that takes many linear solves, or leads nowhere, the theorem is asked; if it refuses, the step
   /// ends as a collapse in a state that holds forces alone. Collective.
   StepReport solve(AdaptiveStep<2>&, Model<2>&, ContactState&, const std::vector<double>& prescribed);
@@ -40,9 +42,10 @@ class StaticTheorem {
 
  private:
   bool refuses();
+  bool in_doubt(const StepReport&, const ContactState&) const;
 
   const Model<2>& model_;
-  bool applies_, waits_ = false;
+  bool applies_, waits_ = false, ends_stage_ = false;
   int solves_ = 0;
   const std::vector<char>*absent_ = nullptr, *broken_ = nullptr;
   const std::vector<double>*before_ = nullptr, *load_ = nullptr;

@@ -331,14 +331,14 @@ ReactionRange LimitAnalysis::reaction(int support, int component, double factor)
         p.lp.set_cost(p.held_column + static_cast<int>(k),
                       sign * p.held[k].direction[static_cast<std::size_t>(component)]);
     const auto found = p.lp.maximise();
+    const double force = std::abs(found.value) > out_of_balance ? sign * found.value * unit_ : 0.0;
     if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction)
-      (sign > 0 ? range.most : range.least) = sign * found.value * unit_;
+      (sign > 0 ? range.most : range.least) = force;
   }
   return range;
 }
 
-std::optional<double> LimitAnalysis::without_dilatancy(double largest) const {
-  const auto associated = largest_factor(largest);
+std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated) const {
   if (associated.verdict == LimitVerdict::unlimited) return associated.factor;
   if (associated.verdict != LimitVerdict::limited) return {};
   auto p = programme(1, true, most_force);

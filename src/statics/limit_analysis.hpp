@@ -51,7 +51,8 @@ class LimitAnalysis {
   ReactionRange reaction(int support, int component, double factor) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
   /// of programmes does not settle.
-  std::optional<double> without_dilatancy(double largest) const;
+  /// @param associated  the answer of largest_factor(largest), where it begins
+  std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated) const;
 
  private:
   struct Programme;

@@ -178,7 +178,7 @@ class Random:
             stages["beyond"] = {"loads": {name: factor * share for name, share in self.pattern.items()}}
             sought = {}
         result = scenes.scene(drawing, friction=self.friction, loads=loads, stages=stages,
-                              selection={"mode": self.mode if factor is None else "all"},
+                              selection={"mode": self.mode},
                               newton={"largest iterations": PATIENCE}, **sought)
         result["materials"]["heavy"] = {**scenes.STONE, "density": self.density[self.heavy], "blocks": "heavy"}
         return result

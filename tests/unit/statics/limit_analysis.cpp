@@ -140,14 +140,15 @@ TEUCHOS_UNIT_TEST(LimitAnalysis, TheWallsOfFerrisAndTinLoi) {
     const auto answer = analysis.largest_factor(most);
     TEST_ASSERT(answer.verdict == LimitVerdict::limited);
     TEST_FLOATING_EQUALITY(answer.factor, published, 1e-3 / published);
-    const auto estimate = analysis.without_dilatancy(most);
+    const auto estimate = analysis.without_dilatancy(most, analysis.largest_factor(most));
     TEST_ASSERT(estimate && *estimate <= answer.factor + close && *estimate > 0.8 * answer.factor);
   }
 }
 
 TEUCHOS_UNIT_TEST(LimitAnalysis, SlipThatNeitherLiftsNorIsLiftedIsEstimatedAsItIs) {
   for (const double width : {0.5, 2.0}) {
-    const auto estimate = LimitAnalysis(box_on_bed(width, 1, {0.6})).without_dilatancy(most);
+    const LimitAnalysis box(box_on_bed(width, 1, {0.6}));
+    const auto estimate = box.without_dilatancy(most, box.largest_factor(most));
     TEST_ASSERT(estimate.has_value());
     TEST_FLOATING_EQUALITY(estimate.value_or(0), std::min(0.6, width), 1e-3);
   }
@@ -160,7 +161,7 @@ TEUCHOS_UNIT_TEST(LimitAnalysis, AWallThatSlidesBearsLessWithoutDilatancy) {
   const LimitAnalysis analysis(wall({e, u, e, u, w, v, w, v, w, u, e, u, w, v, w, v, w, u, e, u, e}, 0.65));
   const auto answer = analysis.largest_factor(most);
   TEST_FLOATING_EQUALITY(answer.factor, 0.3478, 1e-3);
-  const auto estimate = analysis.without_dilatancy(most);
+  const auto estimate = analysis.without_dilatancy(most, analysis.largest_factor(most));
   TEST_ASSERT(estimate && *estimate < 0.9 * answer.factor);
   TEST_ASSERT(estimate && *estimate > 0.297 * 0.98);  // published
 }
