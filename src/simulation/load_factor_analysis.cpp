@@ -36,20 +36,12 @@ double overlap_of(const std::vector<double>& mechanism, const ContactState& stat
 
 }  // namespace
 
-namespace {
-
-RigidLimits limits_of(const LoadFactorParameters& p, const Attempting& run) {
-  const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p.pattern, run.steps.time());
-  return RigidLimits(run.model, {&run.construction.absent(), &run.state.broken, run.load, raised});
-}
-
-}  // namespace
-
 /// What the static theorem and the estimate without dilatancy say, before anything is tried.
 void LoadFactorAnalysis::certify(const Attempting& run) {
   asked_theorem_ = true;
   if (!theorem_applies(run.model)) return;
-  const auto limits = limits_of(p_, run);
+  const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p_.pattern, run.steps.time());
+  const RigidLimits limits(run.model, {&run.construction.absent(), &run.state.broken, run.load, raised});
   const auto limit = limits.largest_factor(p_.largest);
   if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
   if (limit.verdict == LimitVerdict::refused) {
@@ -166,20 +158,6 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   failed_ = failed;
 }
 
-/// The mechanism that proves the limit, with the forces that balance loads there.
-void LoadFactorAnalysis::show_limit(const Attempting& run) {
-  if (limit_mechanism_.empty()) {  // a run that was stopped and restarted asks again
-    const auto limits = limits_of(p_, run);
-    const auto limit = limits.largest_factor(p_.largest);
-    if (limit.mechanism.empty()) return;
-    limit_mechanism_ = limits.on_nodes(limit);
-    limit_lambda_ = limits.on_points(limit);
-  }
-  mechanism_ = limit_mechanism_;
-  failed_ = run.state;
-  failed_.lambda = limit_lambda_;
-}
-
 void LoadFactorAnalysis::judge(const Attempting& run) {
   auto& summary = run.recorder.summary();
   summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {},
@@ -206,8 +184,11 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
   if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
   if (!beyond_.empty() && beyond_at_ > search_.lower() && beyond_at_ < search_.upper())
     summary.message += ": at " + six_digits(beyond_at_) + " " + beyond_;
-  if (theorem_alone) show_limit(run);
-  if (mechanism_.empty()) return;
+  if (theorem_alone) {
+    mechanism_ = limit_mechanism_;
+    failed_ = run.state;
+    failed_.lambda = limit_lambda_;
+  }
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
   summary.message += "; " + mechanism_in_words(run.model, mechanism_);

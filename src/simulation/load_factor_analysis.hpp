@@ -61,6 +61,12 @@ class LoadFactorAnalysis {
       failed_.selected.resize(points.ids.size());
       failed_.broken.resize(points.ids.size());
     }
+    if (search_.certified() < std::numeric_limits<double>::infinity()) {
+      limit_mechanism_.resize(nodes.ids.size() * dim);
+      limit_lambda_.resize(points.ids.size() * dim);
+    }
+    archive.rows("load_factor.limit.mechanism", nodes, dim, limit_mechanism_);
+    archive.rows("load_factor.limit.lambda", points, dim, limit_lambda_);
     archive.rows("load_factor.mechanism", nodes, dim, mechanism_);
     archive.rows("load_factor.failed.lambda", points, dim, failed_.lambda);
     archive.rows("load_factor.failed.selected", points, 1, failed_.selected);
@@ -78,14 +84,13 @@ class LoadFactorAnalysis {
   Found decide(const Attempting&, const ContactState& before, const LoadIncrement&);
   void certify(const Attempting&);
   void judge(const Attempting&);
-  void show_limit(const Attempting&);
 
   static constexpr auto stage = "load factor";  ///< as history and fields call its steps
 
   LoadFactorParameters p_;
   FactorSearch search_;
   bool asked_theorem_ = false;
-  std::vector<double> limit_mechanism_;  ///< that proves the limit, on node copies; not in checkpoints
+  std::vector<double> limit_mechanism_;  ///< that proves the limit, on node copies
   PointField limit_lambda_;              ///< [N] forces that balance loads there
   int most_solves_ = 0;  ///< linear solves of the dearest attempt that stands
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
