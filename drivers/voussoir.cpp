@@ -152,15 +152,17 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
         << " --restart\n";
     return exit_interrupted;
   }
-  if (summary.outcome == Outcome::equilibrium)
+  if (summary.rigid)
+    say << "Limit analysis: " << summary.message << ".";
+  else if (summary.outcome == Outcome::equilibrium)
     say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.") << doubts(summary.warnings)
         << (summary.collapse ? " No collapse: " + summary.message + "." : "");
-  if (summary.outcome == Outcome::collapse) {
+  if (summary.outcome == Outcome::collapse && !summary.rigid) {
     say << "Collapse: " << summary.message << ".";
     if (summary.collapse) say << doubts(summary.warnings);  // the factor that stands is an equilibrium
   }
   if (summary.outcome == Outcome::out_of_range) say << "Out of range: " << summary.message << ".";
-  if (summary.outcome == Outcome::not_converged) say << "Not converged: " << summary.message << ".";
+  if (summary.outcome == Outcome::not_converged && !summary.rigid) say << "Not converged: " << summary.message << ".";
   say << " Results are in " << a.run.folder << "\n";
   if (summary.outcome == Outcome::equilibrium) return exit_done;
   const bool wanted = scene.load_steps.expect_collapse || summary.collapse;

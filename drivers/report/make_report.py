@@ -14,6 +14,7 @@ import draw_joints
 import draw_motion
 import draw_structure
 import draw_time
+import rigid_report
 import tables
 from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
 from html_page import Page
@@ -185,12 +186,41 @@ def add_tables(page, results, rings):
         attempt(page, "The thrust", tables.thrust_table, page, [(ring.name, resultants) for ring, resultants in rings])
 
 
+def add_rigid(page, results, folder):
+    """The report of a run that asked rigid limit analysis alone."""
+    words, kind = tables.outcome(results)
+    page.head("limit analysis: forces balance the loads" if words == "equilibrium" else f"limit analysis: {words}", kind)
+    page.figures_asked_first(rigid_report.facts(results))
+    page.remarks(results.remarks)
+    rigid_report.add_verdict(page, results)
+    if results.mesh:
+        mesh, joints, step = results.mesh, results.joints, results.last
+        edges = outline_edges(mesh)
+        rings = attempt(page, "The arches", find_rings, mesh, joints) or []
+        page.section("The structure")
+        attempt(page, "The undeformed structure", add_undeformed, page, results, edges, folder)
+        if step:
+            page.section("How the load is carried")
+            attempt(page, "The thrust", rigid_report.add_thrust, page, results, edges, rings, folder)
+        if step and is_mechanism(step):
+            page.section("How it falls")
+            scale = deformation_scale(mesh, step)
+            attempt(page, "The mechanism", add_deformed, page, results, edges, scale, folder)
+            attempt(page, "The joints", add_joints, page, results, JointPieces(mesh, joints, edges), edges, scale, [], folder)
+    attempt(page, "Least and most thrust", rigid_report.add_ranges, page, results)
+
+
 def make_report(folder):
     """Writes report.html and pictures/ in `folder`; returns the path of the page."""
     results = read_results(folder)
     pictures = results.folder / "pictures"
     pictures.mkdir(exist_ok=True)
     page = Page(results.title)
+    path = results.folder / "report.html"
+    if rigid_report.asked_alone(results):
+        add_rigid(page, results, pictures)
+        page.write(path)
+        return path
     page.head(*tables.outcome(results))
     page.warnings(tables.warnings(results))
     page.figures_asked_first(tables.facts_asked_first(results))
@@ -200,7 +230,6 @@ def make_report(folder):
     attempt(page, "The course of the run", add_time, page, results, pictures)
     attempt(page, "Convergence and cost", add_cost, page, results, pictures)
     add_tables(page, results, rings)
-    path = results.folder / "report.html"
     page.write(path)
     return path
 

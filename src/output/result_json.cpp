@@ -66,6 +66,16 @@ Json joints_and_supports(const StaticsSummary& s) {
   return json;
 }
 
+Json rigid_forces(const RigidSummary& rigid) {
+  Json json{{"free_share_of_joints", rigid.free_share}, {"reactions", Json::object()}};
+  for (const auto& [support, range] : rigid.reactions)
+    json["reactions"][support] = {{"least_x_N", range[0].least},
+                                  {"most_x_N", range[0].most},
+                                  {"least_y_N", range[1].least},
+                                  {"most_y_N", range[1].most}};
+  return json;
+}
+
 }  // namespace
 
 std::string result_json(const RunSummary& run) {
@@ -84,6 +94,7 @@ std::string result_json(const RunSummary& run) {
                          {"largest_displacement_m", run.mechanism->largest_displacement}};
   if (run.statics) json["statics"] = joints_and_supports(*run.statics);
   if (run.collapse) json["collapse"] = load_factor_search(*run.collapse);
+  if (run.rigid) json["rigid"] = rigid_forces(*run.rigid);
   json["ranks"] = run.ranks;
   json["blocks"] = run.blocks;
   json["joints"] = run.joints;

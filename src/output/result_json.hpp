@@ -2,6 +2,7 @@
 // Every key is explained in the table "result.json" of src/output/README.md; a test compares the two.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,6 +44,15 @@ struct CollapseSummary {
   std::vector<Attempt> attempts;
   double certified = 0;            ///< [-] none can stand above it, by the static theorem; infinite: nothing is known
   double estimate = 0;             ///< [-] of rigid limit analysis without dilatancy; infinite: none
+};
+
+/// What rigid limit analysis alone says of the loads of a scene.
+struct RigidSummary {
+  struct Range {
+    double least = 0, most = 0;  ///< [N] of a reaction; infinite where it has no end
+  };
+  double free_share = 0;                                  ///< [-] of dry joints, from their edges, that forces can leave
+  std::map<std::string, std::array<Range, 2>> reactions;  ///< along x and y, by name of the support
 };
 
 /// Force of a support on the structure.
@@ -110,6 +120,7 @@ struct RunSummary {
   std::optional<MechanismSummary> mechanism;
   std::optional<StaticsSummary> statics;    ///< of a run that ends in statics
   std::optional<CollapseSummary> collapse;  ///< when the scene asks for a load factor
+  std::optional<RigidSummary> rigid;        ///< of a run that asks rigid limit analysis alone
 };
 
 /// Text of the file; a number that is not finite becomes null.

@@ -10,6 +10,9 @@
 namespace voussoir {
 namespace {
 
+// Less than a thousandth of the largest motion cannot be seen where a mechanism is drawn.
+constexpr double seen = 1e-3;
+
 enum Status { open = 0, stick = 1, slip = 2, bonded = 3 };
 
 double tangential(const PointField& f, int k, int dim) {
@@ -244,11 +247,30 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
 }
 
 template <int dim>
+std::vector<int> Recorder<dim>::statuses_of_motion(const PointField& opening) const {
+  std::vector<int> status(model_.points().owned(), stick);
+  for (int k = 0; k < model_.points().owned(); ++k) {
+    if (std::abs(tangential(opening, k, dim)) > seen) status[k] = slip;
+    if (opening[dim * k] > seen) status[k] = open;
+  }
+  return status;
+}
+
+template <int dim>
 void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const ContactState& state,
                                      const std::string& stage, double load_factor) {
   Phase phase("output");
-  const auto gap = step_.gaps(mechanism);
-  write_step(state, mechanism, mechanism, statuses(state, gap, gap), stage + ": mechanism", load_factor, {});
+  write_step(state, mechanism, mechanism, statuses_of_motion(step_.gaps(mechanism)), stage + ": mechanism",
+             load_factor, {});
+}
+
+template <int dim>
+void Recorder<dim>::record_forces(const PointField& force, const std::string& stage, double load_factor) {
+  Phase phase("output");
+  auto state = step_.initial_state();
+  state.lambda = force;
+  const std::vector<int> status(model_.points().owned(), bonded);
+  write_step(state, state.displacement, state.displacement, status, stage, load_factor, {});
 }
 
 template class Recorder<2>;

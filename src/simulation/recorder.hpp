@@ -50,7 +50,9 @@ class Recorder {
               double stage_share, double time, bool write_fields, double seconds);
   /// Books the energy of the velocities that a structure is given. [J]
   void give(double kinetic) { record_.energy.give(kinetic); }
-  /// Writes the motion a collapse begins with as a last step.
+  /// Writes forces that balance loads, of stones that do not move, as a step.
+  void record_forces(const PointField& force, const std::string& stage, double load_factor);
+  /// Writes the motion a collapse begins with as a last step. Its points open, slip or stick as the motion has them.
   void record_mechanism(const std::vector<double>& mechanism, const ContactState&, const std::string& stage,
                         double load_factor);
 
@@ -67,6 +69,7 @@ class Recorder {
  private:
   void write_tables();
   std::vector<int> statuses(const ContactState&, const PointField& gap, const PointField& slip_before) const;
+  std::vector<int> statuses_of_motion(const PointField& opening) const;
   /// @param deformation  what of the displacement strains the stones
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
                   const std::vector<int>& status, const std::string& stage, double load_factor,

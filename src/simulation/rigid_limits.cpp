@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "blocks/supports.hpp"
 #include "linalg/gather.hpp"
@@ -168,6 +169,12 @@ LimitAnswer RigidLimits::bears(double factor) const {
   return on_first_rank([&](const LimitAnalysis& a) { return a.bears(factor); });
 }
 
+bool RigidLimits::borne_at_any_factor() const {
+  int borne = analysis_ && analysis_->borne_at_any_factor() ? 1 : 0;
+  Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(borne));
+  return borne > 0;
+}
+
 LimitAnswer RigidLimits::most_balanced(double factor, double* free_share) const {
   double share = 0;
   const auto answer = on_first_rank([&](const LimitAnalysis& a) { return a.most_balanced(factor, &share); });
@@ -184,18 +191,24 @@ std::optional<double> RigidLimits::without_dilatancy(double largest, const Limit
   return found[0] > 0 ? std::optional<double>(found[1]) : std::nullopt;
 }
 
-ReactionRange RigidLimits::reaction(int support, int component, double factor) const {
-  double found[4] = {0, 0, 0, 0};
+std::vector<std::array<ReactionRange, 2>> RigidLimits::reactions(int supports, double factor) const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> ends(4 * static_cast<std::size_t>(supports));
   if (analysis_) {
-    const auto range = analysis_->reaction(support, component, factor);
-    if (range.least) found[0] = 1, found[1] = *range.least;
-    if (range.most) found[2] = 1, found[3] = *range.most;
+    const auto ranges = analysis_->reactions(supports, factor);
+    for (std::size_t k = 0; k < 2 * ranges.size(); ++k) {
+      const auto& range = ranges[k / 2][k % 2];
+      ends[2 * k] = range.least.value_or(-none), ends[2 * k + 1] = range.most.value_or(none);
+    }
   }
-  Teuchos::broadcast(*model_.structure().comm(), 0, 4, found);
-  ReactionRange range;
-  if (found[0] > 0) range.least = found[1];
-  if (found[2] > 0) range.most = found[3];
-  return range;
+  if (!ends.empty())
+    Teuchos::broadcast(*model_.structure().comm(), 0, static_cast<int>(ends.size()), ends.data());
+  std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
+  for (std::size_t k = 0; k < 2 * ranges.size(); ++k) {
+    if (ends[2 * k] > -none) ranges[k / 2][k % 2].least = ends[2 * k];
+    if (ends[2 * k + 1] < none) ranges[k / 2][k % 2].most = ends[2 * k + 1];
+  }
+  return ranges;
 }
 
 std::vector<double> RigidLimits::on_nodes(const LimitAnswer& answer) const {

@@ -3,6 +3,7 @@
 // Stones stand where they were drawn. One rank solves, all know the answer.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,9 +31,10 @@ class RigidLimits {
   /// in the whole structure, those of stones by number of the block.
   LimitAnswer largest_factor(double largest) const;
   LimitAnswer bears(double factor) const;
+  bool borne_at_any_factor() const;
   LimitAnswer most_balanced(double factor, double* free_share) const;
   std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated) const;
-  ReactionRange reaction(int support, int component, double factor) const;
+  std::vector<std::array<ReactionRange, 2>> reactions(int supports, double factor) const;
 
   /// A mechanism on local nodes [m], largest 1.
   std::vector<double> on_nodes(const LimitAnswer&) const;

@@ -99,6 +99,7 @@ struct LimitAnalysis::Programme {
   std::vector<std::array<Vector<2>, 2>> arm;  ///< of kept contacts, on both stones
   std::vector<Held> held;                     ///< per column from held_column on
   int held_column = 0, factor_column = 0;
+  double move = 0;  ///< [-] share of a joint by which each of its pairs has moved from its end to the other
 
   /// Force of a kept contact [N]: normal, tangential.
   Vector<2> force(std::size_t k, const std::vector<double>& x, double unit) const {
@@ -126,6 +127,7 @@ LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
 /// @param most  at which the forces of joints end, times the largest load
 LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool sliding, double most) const {
   Programme p;
+  p.move = (1 - share_of_joints) / 2;
   for (const auto& stone : s_.stones) {
     const auto load = scaled(stone.fixed, stone.radius, unit_);
     for (const double l : load) p.lp.add_row(-l, -l);
@@ -140,8 +142,7 @@ LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool s
     std::array<Vector<2>, 2> arm{c.arm_i, c.arm_j};
     if (partner_[k] >= 0) {
       const auto& other = s_.contacts[static_cast<std::size_t>(partner_[k])];
-      const double move = (1 - share_of_joints) / 2;
-      arm = {c.arm_i + move * (other.arm_i - c.arm_i), c.arm_j + move * (other.arm_j - c.arm_j)};
+      arm = {c.arm_i + p.move * (other.arm_i - c.arm_i), c.arm_j + p.move * (other.arm_j - c.arm_j)};
     }
     auto law = c.law;
     const bool slides = sliding && law.friction > 0 && std::isfinite(law.friction) && dry(law);
@@ -212,7 +213,14 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
     const auto& c = s_.contacts[static_cast<std::size_t>(kept_[k])];
     const auto f = p.force(k, found.x, unit_);
     const Vector<2> force = f[0] * c.axis[0] + f[1] * c.axis[1];
-    answer.force[static_cast<std::size_t>(kept_[k])] = f;
+    // A force between the ends of its joint is told as its equivalent at both.
+    const double at_other = partner_[k] >= 0 ? p.move : 0;
+    auto& here = answer.force[static_cast<std::size_t>(kept_[k])];
+    here = here + (1 - at_other) * f;
+    if (at_other > 0) {
+      auto& there = answer.force[static_cast<std::size_t>(partner_[k])];
+      there = there + at_other * f;
+    }
     push(c.stone_j, wrench_of(p.arm[k][1], force), 1);
     push(c.stone_i, wrench_of(p.arm[k][0], force), -1);
   }
@@ -293,6 +301,13 @@ LimitAnswer LimitAnalysis::largest_factor(double largest) const {
   return answer;
 }
 
+bool LimitAnalysis::borne_at_any_factor() const {
+  auto s = s_;
+  for (auto& stone : s.stones) stone.fixed = std::exchange(stone.raised, Wrench{});
+  for (auto& contact : s.contacts) contact.law.cohesion = contact.law.tension = 0;
+  return LimitAnalysis(std::move(s)).bears(0).verdict == LimitVerdict::unlimited;
+}
+
 LimitAnswer LimitAnalysis::bears(double factor) const {
   bool balanced = true;
   auto answer = under_loads(factor).raised_up_to(1, 1, &balanced);
@@ -306,10 +321,16 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
     bool balanced = true;
     return loaded.raised_up_to(1, share, &balanced);
   };
-  auto best = with(1);
-  double stands = 1, falls = 0;
+  // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
+  double stands = 1, falls = std::pow(0.5, halvings);
+  auto best = with(falls);
+  if (best.verdict == LimitVerdict::unlimited) {
+    stands = falls;
+  } else {
+    best = with(1);
+  }
   if (best.verdict == LimitVerdict::unlimited)
-    for (int k = 0; k < halvings; ++k) {
+    for (int k = 0; k < halvings && stands > falls; ++k) {
       const double share = (stands + falls) / 2;
       auto answer = with(share);
       const bool borne = answer.verdict == LimitVerdict::unlimited;
@@ -317,25 +338,52 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
       if (borne) best = std::move(answer);
     }
   if (free_share) *free_share = 1 - stands;
-  return best;
+  if (best.verdict != LimitVerdict::unlimited) return best;
+  auto least = loaded.least_pressed(stands);
+  return least.verdict == LimitVerdict::unlimited ? least : best;
 }
 
-ReactionRange LimitAnalysis::reaction(int support, int component, double factor) const {
+/// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
+/// any force can be added to others.
+LimitAnswer LimitAnalysis::least_pressed(double share_of_joints) const {
+  auto p = programme(share_of_joints, false, endless);
+  const double all = raised_unit_ / unit_;
+  p.lp.set_column(p.factor_column, all, all);
+  for (std::size_t k = 0; k < kept_.size(); ++k)
+    for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g)
+      p.lp.set_cost(p.first_column[k] + static_cast<int>(g), -p.forces[k].generators[g].direction[0]);
+  return judge(p, p.lp.maximise(), 1);
+}
+
+/// Forces that balance loads are found first, without a cost; from them the simplex method goes from one extreme to the
+/// next, which takes it a tenth of what each alone does.
+std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports, double factor) const {
+  std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
   auto p = programme(1, false, most_force);
   const double f = factor * raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, f, f);
-  ReactionRange range;
-  for (const double sign : {1.0, -1.0}) {
-    for (std::size_t k = 0; k < p.held.size(); ++k)
-      if (p.held[k].support == support)
-        p.lp.set_cost(p.held_column + static_cast<int>(k),
-                      sign * p.held[k].direction[static_cast<std::size_t>(component)]);
-    const auto found = p.lp.maximise();
-    const double force = std::abs(found.value) > out_of_balance ? sign * found.value * unit_ : 0.0;
-    if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction)
-      (sign > 0 ? range.most : range.least) = force;
-  }
-  return range;
+  if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
+  for (int support = 0; support < supports; ++support)
+    for (std::size_t c = 0; c < 2; ++c) {
+      auto& range = ranges[static_cast<std::size_t>(support)][c];
+      for (const double sign : {1.0, -1.0}) {
+        bool held = false;
+        for (std::size_t k = 0; k < p.held.size(); ++k) {
+          const double share = p.held[k].support == support ? p.held[k].direction[c] : 0.0;
+          p.lp.set_cost(p.held_column + static_cast<int>(k), sign * share);
+          held = held || std::abs(share) > straight;
+        }
+        auto& end = sign > 0 ? range.most : range.least;
+        if (!held) {
+          end = 0;
+          continue;
+        }
+        const auto found = p.lp.maximise();
+        const double force = std::abs(found.value) > out_of_balance ? sign * found.value * unit_ : 0.0;
+        if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction) end = force;
+      }
+    }
+  return ranges;
 }
 
 std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated) const {

@@ -6,6 +6,7 @@
 //         M. Gilbert, C. Casapulla, H. M. Ahmed, Computers & Structures 84 (2006) 873-887.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -42,13 +43,18 @@ class LimitAnalysis {
   const RigidStructure& structure() const { return s_; }
   /// The largest factor of raised loads, up to a largest one, that can be balanced together with the fixed loads.
   LimitAnswer largest_factor(double largest) const;
+  /// Whether dry joints balance the raised loads alone. Then these can be raised without end wherever fixed loads are
+  /// borne: forces of dry joints add up to forces of dry joints.
+  bool borne_at_any_factor() const;
   /// Whether fixed loads and so much of the raised ones can be balanced.
   LimitAnswer bears(double factor) const;
   /// Forces that balance loads with the resultants of all joints as near to the middle of their joints as can be: the
-  /// share of every joint, from its edges, that they leave free. Dry straight joints alone can be narrowed.
+  /// share of every joint, from its edges, that they leave free. Dry straight joints alone can be narrowed. Of many such
+  /// forces those with the least sum of normal forces.
   LimitAnswer most_balanced(double factor, double* free_share) const;
-  /// Least and most of the reaction along a component (0: x, 1: y) of all nodes a support holds.
-  ReactionRange reaction(int support, int component, double factor) const;
+  /// Least and most of reactions over all admissible forces: per support, along x and y.
+  /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
+  std::vector<std::array<ReactionRange, 2>> reactions(int supports, double factor) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
   /// of programmes does not settle.
   /// @param associated  the answer of largest_factor(largest), where it begins
@@ -59,6 +65,7 @@ class LimitAnalysis {
   void keep_ends_of_joints();
   Programme programme(double share_of_joints, bool sliding, double most) const;
   LimitAnswer raised_up_to(double largest, double share_of_joints, bool* balanced_unraised) const;
+  LimitAnswer least_pressed(double share_of_joints) const;
   LimitAnswer judge(const Programme&, const ProgrammeSolution&, double largest) const;
   /// The same structure under its fixed loads and a factor of the raised ones, all of them raised from nothing.
   LimitAnalysis under_loads(double factor) const;

@@ -54,6 +54,7 @@ RunSummary complete_summary() {
   run.mechanism = MechanismSummary{7, "block 7", 0.25};
   run.statics = StaticsSummary{1, 0, 0.25, 0.5, {{2, 3, 1.0, 2.0, 1e-3}}, {}, {{"ground", {0.0, 1e3, 0.5, 0.0}}}};
   run.collapse = CollapseSummary{{{"push", 1.0}}, 0.36, 0.38, true, {{0.36, "equilibrium", 20}}, 0.39, 0.37};
+  run.rigid = RigidSummary{0.5, {{"ground", {{{-1e3, 1e3}, {0, 2e3}}}}}};
   run.effects = {{"friction", EffectSummary{true, 3, 0.125, 48}}};
   run.seconds = {{"total", 2.5}, {"assembly", 0.5}};
   run.peak_memory = {100.0, 150.0};
@@ -64,7 +65,8 @@ RunSummary complete_summary() {
 /// every effect is "effects.*".
 void collect_keys(const Json& json, const std::string& prefix, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
-    const std::set<std::string> free{"effects.", "collapse.pattern.", "statics.reactions."};
+    const std::set<std::string> free{"effects.", "collapse.pattern.", "statics.reactions.",
+                                     "rigid.reactions."};
     const bool any = free.count(prefix) > 0 || (prefix == "seconds." && key != "total");
     const std::string name = prefix + (any ? "*" : key);
     keys.insert(name);
@@ -119,7 +121,10 @@ TEUCHOS_UNIT_TEST(ResultJson, KeepsValuesAndWritesNullForWhatIsNotFinite) {
   TEST_EQUALITY(json["collapse"]["attempts"][0]["factor"].get<double>(), 0.36);
   TEST_EQUALITY(json["statics"]["widest_hinges"][0]["blocks"][1].get<int>(), 3);
   TEST_EQUALITY(json["statics"]["reactions"]["ground"]["y_N"].get<double>(), 1e3);
+  TEST_EQUALITY(json["rigid"]["reactions"]["ground"]["most_y_N"].get<double>(), 2e3);
   run.collapse->upper = std::numeric_limits<double>::infinity();  // nothing collapsed
+  run.rigid->reactions["ground"][0].least = -std::numeric_limits<double>::infinity();  // a range without an end
+  TEST_ASSERT(Json::parse(result_json(run))["rigid"]["reactions"]["ground"]["least_x_N"].is_null());
   TEST_ASSERT(Json::parse(result_json(run))["collapse"]["upper"].is_null());
 }
 
@@ -128,6 +133,7 @@ TEUCHOS_UNIT_TEST(ResultJson, WhatWasNotSaidIsNotWritten) {
   TEST_ASSERT(!json.contains("message"));
   TEST_ASSERT(!json.contains("mechanism"));
   TEST_ASSERT(!json.contains("collapse"));
+  TEST_ASSERT(!json.contains("rigid"));
   TEST_ASSERT(!json.contains("statics"));
   TEST_EQUALITY(json["outcome"].get<std::string>(), "not_converged");
 }

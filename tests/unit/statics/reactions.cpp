@@ -70,7 +70,8 @@ TEUCHOS_UNIT_TEST(Reactions, TheLeastThrustOfAFlatArch) {
   const double a = 0.7, h = 0.4;
   for (const double friction : {0.5, 1.0, endless}) {
     const LimitAnalysis arch(flat_arch(a, h, friction));
-    const auto left = arch.reaction(0, 0, 0), right = arch.reaction(1, 0, 0), up = arch.reaction(0, 1, 0);
+    const auto ranges = arch.reactions(2, 0);
+    const auto &left = ranges[0][0], &right = ranges[1][0], &up = ranges[0][1];
     const double thrust = std::max(a / h, 1.5 / friction);
     TEST_ASSERT(left.least.has_value() && !left.most.has_value());
     TEST_FLOATING_EQUALITY(left.least.value_or(0), thrust, close);
@@ -88,19 +89,36 @@ TEUCHOS_UNIT_TEST(Reactions, AStoneBetweenFrictionAndAWall) {
   add_joint(s, 1, beside, {4, 1}, {4, 0}, {0});
   const LimitAnalysis analysis(s);
   for (const double factor : {0.0, 0.5, 1.5}) {
-    const auto range = analysis.reaction(7, 0, factor);
+    const auto ranges = analysis.reactions(8, factor);
+    const auto& range = ranges[7][0];
     TEST_ASSERT(range.least && range.most);
     TEST_ASSERT(std::abs(range.least.value_or(9) + (factor + 0.6)) < close);
     TEST_ASSERT(std::abs(range.most.value_or(9) + std::max(0.0, factor - 0.6)) < close);
-    const auto of_bed = analysis.reaction(0, 1, factor);
+    const auto& of_bed = ranges[0][1];
     TEST_FLOATING_EQUALITY(of_bed.least.value_or(0), 1.0, close);
     TEST_FLOATING_EQUALITY(of_bed.most.value_or(0), 1.0, close);
-    const auto shear = analysis.reaction(0, 0, factor);
+    const auto& shear = ranges[0][0];
     TEST_ASSERT(std::abs(shear.most.value_or(9) - 0.6) < close);
     TEST_ASSERT(std::abs(shear.least.value_or(9) - std::max(-0.6, -factor)) < close);
   }
-  const auto none = LimitAnalysis(box_on_bed(1, 1, {0.6})).reaction(0, 0, 0.7);
+  const auto none = LimitAnalysis(box_on_bed(1, 1, {0.6})).reactions(1, 0.7)[0][0];
   TEST_ASSERT(!none.least && !none.most);  // no forces balance these loads
+}
+
+TEUCHOS_UNIT_TEST(AnyFactor, IsBorneWhereJointsBalanceTheRaisedLoadsAlone) {
+  // A box on a bed under a force whose angle to the normal of the bed is within its friction, or beyond it.
+  for (const double sideways : {0.3, 0.9}) {
+    RigidStructure s = box_on_bed(4, 1, {0.6});
+    s.stones[1].raised = {sideways, -1, 0};
+    const LimitAnalysis analysis(s);
+    TEST_EQUALITY(analysis.borne_at_any_factor(), sideways < 0.6);
+    TEST_EQUALITY(analysis.largest_factor(1e4).verdict == LimitVerdict::unlimited, sideways < 0.6);
+  }
+  // Cohesion bears so much and no more.
+  RigidStructure glued = box_on_bed(4, 1, {0.6, 10, 0});
+  glued.stones[1].raised = {0.9, -1, 0};
+  TEST_ASSERT(!LimitAnalysis(glued).borne_at_any_factor());
+  TEST_ASSERT(LimitAnalysis(glued).bears(1).verdict == LimitVerdict::unlimited);
 }
 
 TEUCHOS_UNIT_TEST(MostBalanced, AColumnUnderALoadOffItsMiddle) {
@@ -120,6 +138,15 @@ TEUCHOS_UNIT_TEST(MostBalanced, AColumnUnderALoadOffItsMiddle) {
     // The load is farthest from the middle where the least weight has come to it: below the highest stone.
     const double off = 10 * eccentricity / 10.1;
     TEST_ASSERT(std::abs(free_share - (1 - 2 * off / width)) <= part + close);
+    // Forces are told at the ends of joints, with the resultant where it passes.
+    double moment = 0, normal = 0;
+    for (std::size_t k = 4; k < 6; ++k) {
+      const double middle = 0.5 * (s.contacts[4].arm_i[0] + s.contacts[5].arm_i[0]);
+      moment += answer.force[k][0] * (s.contacts[k].arm_i[0] - middle);
+      normal += answer.force[k][0];
+    }
+    TEST_FLOATING_EQUALITY(normal, 10.1, close);
+    TEST_ASSERT(std::abs(std::abs(moment) - 10 * eccentricity) < 1e-6);
   }
 }
 

@@ -1,0 +1,90 @@
+"""The report of a run that asked rigid limit analysis alone: forces in balance, the limit and its mechanism."""
+from matplotlib.collections import PolyCollection
+
+import tables
+from draw_common import GREY, RED, STONE, draw_lines, drawing, limits, outline_width, save
+from draw_forces import all_resultants, draw_force_legend
+from geometry import force_text
+from read_results import find, is_mechanism, number
+from statics import geometrical_factor, ring_resultants, thrust_line
+
+
+def asked_alone(results):
+    return isinstance(results.result.get("rigid"), dict)
+
+
+def draw_thrust(mesh, joints, edges, step, rings, folder, name):
+    """Resultants of joints and lines of thrust on the stones; returns the path and the largest resultant [N]."""
+    x = mesh.coordinates
+    figure, axes = drawing(limits(x))
+    axes.add_collection(PolyCollection(x[mesh.cells], facecolors=STONE, edgecolors="none", antialiased=False))
+    draw_lines(axes, x[edges], GREY, 0.6 * outline_width(mesh.blocks))
+    resultants = all_resultants(joints, step)
+    largest = max((r.normal for r in resultants), default=0.0)
+    shown = [r for r in resultants if r.normal > 1e-3 * largest]
+    biggest = 36.0 if len(shown) < 300 else 14.0  # points^2, so that dots of a bridge do not hide it
+    if shown:
+        sizes = [biggest * r.normal / largest for r in shown]
+        axes.scatter(*zip(*(r.place for r in shown)), s=sizes, color=RED, linewidths=0, zorder=4, alpha=0.8)
+    for ring in rings:
+        axes.plot(*thrust_line(ring_resultants(ring, joints, step)).T, "-", color=RED, lw=1.8, zorder=5)
+    draw_force_legend(figure, largest, biggest, bool(rings))
+    return save(figure, folder, name), largest
+
+
+def add_thrust(page, results, edges, rings, folder):
+    """One picture for the loads of the scene, one for the limit."""
+    standing = [step for step in results.stage_ends if not is_mechanism(step)]
+    for step in standing:
+        at_limit = step.stage.endswith(": limit")
+        path, largest = draw_thrust(results.mesh, results.joints, edges, step, rings, folder,
+                                    "thrust_at_the_limit" if at_limit else "thrust")
+        line = "Red line: line of thrust, through the resultants of the joints of each arch. " if rings else ""
+        dots = f"Dots: resultant of each joint, sized by its force, largest {force_text(largest)}."
+        if at_limit:
+            page.picture(path, f"Forces that balance the loads at the limit, factor {step.load_factor:.5g}. Where they touch an edge "
+                         f"a joint turns, where they leave the cone of friction it slides. {line}{dots}")
+        else:
+            page.picture(path, "Forces that balance the loads of the scene with the resultants of all joints as near to the middle "
+                         f"of their joints as can be. Others exist beside them; rigid stones do not tell which is real. {line}{dots}")
+    for step in standing:
+        for ring in rings:
+            factor = geometrical_factor(ring_resultants(ring, results.joints, step))
+            page.words(f"{ring.name}, factor {step.load_factor:.5g}: the line of thrust fits into a ring {factor:.4g} times thinner.")
+
+
+def facts(results):
+    tree, rigid = results.result, results.result["rigid"]
+    collapse = tree.get("collapse") if isinstance(tree.get("collapse"), dict) else {}
+    certified, estimate = number(collapse.get("certified_upper")), number(collapse.get("estimate_without_dilatancy"))
+    seconds, _ = tables.seconds_of(results)
+    rows = []
+    if certified is not None:
+        rows.append(("No equilibrium above", tables.short(certified, 6), "times the pattern of loads, by the static theorem"))
+    if estimate is not None:
+        rows.append(("Where slip does not dilate", tables.short(estimate, 5), "an estimate, no bound on either side"))
+    if str(tree.get("outcome")) == "equilibrium" or certified is not None:
+        rows.append(("Free of every dry joint", tables.margin_text(rigid.get("free_share_of_joints")),
+                     "from its edges, in the most balanced forces under the loads of the scene"))
+    return rows + [("Time", "not given" if seconds is None else f"{seconds:.3g} s", f"{tables.count_text(find(tree, 'ranks'))} ranks"),
+                   ("Blocks / joints", f"{tables.count_text(find(tree, 'blocks'))} / {tables.count_text(find(tree, 'joints'))}", "")]
+
+
+def add_ranges(page, results):
+    """Between which ends the forces of supports can be."""
+    ranges = results.result["rigid"].get("reactions")
+    if not isinstance(ranges, dict) or not ranges:
+        return
+    page.section("Least and most thrust")
+    page.words("Rigid stones leave open which of all forces in balance is the real one; those of every support lie between these ends. "
+               "Where nothing bounds them, as between two supports that hold against each other, there is no end.")
+    text = lambda value: "no end" if number(value) is None else force_text(number(value)) if abs(number(value)) > 0 else "0"
+    page.table(["support", "least to the right", "most to the right", "least upwards", "most upwards"],
+               [[name] + [text(r.get(key)) for key in ("least_x_N", "most_x_N", "least_y_N", "most_y_N")]
+                for name, r in sorted(ranges.items()) if isinstance(r, dict)])
+
+
+def add_verdict(page, results):
+    message = str(results.result.get("message") or "")
+    if message:
+        page.words(message[0].upper() + message[1:] + ".")
