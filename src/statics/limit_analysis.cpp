@@ -4,29 +4,17 @@
 #include <cmath>
 #include <utility>
 
-#include "statics/admissible_forces.hpp"
+#include "statics/limit_programme.hpp"
 
 namespace voussoir {
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-// Points lie on a line and have one normal to so much of the size of their stones: what places of a drawing keep.
-constexpr double straight = 1e-9;
 // A motion may press into points by so much of its size, a hundred times the programme's tolerance; more than that
 // proves nothing.
 constexpr double against_the_law = 1e-8;
-// Forces are in balance to so much of the largest load, which the programme's tolerance leaves room for.
-constexpr double out_of_balance = 1e-8;
-// Stones that are held, or jam between such, may press on each other as much as one likes. Forces end at so many times
-// the largest load: their round-off is as large as the programme's tolerance there.
-constexpr double most_force = 1e6;
-// A reaction of more than this comes from forces at their end, so that it has none.
-constexpr double endless_reaction = most_force / 10;
 // Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium of
 // the elastic structure may be out of balance.
 constexpr double clear_gain = 1e-6;
-// A share of joints is bisected to one part in two to this power.
-constexpr int halvings = 10;
 // Friction that hardly dilates: this share of Coulomb's slope is left, so that programmes keep an inside.
 constexpr double slope_left = 1e-3;
 // What the normal forces of the last programme weigh in the next, and when the sequence has settled, as in the source.
@@ -86,29 +74,6 @@ void LimitAnalysis::keep_ends_of_joints() {
     }
   }
 }
-
-struct LimitAnalysis::Programme {
-  /// What holds a stone in one direction; moments over the radius of the stone.
-  struct Held {
-    int stone, support;
-    Wrench direction;
-  };
-  LinearProgramme lp;
-  std::vector<AdmissibleForces> forces;       ///< per kept contact
-  std::vector<int> first_column;              ///< of a kept contact
-  std::vector<std::array<Vector<2>, 2>> arm;  ///< of kept contacts, on both stones
-  std::vector<Held> held;                     ///< per column from held_column on
-  int held_column = 0, factor_column = 0;
-  double move = 0;  ///< [-] share of a joint by which each of its pairs has moved from its end to the other
-
-  /// Force of a kept contact [N]: normal, tangential.
-  Vector<2> force(std::size_t k, const std::vector<double>& x, double unit) const {
-    auto f = forces[k].apex;
-    for (std::size_t g = 0; g < forces[k].generators.size(); ++g)
-      f = f + unit * x[static_cast<std::size_t>(first_column[k]) + g] * forces[k].generators[g].direction;
-    return f;
-  }
-};
 
 LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
   keep_ends_of_joints();
@@ -313,77 +278,6 @@ LimitAnswer LimitAnalysis::bears(double factor) const {
   auto answer = under_loads(factor).raised_up_to(1, 1, &balanced);
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
   return answer;
-}
-
-LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) const {
-  const auto loaded = under_loads(factor);
-  const auto with = [&](double share) {
-    bool balanced = true;
-    return loaded.raised_up_to(1, share, &balanced);
-  };
-  // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
-  double stands = 1, falls = std::pow(0.5, halvings);
-  auto best = with(falls);
-  if (best.verdict == LimitVerdict::unlimited) {
-    stands = falls;
-  } else {
-    best = with(1);
-  }
-  if (best.verdict == LimitVerdict::unlimited)
-    for (int k = 0; k < halvings && stands > falls; ++k) {
-      const double share = (stands + falls) / 2;
-      auto answer = with(share);
-      const bool borne = answer.verdict == LimitVerdict::unlimited;
-      (borne ? stands : falls) = share;
-      if (borne) best = std::move(answer);
-    }
-  if (free_share) *free_share = 1 - stands;
-  if (best.verdict != LimitVerdict::unlimited) return best;
-  auto least = loaded.least_pressed(stands);
-  return least.verdict == LimitVerdict::unlimited ? least : best;
-}
-
-/// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
-/// any force can be added to others.
-LimitAnswer LimitAnalysis::least_pressed(double share_of_joints) const {
-  auto p = programme(share_of_joints, false, endless);
-  const double all = raised_unit_ / unit_;
-  p.lp.set_column(p.factor_column, all, all);
-  for (std::size_t k = 0; k < kept_.size(); ++k)
-    for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g)
-      p.lp.set_cost(p.first_column[k] + static_cast<int>(g), -p.forces[k].generators[g].direction[0]);
-  return judge(p, p.lp.maximise(), 1);
-}
-
-/// Forces that balance loads are found first, without a cost; from them the simplex method goes from one extreme to the
-/// next, which takes it a tenth of what each alone does.
-std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports, double factor) const {
-  std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
-  auto p = programme(1, false, most_force);
-  const double f = factor * raised_unit_ / unit_;
-  p.lp.set_column(p.factor_column, f, f);
-  if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
-  for (int support = 0; support < supports; ++support)
-    for (std::size_t c = 0; c < 2; ++c) {
-      auto& range = ranges[static_cast<std::size_t>(support)][c];
-      for (const double sign : {1.0, -1.0}) {
-        bool held = false;
-        for (std::size_t k = 0; k < p.held.size(); ++k) {
-          const double share = p.held[k].support == support ? p.held[k].direction[c] : 0.0;
-          p.lp.set_cost(p.held_column + static_cast<int>(k), sign * share);
-          held = held || std::abs(share) > straight;
-        }
-        auto& end = sign > 0 ? range.most : range.least;
-        if (!held) {
-          end = 0;
-          continue;
-        }
-        const auto found = p.lp.maximise();
-        const double force = std::abs(found.value) > out_of_balance ? sign * found.value * unit_ : 0.0;
-        if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction) end = force;
-      }
-    }
-  return ranges;
 }
 
 std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated) const {

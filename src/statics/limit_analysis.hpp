@@ -49,8 +49,8 @@ class LimitAnalysis {
   /// Whether fixed loads and so much of the raised ones can be balanced.
   LimitAnswer bears(double factor) const;
   /// Forces that balance loads with the resultants of all joints as near to the middle of their joints as can be: the
-  /// share of every joint, from its edges, that they leave free. Dry straight joints alone can be narrowed. Of many such
-  /// forces those with the least sum of normal forces.
+  /// share of every joint, from its edges, that they leave free. Dry straight joints alone can be narrowed. Of many
+  /// such forces those with the least sum of normal forces.
   LimitAnswer most_balanced(double factor, double* free_share) const;
   /// Least and most of reactions over all admissible forces: per support, along x and y.
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0

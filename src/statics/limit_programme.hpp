@@ -1,0 +1,45 @@
+// The linear programme behind limit analysis: which column is which force, and to how many digits it is believed.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "statics/admissible_forces.hpp"
+#include "statics/limit_analysis.hpp"
+
+namespace voussoir {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+// Points lie on a line and have one normal to so much of the size of their stones: what places of a drawing keep.
+constexpr double straight = 1e-9;
+// Forces are in balance to so much of the largest load, which the programme's tolerance leaves room for.
+constexpr double out_of_balance = 1e-8;
+// Stones that are held, or jam between such, may press on each other as much as one likes. Forces end at so many times
+// the largest load: their round-off is as large as the programme's tolerance there.
+constexpr double most_force = 1e6;
+
+struct LimitAnalysis::Programme {
+  /// What holds a stone in one direction; moments over the radius of the stone.
+  struct Held {
+    int stone, support;
+    Wrench direction;
+  };
+  LinearProgramme lp;
+  std::vector<AdmissibleForces> forces;       ///< per kept contact
+  std::vector<int> first_column;              ///< of a kept contact
+  std::vector<std::array<Vector<2>, 2>> arm;  ///< of kept contacts, on both stones
+  std::vector<Held> held;                     ///< per column from held_column on
+  int held_column = 0, factor_column = 0;
+  double move = 0;  ///< [-] share of a joint by which each of its pairs has moved from its end to the other
+
+  /// Force of a kept contact [N]: normal, tangential.
+  Vector<2> force(std::size_t k, const std::vector<double>& x, double unit) const {
+    auto f = forces[k].apex;
+    for (std::size_t g = 0; g < forces[k].generators.size(); ++g)
+      f = f + unit * x[static_cast<std::size_t>(first_column[k]) + g] * forces[k].generators[g].direction;
+    return f;
+  }
+};
+
+}  // namespace voussoir

@@ -1,0 +1,88 @@
+// Which of all forces that balance given loads are told: the most balanced ones, and the ends of reactions.
+#include <algorithm>
+#include <cmath>
+
+#include "statics/limit_programme.hpp"
+
+namespace voussoir {
+namespace {
+
+// A reaction of more than this comes from forces at their end, so that it has none.
+constexpr double endless_reaction = most_force / 10;
+// A share of joints is bisected to one part in two to this power.
+constexpr int halvings = 10;
+
+}  // namespace
+
+LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) const {
+  const auto loaded = under_loads(factor);
+  const auto with = [&](double share) {
+    bool balanced = true;
+    return loaded.raised_up_to(1, share, &balanced);
+  };
+  // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
+  double stands = 1, falls = std::pow(0.5, halvings);
+  auto best = with(falls);
+  if (best.verdict == LimitVerdict::unlimited) {
+    stands = falls;
+  } else {
+    best = with(1);
+  }
+  if (best.verdict == LimitVerdict::unlimited)
+    for (int k = 0; k < halvings && stands > falls; ++k) {
+      const double share = (stands + falls) / 2;
+      auto answer = with(share);
+      const bool borne = answer.verdict == LimitVerdict::unlimited;
+      (borne ? stands : falls) = share;
+      if (borne) best = std::move(answer);
+    }
+  if (free_share) *free_share = 1 - stands;
+  if (best.verdict != LimitVerdict::unlimited) return best;
+  auto least = loaded.least_pressed(stands);
+  return least.verdict == LimitVerdict::unlimited ? least : best;
+}
+
+/// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
+/// any force can be added to others.
+LimitAnswer LimitAnalysis::least_pressed(double share_of_joints) const {
+  auto p = programme(share_of_joints, false, endless);
+  const double all = raised_unit_ / unit_;
+  p.lp.set_column(p.factor_column, all, all);
+  for (std::size_t k = 0; k < kept_.size(); ++k)
+    for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g)
+      p.lp.set_cost(p.first_column[k] + static_cast<int>(g), -p.forces[k].generators[g].direction[0]);
+  return judge(p, p.lp.maximise(), 1);
+}
+
+/// Forces that balance loads are found first, without a cost; from them the simplex method goes from one extreme to the
+/// next, which takes it a tenth of what each alone does.
+std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports, double factor) const {
+  std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
+  auto p = programme(1, false, most_force);
+  const double f = factor * raised_unit_ / unit_;
+  p.lp.set_column(p.factor_column, f, f);
+  if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
+  for (int support = 0; support < supports; ++support)
+    for (std::size_t c = 0; c < 2; ++c) {
+      auto& range = ranges[static_cast<std::size_t>(support)][c];
+      for (const double sign : {1.0, -1.0}) {
+        bool held = false;
+        for (std::size_t k = 0; k < p.held.size(); ++k) {
+          const double share = p.held[k].support == support ? p.held[k].direction[c] : 0.0;
+          p.lp.set_cost(p.held_column + static_cast<int>(k), sign * share);
+          held = held || std::abs(share) > straight;
+        }
+        auto& end = sign > 0 ? range.most : range.least;
+        if (!held) {
+          end = 0;
+          continue;
+        }
+        const auto found = p.lp.maximise();
+        const double force = std::abs(found.value) > out_of_balance ? sign * found.value * unit_ : 0.0;
+        if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction) end = force;
+      }
+    }
+  return ranges;
+}
+
+}  // namespace voussoir
