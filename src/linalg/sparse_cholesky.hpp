@@ -13,8 +13,8 @@ namespace voussoir {
 class SparseCholesky {
  public:
   /// Factors A. A pivot that is not positive is repaired by adding
-  /// 1e-10 of the diagonal: A may be singular by rigid motions. Where it is indefinite by more than round-off, or CHOLMOD
-  /// objects to anything else but a lack of memory, SolverFailure is thrown.
+  /// 1e-10 of the diagonal: A may be singular by rigid motions. Where it is indefinite by more than round-off, or
+  /// CHOLMOD objects to anything else but a lack of memory, SolverFailure is thrown.
   explicit SparseCholesky(const LocalCsr& a);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
