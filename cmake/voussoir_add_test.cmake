@@ -2,7 +2,8 @@
 #
 # One executable test_<name>, made of Teuchos unit tests and the main program of tests/support, and one ctest per
 # number of ranks, called <folder>.<name>.np<ranks>. Defaults: RANKS 1, LABELS the folders below tests/ (tests/unit/mesh
-# has the labels unit and mesh), TIMEOUT 120.
+# has the labels unit and mesh), TIMEOUT 600. Limits are for hangs: ten times what
+# a test usually takes.
 # A test runs in its own build folder; files of the repository are found through the macro VOUSSOIR_SOURCE_DIR.
 #
 # voussoir_add_script(NAME name SCRIPT a.py [ARGS ...] [LABELS ...] [TIMEOUT seconds] [PROCESSORS n])
@@ -53,7 +54,7 @@ macro(voussoir_test_defaults)
     set(arg_LABELS ${folders})
   endif()
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 120)
+    set(arg_TIMEOUT 600)
   endif()
 endmacro()
 

@@ -24,7 +24,8 @@ figcaption { color: var(--soft); font-size: .95rem; max-width: 52rem; margin-top
 table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .22rem .7rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th { vertical-align: bottom; font-weight: 600; white-space: normal; border-bottom: 2px solid var(--ink); }
-th.words, td.words { text-align: left; white-space: normal; overflow-wrap: anywhere; }
+/* Words break between words: "anywhere" would let a narrow table shrink them to a letter a line. What is too wide scrolls. */
+th.words, td.words { text-align: left; white-space: normal; overflow-wrap: break-word; min-width: 6rem; }
 .remarks { background: #fdf3d8; border-left: 4px solid #e69f00; padding: .6rem 1rem; margin: 1rem 0; }
 .remarks ul { margin: .3rem 0; padding-left: 1.2rem; }
 footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .85rem; }

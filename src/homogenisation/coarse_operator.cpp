@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 namespace {
@@ -87,19 +88,26 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
     return;
   }
   ++cost_.factorised;
+  factored_ = false;
+  stale_ = true;
+  all_or_none(*structure_.comm(), [&] {
+    if (motions_) motions_->update(stiffness, proximal);
+    if (blocks_) blocks_->update(h.local());
+  });
   factored_stiffness_ = stiffness;
   factored_proximal_ = proximal;
-  if (motions_) motions_->update(stiffness, proximal);
-  if (blocks_) blocks_->update(h.local());
-  stale_ = true;
+  factored_ = true;
 }
 
 template <int dim>
 void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) {
   symmetry_ = symmetry;
   if (!stale_) return;
-  if (region_) region_->update(h);
-  if (whole_) {
+  if (region_ && !region_->update(h)) {
+    // Whole factors leave out the rows that say nothing.
+    if (!may_factor_whole() || !factor_whole())
+      throw SolverFailure("UMFPACK found the matrix around what has parted singular");
+  } else if (whole_) {
     if (!whole_->factor(*h_)) throw std::bad_alloc();
     ++cost_.whole;
   }
@@ -120,8 +128,14 @@ bool CoarseOperator<dim>::may_factor_whole() const {
 
 template <int dim>
 bool CoarseOperator<dim>::factor_whole() {
-  auto whole = std::make_unique<DistributedLu>(space_.map());
-  if (!whole->factor(*h_)) {
+  std::unique_ptr<DistributedLu> whole;
+  bool factored = false;
+  try {
+    whole = std::make_unique<DistributedLu>(space_.map());
+    factored = whole->factor(*h_);
+  } catch (const SolverFailure&) {  // the parts are another way
+  }
+  if (!factored) {
     factored_up_to_ = 0;
     return false;
   }
@@ -175,7 +189,7 @@ bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stif
 template <int dim>
 bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
                                   const std::vector<double>& proximal) const {
-  bool here = cost_.factorised == 0;
+  bool here = !factored_;
   for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
     if (!selected_[k]) continue;
     const auto& before = factored_stiffness_[k];

@@ -29,7 +29,7 @@ class CoarseOperator : public Preconditioner {
                  const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&);
 
   /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
-  /// a tenth. Collective.
+  /// a tenth. Collective, as is a SolverFailure of this and of couple.
   /// @param shear  stones that many points let go shear: where closed points resist far more than stones
   void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal,
               bool shear = false);
@@ -37,8 +37,8 @@ class CoarseOperator : public Preconditioner {
   void couple(const SystemMatrix<dim>& h, Symmetry);
   /// Whether H could be factored whole and is not yet: few enough unknowns, some of which a selection has parted.
   bool may_factor_whole() const;
-  /// Factors H as it is, and from now on every one to come, instead of all parts. Returns whether there was room; where
-  /// not they stay, and it is not tried again. Collective.
+  /// Factors H as it is, and from now on every one to come, instead of all parts. Returns whether that went, or lacked
+  /// room or anything else; then they stay, and it is not tried again. Collective.
   bool factor_whole();
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
@@ -65,6 +65,7 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;
   std::unique_ptr<ReleasedRegion<dim>> region_;  ///< instead of motions and blocks
   std::unique_ptr<DistributedLu> whole_;         ///< instead of all of them
+  bool factored_ = false;                        ///< motions and blocks are, as the members below say
   bool stale_ = true;                            ///< statuses have changed since region or whole were factored
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;

@@ -7,6 +7,7 @@
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
@@ -106,7 +107,7 @@ void ReleasedRegion<dim>::set_pattern(const OwnedRows& h) {
 }
 
 template <int dim>
-void ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
+bool ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
   const auto h = system.local();
   if (matrix_.rows() == 0) {
     set_pattern(h);
@@ -117,7 +118,7 @@ void ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
   value.reserve(entry_.size());
   for (const std::size_t e : entry_) value.push_back(h.value[e]);
   matrix_.value = all_gather(value, *space_.map()->getComm());
-  factor_.factor(matrix_);
+  return factor_.factor(matrix_);
 }
 
 template <int dim>
@@ -129,7 +130,8 @@ void ReleasedRegion<dim>::add(const TpetraVector& r, TpetraVector& z) const {
     const TrafficScope sent_for(TrafficOf::block_motions);
     Teuchos::reduceAll(*space_.map()->getComm(), Teuchos::REDUCE_SUM, size(), mine.data(), right_.data());
   }
-  if (!factor_.solve(matrix_, right_.data(), solution_.data())) return;
+  if (!factor_.solve(matrix_, right_.data(), solution_.data()))
+    throw SolverFailure("UMFPACK found the matrix around what has parted singular");
   double* value = local_view_to_write(z);
   for (std::size_t i = 0; i < unknown_.size(); ++i) value[unknown_[i]] += solution_[first_ + i];
 }

@@ -23,8 +23,8 @@ class ReleasedRegion {
   int size() const { return size_; }
   /// Whether so few unknowns lie in the region that to factor it is worth its time; where not, layers are missing.
   bool pays() const { return pays_; }
-  /// Factors the region's part of H. Collective.
-  void update(const SystemMatrix<dim>& h);
+  /// Factors the region's part of H. Returns whether it is regular, the same on all ranks. Collective.
+  [[nodiscard]] bool update(const SystemMatrix<dim>& h);
   /// z += E (H_EE)^-1 E^T r, E the unknowns of the region. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
   /// On this rank.

@@ -5,11 +5,13 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
+#include <new>
 #include <vector>
 
 #include "base/check.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
@@ -29,12 +31,22 @@ enum Control {
   find_null_pivots = 24
 };
 constexpr int nowhere = -1, distributed = 3;
-enum Failure { factors_too_small = -8, work_too_small = -9, no_room = -13, reserved_too_small = -19 };
+enum Failure {
+  no_room_to_order = -7,
+  factors_too_small = -8,
+  work_too_small = -9,
+  no_room = -13,
+  reserved_too_small = -19
+};
 
 // MUMPS guesses the room that pivots off the diagonal take. Where it was not enough: as much again, and so on.
 constexpr int first_guess = 30, largest_guess = 2000;
 
 bool too_small(int status) { return status == factors_too_small || status == work_too_small; }
+
+bool lacks_memory(int status) {
+  return status == no_room || status == no_room_to_order || status == reserved_too_small || too_small(status);
+}
 
 int& control(DMUMPS_STRUC_C& m, int which) { return m.icntl[which - 1]; }
 
@@ -50,12 +62,13 @@ struct DistributedLu::Data {
   mutable DMUMPS_STRUC_C mumps{};
   int first = 0;                 ///< number of the first owned row, rank by rank
   std::vector<int> row, column;  ///< of every owned entry, counted from 1; empty before the pattern is known
+  bool known = false, ordered = false;  ///< the pattern is, on all ranks
 
   explicit Data(const Teuchos::RCP<const TpetraMap>& m) : map(m) {
     mumps.par = 1;
     mumps.sym = 0;
     mumps.comm_fortran = handle_of(*map->getComm());
-    run(start);
+    if (const int status = run(start); status < 0) throw solver_failure("MUMPS", "start", status);
     for (const int out : {errors_to, diagnostics_to, global_to}) control(mumps, out) = nowhere;
     control(mumps, printing) = 0;
     control(mumps, entries_are) = distributed;
@@ -68,7 +81,7 @@ struct DistributedLu::Data {
   Data(const Data&) = delete;
   Data& operator=(const Data&) = delete;
 
-  /// Returns what MUMPS says of all ranks: negative where it failed.
+  /// Returns what MUMPS says of all ranks, the same on each: negative where it failed.
   int run(Job job) const {
     mumps.job = job;
     dmumps_c(&mumps);
@@ -103,6 +116,7 @@ void DistributedLu::Data::set_pattern(const TpetraMatrix& a) {
   mumps.nnz_loc = static_cast<MUMPS_INT8>(row.size());
   mumps.irn_loc = row.data();
   mumps.jcn_loc = column.data();
+  known = true;
 }
 
 DistributedLu::DistributedLu(const Teuchos::RCP<const TpetraMap>& map) : data_(std::make_unique<Data>(map)) {}
@@ -110,13 +124,13 @@ DistributedLu::~DistributedLu() = default;
 
 bool DistributedLu::factor(const TpetraMatrix& a) {
   auto& d = *data_;
-  const bool first_time = d.mumps.n == 0;
-  if (first_time) d.set_pattern(a);
+  if (!d.known) d.set_pattern(a);
   const auto local = a.getLocalMatrixHost();
   std::vector<double> value(local.values.data(), local.values.data() + local.values.extent(0));
   VOUSSOIR_EXPECT(value.size() == d.row.size());
   d.mumps.a_loc = value.data();
-  int status = first_time ? d.run(analyse) : 0;
+  int status = d.ordered ? 0 : d.run(analyse);
+  d.ordered = status >= 0;
   while (status >= 0) {
     status = d.run(factorise);
     int& guess = control(d.mumps, more_room_in_percent);
@@ -124,9 +138,8 @@ bool DistributedLu::factor(const TpetraMatrix& a) {
     guess *= 2;
     status = 0;
   }
-  const bool room = !(status == no_room || status == reserved_too_small || too_small(status));
-  VOUSSOIR_ENSURE(status >= 0 || !room);
-  return room;
+  if (status < 0 && !lacks_memory(status)) throw solver_failure("MUMPS", "factor a matrix", status);
+  return status >= 0;
 }
 
 void DistributedLu::apply(const TpetraVector& r, TpetraVector& z) const {
@@ -137,8 +150,9 @@ void DistributedLu::apply(const TpetraVector& r, TpetraVector& z) const {
   const double* value = local_view(r);
   auto whole = all_gather(std::vector<double>(value, value + owned), comm);
   d.mumps.rhs = whole.data();  // read and written on the first rank
-  [[maybe_unused]] const int status = d.run(solve);
-  VOUSSOIR_ENSURE(status >= 0);
+  const int status = d.run(solve);
+  if (status < 0 && lacks_memory(status)) throw std::bad_alloc();
+  if (status < 0) throw solver_failure("MUMPS", "solve with its factors", status);
   Teuchos::broadcast(comm, 0, d.mumps.n, whole.data());
   std::copy_n(whole.begin() + d.first, owned, local_view_to_write(z));
 }

@@ -16,9 +16,10 @@ class DistributedLu : public Preconditioner {
   ~DistributedLu() override;
 
   /// Factors a matrix, of the pattern of the first one given. Where it is singular rows that say nothing are left out.
+  /// Whatever else MUMPS objects to is a SolverFailure on all ranks.
   /// @return false on all ranks where one has no room
-  bool factor(const TpetraMatrix& a);
-  /// z = A^-1 r, exact but for round-off. There must have been room for what was factored last.
+  [[nodiscard]] bool factor(const TpetraMatrix& a);
+  /// z = A^-1 r, exact but for round-off. There must have been room for what was factored last. Fails likewise.
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Of this rank, the room MUMPS worked in included.
   long long bytes() const;

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
@@ -15,6 +16,15 @@ namespace {
 // Vectors after which GMRES begins anew; the flexible one keeps each with its preconditioned form. With 40 the deformed
 // bridge takes three tenths more iterations, with 30 its time steps a third more.
 constexpr int restart = 60;
+
+/// Of what Teuchos throws: before come the place and the condition in the code.
+std::string last_line(const std::string& text) {
+  const auto end = text.find_last_not_of(" \n");
+  if (end == std::string::npos) return text;
+  const auto before = text.find_last_of('\n', end);
+  const auto start = before == std::string::npos ? 0 : before + 1;
+  return text.substr(start, end + 1 - start);
+}
 
 /// A Preconditioner seen as the operator Belos expects.
 class PreconditionerOperator : public TpetraOperator {
@@ -74,7 +84,7 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   const double size = b->norm2();
   if (size == 0) {
     x->putScalar(0);
-    return {0, true};
+    return {0, true, "", false};
   }
   // Relative to the right-hand side, not to a first residual that a good start makes small.
   if (!list->isParameter("Implicit Residual Scaling")) list->set("Implicit Residual Scaling", "Norm of RHS");
@@ -89,9 +99,14 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   try {
     result.converged = manager->solve() == Belos::Converged;
   } catch (const std::exception& error) {
-    if (is_out_of_memory(error)) throw;  // anything else is curvature lost to round-off; x holds what was reached
+    // Anything else is curvature lost to round-off, or a preconditioner that a library fails; x holds what was reached.
+    if (is_out_of_memory(error)) throw;
+    result.failure = method + " stopped: " + last_line(error.what());
   }
   result.iterations = manager->getNumIters();
+  if (!result.converged && result.failure.empty())
+    result.failure = method + " did not reach " + number_text(relative_tolerance) + " in " +
+                     std::to_string(result.iterations) + " iterations";
   // The manager stays, the matrix and its factors must not: the next system is built when this one is gone.
   manager->setProblem(Teuchos::rcp(new Data::Problem));
   return result;

@@ -3,15 +3,11 @@
 
 #include <memory>
 
+#include "linalg/linear_solve_result.hpp"
 #include "linalg/preconditioner.hpp"
 #include "linalg/solver_parameters.hpp"
 
 namespace voussoir {
-
-struct LinearSolveResult {
-  int iterations = 0;
-  bool converged = false;
-};
 
 /// Of a system; without symmetry another Krylov method is needed.
 enum class Symmetry { symmetric, none };
@@ -24,9 +20,11 @@ class LinearSolver {
   /// Solves A x = b from the given x until |b - A x| <= relative_tolerance |b|.
   /// M may be null. Every rank calls it.
   /// @param largest_iterations  of this solve, where fewer are wanted than the parameters allow; 0 = those
-  LinearSolveResult solve(const Teuchos::RCP<const TpetraOperator>& a, const std::shared_ptr<const Preconditioner>& m,
-                          const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
-                          double relative_tolerance, Symmetry = Symmetry::symmetric, int largest_iterations = 0);
+  [[nodiscard]] LinearSolveResult solve(const Teuchos::RCP<const TpetraOperator>& a,
+                                        const std::shared_ptr<const Preconditioner>& m,
+                                        const Teuchos::RCP<const TpetraVector>& b,
+                                        const Teuchos::RCP<TpetraVector>& x, double relative_tolerance,
+                                        Symmetry = Symmetry::symmetric, int largest_iterations = 0);
 
  private:
   struct Data;

@@ -13,8 +13,6 @@ void SolverParameters::declare(ParameterSection& section) {
                                   {{"BICGSTAB", "BICGSTAB"}, {"BLOCK GMRES", "BLOCK GMRES"},
                                    {"FLEXIBLE GMRES", "FLEXIBLE GMRES"}},
                                   "Krylov method of Belos for systems in which friction follows the pressure");
-  section.add("tolerance", tolerance, "-", between(1e-15, 1e-2), "of a linear solve, relative to its right-hand side",
-              "1e-15 is round-off, beyond 1e-2 Newton cannot converge", "1e-10 is usual.");
   section.add("largest iterations", largest_iterations, "-", between(1, 1e6), "of a linear solve",
               "none would solve nothing");
   section.add_list("Belos", belos, "parameters for Belos, going before those Voussoir sets; its manual applies");

@@ -1,4 +1,5 @@
-// Lists passed on verbatim to Belos and MueLu, whose manuals apply.
+// Which Krylov methods solve, and lists passed on verbatim to Belos and MueLu, whose manuals apply. How accurately a
+// system is solved is no parameter: who asks for a solution knows what it needs.
 #pragma once
 
 #include <Teuchos_ParameterList.hpp>
@@ -11,7 +12,6 @@ class ParameterSection;
 struct SolverParameters {
   std::string method = "CG";         ///< of Belos; must suit symmetric positive definite systems
   std::string unsymmetric_method = "FLEXIBLE GMRES";  ///< of Belos, for systems in which friction follows the pressure
-  double tolerance = 1e-10;          ///< [-] of a linear solve, relative to its right-hand side
   int largest_iterations = 2000;
   Teuchos::ParameterList belos;      ///< sublist "Belos": overrides what Voussoir sets
   Teuchos::ParameterList belos_unsymmetric;  ///< sublist "Belos unsymmetric"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 
@@ -74,7 +75,10 @@ void SparseCholesky::refactor(const LocalCsr& a) {
   const OneThread alone;
   auto lower = lower_triangle(a);
   if (!d.factor) d.factor = cholmod_analyze(&lower, &d.common);
-  if (!d.factor) throw std::bad_alloc();  // where METIS had too little, the status says that the order is invalid
+  // Where METIS had too little memory the status says that the order is invalid.
+  if (!d.factor && d.common.status == CHOLMOD_TOO_LARGE)
+    throw solver_failure("CHOLMOD", "order a matrix that is too large", d.common.status);
+  if (!d.factor) throw std::bad_alloc();
   cholmod_factorize(&lower, d.factor, &d.common);
   if (d.common.status == CHOLMOD_NOT_POSDEF) {
     auto raised = a.value;
@@ -87,7 +91,9 @@ void SparseCholesky::refactor(const LocalCsr& a) {
   }
   cholmod_free_work(&d.common);
   if (d.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-  VOUSSOIR_CHECK(d.common.status == CHOLMOD_OK);
+  if (d.common.status == CHOLMOD_NOT_POSDEF)
+    throw solver_failure("CHOLMOD", "factor a matrix that is not positive definite", d.common.status);
+  if (d.common.status != CHOLMOD_OK) throw solver_failure("CHOLMOD", "factor a matrix", d.common.status);
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -105,7 +111,12 @@ void SparseCholesky::solve(const double* b, double* x) const {
   if (!right) throw std::bad_alloc();
   std::copy(b, b + d.size, static_cast<double*>(right->x));
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, d.factor, right, &d.common);
-  if (!solution) throw std::bad_alloc();
+  if (!solution) {
+    const int status = d.common.status;
+    cholmod_free_dense(&right, &d.common);
+    if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw solver_failure("CHOLMOD", "solve with its factors", status);
+  }
   std::copy(static_cast<double*>(solution->x), static_cast<double*>(solution->x) + d.size, x);
   cholmod_free_dense(&solution, &d.common);
   cholmod_free_dense(&right, &d.common);

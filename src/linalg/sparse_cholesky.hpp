@@ -13,13 +13,14 @@ namespace voussoir {
 class SparseCholesky {
  public:
   /// Factors A. A pivot that is not positive is repaired by adding
-  /// 1e-10 of the diagonal: A may be singular by rigid motions, never by more than round-off indefinite.
+  /// 1e-10 of the diagonal: A may be singular by rigid motions. Where it is indefinite by more than round-off, or
+  /// CHOLMOD objects to anything else but a lack of memory, SolverFailure is thrown.
   explicit SparseCholesky(const LocalCsr& a);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  /// Factors another matrix of the same pattern, without ordering it again.
+  /// Factors another matrix of the same pattern, without ordering it again. Fails likewise; the next one may succeed.
   void refactor(const LocalCsr& a);
 
   int size() const;

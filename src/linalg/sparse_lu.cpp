@@ -5,6 +5,7 @@
 #include <new>
 
 #include "base/check.hpp"
+#include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 
@@ -31,9 +32,11 @@ namespace {
 // 107 matrices of W(512)'s patch, 41 812 rows, take 21.8 s, with 1e-4 14.7, with 1e-6 8.8, with none 8.0.
 constexpr double smallest_pivot = 1e-6;
 
-void expect_memory(int status) {
+/// False where the matrix is singular.
+bool regular(int status, const char* what) {
   if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
-  VOUSSOIR_EXPECT(status == UMFPACK_OK || status == UMFPACK_WARNING_singular_matrix);
+  if (status != UMFPACK_OK && status != UMFPACK_WARNING_singular_matrix) throw solver_failure("UMFPACK", what, status);
+  return status == UMFPACK_OK;
 }
 
 }  // namespace
@@ -42,22 +45,25 @@ SparseLu::SparseLu() : data_(std::make_unique<Data>()) {}
 SparseLu::~SparseLu() = default;
 
 // UMFPACK reads columns: rows of A are the columns of its transpose.
-void SparseLu::factor(const LocalCsr& a) {
+bool SparseLu::factor(const LocalCsr& a) {
   auto& d = *data_;
   if (!d.order) {
     d.rows = a.rows();
-    expect_memory(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), a.value.data(), &d.order,
-                                      nullptr, nullptr));
+    regular(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), a.value.data(), &d.order, nullptr,
+                                nullptr),
+            "order a matrix");
   }
   VOUSSOIR_EXPECT(a.rows() == d.rows);
   umfpack_di_free_numeric(&d.factor);
   double info[UMFPACK_INFO], control[UMFPACK_CONTROL];
   umfpack_di_defaults(control);
   control[UMFPACK_SYM_PIVOT_TOLERANCE] = smallest_pivot;
-  expect_memory(
-      umfpack_di_numeric(a.start.data(), a.column.data(), a.value.data(), d.order, &d.factor, control, info));
+  const int status =
+      umfpack_di_numeric(a.start.data(), a.column.data(), a.value.data(), d.order, &d.factor, control, info);
+  const bool solvable = regular(status, "factor a matrix");
   d.units = info[UMFPACK_NUMERIC_SIZE] + info[UMFPACK_SYMBOLIC_SIZE];
   d.unit = static_cast<int>(info[UMFPACK_SIZE_OF_UNIT]);
+  return solvable;
 }
 
 long long SparseLu::bytes() const { return static_cast<long long>(data_->units) * data_->unit; }
@@ -68,10 +74,9 @@ bool SparseLu::solve(const LocalCsr& a, const double* b, double* x) const {
   double control[UMFPACK_CONTROL];
   umfpack_di_defaults(control);
   control[UMFPACK_IRSTEP] = 0;
-  const int status = umfpack_di_solve(UMFPACK_At, a.start.data(), a.column.data(), a.value.data(), x, b, data_->factor,
-                                      control, nullptr);
-  expect_memory(status);
-  return status == UMFPACK_OK;
+  return regular(umfpack_di_solve(UMFPACK_At, a.start.data(), a.column.data(), a.value.data(), x, b, data_->factor,
+                                  control, nullptr),
+                 "solve with its factors");
 }
 
 }  // namespace voussoir

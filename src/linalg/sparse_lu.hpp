@@ -17,12 +17,13 @@ class SparseLu {
   SparseLu();
   ~SparseLu();
 
-  /// Factors a matrix, of the pattern of the first one given.
-  void factor(const LocalCsr& a);
+  /// Factors a matrix, of the pattern of the first one given. Whatever else UMFPACK objects to is a SolverFailure.
+  /// @return false where A is singular
+  [[nodiscard]] bool factor(const LocalCsr& a);
   /// x = A^-1 b, both [rows]; x must not be b.
   /// @param a  what was factored last
   /// @return false, and x anything, where A is singular
-  bool solve(const LocalCsr& a, const double* b, double* x) const;
+  [[nodiscard]] bool solve(const LocalCsr& a, const double* b, double* x) const;
   /// Held by UMFPACK.
   long long bytes() const;
 

@@ -203,11 +203,12 @@ double ActiveSet::accuracy_of_next(double tolerance, const NewtonReport& report)
   return std::clamp(left / (2 * gradient_->norm2()), finest_accuracy, accuracy);
 }
 
-/// One linear solve with the statuses chosen; returns its Krylov iterations. What damping resists is no force: nothing
-/// of it is left once points rest.
+/// One linear solve with the statuses chosen. What damping resists is no force: nothing of it is left once points rest.
+/// Where a library refused the system nothing moves.
 /// @param damping  of points that give way, relative to their local stiffness
 /// @param most     Krylov iterations
-int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most) {
+LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance,
+                                  int most) {
   auto damped = resistance_;
   for (int k = 0; damping > 0 && k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -215,7 +216,8 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
     damped[k].tangential = std::max(damped[k].tangential, stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
-  const int krylov = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !in_time()});
+  const auto solved = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !in_time()});
+  if (solved.nothing) return solved;
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
   for (int k = 0; k < problem_.points(); ++k) {
@@ -230,7 +232,7 @@ int ActiveSet::step(TpetraVector& x, PointField& lambda, double damping, double 
     lambda = force_;
   else
     for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] += length_ * (force_[i] - lambda[i]);
-  return krylov;
+  return solved;
 }
 
 /// Brings the stones that keep residuals up to rest. Returns whether that may be tried again.
@@ -292,9 +294,14 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       const int most = in_time() ? 0 : std::isinf(best) ? many_krylov : most_krylov;
       const double asked =
           std::max(std::numeric_limits<double>::epsilon(), share * accuracy_of_next(tolerance, report));
-      const int krylov = step(x, lambda, std::max(damping, least_damping), asked, most);
-      report.count(krylov);
+      const auto solved = step(x, lambda, std::max(damping, least_damping), asked, most);
+      const int krylov = solved.iterations;
+      report.count(solved);
       ++solves;
+      if (solved.nothing) {
+        size = std::numeric_limits<double>::infinity();
+        break;
+      }
       size = measure(x, lambda, report);
       tell(report, krylov);
       const double expected = std::isinf(best) ? tolerance : std::max(tolerance, hoped * best);

@@ -50,7 +50,7 @@ class ActiveSet {
   void set_statuses(const PointField& lambda, const PointField& gap, const std::vector<double>& before);
   void aim(const PointField& lambda);
   double accuracy_of_next(double tolerance, const NewtonReport&) const;
-  int step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
+  LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
   bool correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start, double known,
                        double& size, NewtonReport&);
   void move_loose_stones(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);

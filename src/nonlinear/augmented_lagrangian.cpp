@@ -52,6 +52,7 @@ struct AugmentedLagrangian::State {
   double augmentation = 1, proximal = largest_proximal;
   double scale = 1;  // [N]
   int krylov_last = 0;
+  bool refused = false;  // a library would not solve the last system
   int following = 0;  // Newton steps whose friction bounds follow the pressure
   bool linear_only = false;  // no point is selected
   double inner_residual = 0;
@@ -64,8 +65,10 @@ AugmentedLagrangian::AugmentedLagrangian(NonlinearProblem& problem, const Newton
 void AugmentedLagrangian::solve_direction(State& s, double relative_tolerance, NewtonReport& report) {
   s.gradient->scale(-1.0);
   s.direction->putScalar(0);
-  s.krylov_last = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, {relative_tolerance});
-  report.count(s.krylov_last);
+  const auto solved = problem_.solve(s.resistance, s.proximal, s.gradient, s.direction, {relative_tolerance});
+  report.count(solved);
+  s.krylov_last = solved.iterations;
+  s.refused = solved.nothing;
 }
 
 /// Step along the direction that minimises the augmented function with its friction bounds held.
@@ -163,6 +166,7 @@ int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& repo
     const double accuracy = s.linear_only ? std::clamp(tolerance / s.gradient->norm2(), 1e-12, 1e-2)
                                           : std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2);
     solve_direction(s, accuracy, report);
+    if (s.refused) return solves;
     const double step = line_search(s);
     s.x.update(step, *s.direction, 1.0);
     s.colliding.assign(problem_.points(), {});
@@ -262,6 +266,11 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
     // Without contact one linear solve is the answer, so it is made as accurate as that.
     const double aim = s.linear_only ? tolerance * s.scale : std::max(0.1 * tolerance * s.scale, 0.1 * change);
     const int solves = minimise(s, aim, report);
+    if (s.refused) {
+      report.reason = "a linear system has no solution";
+      report.no_way_on = true;
+      return report;
+    }
     change = update_forces(s);
     measure(s, report);
     if (report.residual <= tolerance && report.complementarity <= tolerance) break;

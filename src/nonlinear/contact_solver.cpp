@@ -125,7 +125,12 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
     };
     report.add(closing.solve(x, lambda, tolerance, known_gap));
     Tpetra::deep_copy(*mechanism_, closing.mechanism());
-    if (last || report.outcome != NewtonOutcome::not_converged) return report;
+    if (report.outcome != NewtonOutcome::not_converged) return report;
+    if (!last && !report.no_way_on) continue;
+    if (report.failed_solves > 0)
+      report.reason += "; " + std::to_string(report.failed_solves) + " of " +
+                       std::to_string(report.newton_iterations) + " linear solves failed, at last as " + report.failure;
+    return report;
   }
 }
 

@@ -131,13 +131,13 @@ void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField
   lambda = force_;
 }
 
-/// direction = -(K + resistance + proximal)^-1 gradient; returns Krylov iterations.
-int InteriorPath::solve(NewtonReport& report) {
+/// direction = -(K + resistance + proximal)^-1 gradient, 0 where a library refused the system.
+LinearSolveResult InteriorPath::solve(NewtonReport& report) {
   gradient_->scale(-1.0);
   direction_->putScalar(0);
-  const int krylov = problem_.solve(resistance_, proximal, gradient_, direction_, {solve_accuracy});
-  report.count(krylov);
-  return krylov;
+  auto solved = problem_.solve(resistance_, proximal, gradient_, direction_, {solve_accuracy});
+  report.count(solved);
+  return solved;
 }
 
 /// Residuals of x with the forces of the path, relative to the scale; leaves K x - f in linear_ and the gaps.
@@ -309,7 +309,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     aim(lambda, std::max(share * distance, least));
     Tpetra::deep_copy(*gradient_, *linear_);
     problem_.subtract_contact_forces(force_, *gradient_);
-    const int krylov = solve(report);
+    const auto solved = solve(report);
+    if (solved.nothing) break;
     problem_.evaluate_direction(*direction_, *work_, gap_direction_);
     const bool drifting = step == 1 && waits >= creeping_steps && size > drift * sizes[iteration - 1];
     const double furthest = drifting ? far : 1;
@@ -331,7 +332,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
         p.y[j] += length * p.dy[j];
       }
     }
-    tell(report, equilibrium, contact, krylov, length);
+    tell(report, equilibrium, contact, solved.iterations, length);
   }
   leave(lambda);
   return arrived ? PathEnd::arrived : PathEnd::stuck;

@@ -67,7 +67,7 @@ class InteriorPath {
   bool take_shortcut(TpetraVector& x, PointField& lambda);
   double barrier() const;
   void aim(const PointField& lambda, double target);
-  int solve(NewtonReport&);
+  LinearSolveResult solve(NewtonReport&);
   double step_length(double furthest);
   void leave(PointField& lambda) const;
   void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "linalg/linear_solve_result.hpp"
+
 namespace voussoir {
 
 enum class NewtonOutcome { converged, not_converged, collapse };
@@ -23,6 +25,7 @@ struct NewtonReport {
   NewtonOutcome outcome = NewtonOutcome::not_converged;
   int outer_iterations = 0;    ///< updates of the contact forces
   int newton_iterations = 0;   ///< linear solves
+  int failed_solves = 0;       ///< linear solves that ended short of the accuracy asked for
   long long krylov_iterations = 0;
   int largest_krylov = 0;      ///< of one solve
   int local_solves = 0;        ///< linear solves of patches
@@ -30,16 +33,28 @@ struct NewtonReport {
   double complementarity = 0;  ///< [-] contact law, relative to the largest force
   double penetration = 0;      ///< [m]
   std::string reason;          ///< why it stopped, when it did not converge
+  std::string failure;         ///< what the last of the failed linear solves said
+  bool no_way_on = false;      ///< it stopped because a library refused a system
 
   /// One more linear solve.
-  void count(int krylov) {
+  void count(const LinearSolveResult& solve) {
     ++newton_iterations;
-    krylov_iterations += krylov;
-    largest_krylov = largest_krylov > krylov ? largest_krylov : krylov;
+    krylov_iterations += solve.iterations;
+    largest_krylov = largest_krylov > solve.iterations ? largest_krylov : solve.iterations;
+    if (solve.converged) return;
+    ++failed_solves;
+    failure = solve.failure;
+  }
+  /// Of a solve that ends here.
+  void fail(const std::string& why) {
+    outcome = NewtonOutcome::not_converged;
+    reason = why;
   }
   void add(const NewtonReport& other) {
     outer_iterations += other.outer_iterations;
     newton_iterations += other.newton_iterations;
+    failed_solves += other.failed_solves;
+    if (other.failed_solves > 0) failure = other.failure;
     krylov_iterations += other.krylov_iterations;
     largest_krylov = largest_krylov > other.largest_krylov ? largest_krylov : other.largest_krylov;
     local_solves += other.local_solves;
@@ -48,6 +63,7 @@ struct NewtonReport {
     complementarity = other.complementarity;
     penetration = other.penetration;
     reason = other.reason;
+    no_way_on = other.no_way_on;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "joints/contact_law.hpp"
+#include "linalg/linear_solve_result.hpp"
 #include "linalg/types.hpp"
 
 namespace voussoir {
@@ -87,9 +88,10 @@ class NonlinearProblem {
   virtual void subtract_contact_forces(const PointField& lambda, TpetraVector& r) = 0;
   /// Proximal weight of each owned unknown [N/m], the size at which it matters as much as the structure's stiffness.
   virtual const std::vector<double>& proximal_weight() const = 0;
-  /// Solves (K + resistance + scale x proximal) d = b; returns Krylov iterations. Collective.
-  virtual int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-                    const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
+  /// Solves (K + resistance + scale x proximal) d = b from the given d. Collective, and the same answer on all ranks.
+  [[nodiscard]] virtual LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
+                                                const Teuchos::RCP<TpetraVector>& b,
+                                                const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
   /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
   /// still. Returns linear solves of patches, 0 where nothing is stuck or a patch would be too large. Collective.
   virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }

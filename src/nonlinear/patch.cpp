@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/solver_failure.hpp"
 #include "nonlinear/active_set.hpp"
 #include "nonlinear/interior_path.hpp"
 #include "nonlinear/point_update.hpp"
@@ -126,14 +127,20 @@ void Patch::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
   }
 }
 
-int Patch::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
-                 const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) {
+LinearSolveResult Patch::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
+                               const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                               const SolveRequest&) {
   LocalCsr h = stiffness_;
   for (int i = 0; i < h.rows(); ++i) entry(h, i, i) += proximal_scale * parts_.proximal_weight[i];
   for (std::size_t k = 0; k < parts_.points.size(); ++k) add(parts_.points[k], stiffness[k], h);
-  factor_.factor(h);
-  if (!factor_.solve(h, local_view(*b), local_view_to_write(*d))) d->putScalar(0);
-  return 1;
+  // A patch is one rank's alone: what fails here the other ranks hear when they count patches.
+  try {
+    if (factor_.factor(h) && factor_.solve(h, local_view(*b), local_view_to_write(*d))) return {1, true, "", false};
+  } catch (const SolverFailure& failure) {
+    return not_solved(failure.what());
+  }
+  d->putScalar(0);
+  return not_solved("UMFPACK found the matrix of a patch singular");
 }
 
 std::vector<int> Patch::move_loose_stones(TpetraVector& x, const LooseRequest& request) {

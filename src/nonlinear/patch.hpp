@@ -48,8 +48,9 @@ class Patch : public NonlinearProblem {
   void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
   const std::vector<double>& proximal_weight() const override { return parts_.proximal_weight; }
   /// Directly, whatever the tolerance.
-  int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-            const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override;
+  LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
+                          const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                          const SolveRequest&) override;
   std::vector<int> move_loose_stones(TpetraVector& x, const LooseRequest&) override;
   double force_scale() const override { return parts_.force_scale; }
   double length_scale() const override { return parts_.length_scale; }

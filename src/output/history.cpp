@@ -80,6 +80,7 @@ constexpr Column columns[] = {
     column<&HistoryRow::selection_rounds>("selection_rounds"),
     column<&HistoryRow::newton_iterations>("newton_iterations"),
     column<&HistoryRow::linear_solves>("linear_solves"),
+    column<&HistoryRow::failed_linear_solves>("failed_linear_solves"),
     column<&HistoryRow::krylov_iterations>("krylov_iterations"),
     column<&HistoryRow::patch_solves>("patch_solves"),
     column<&HistoryRow::complementarity_residual>("complementarity_residual"),

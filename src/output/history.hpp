@@ -19,6 +19,7 @@ struct HistoryRow {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] at the end of a time step
   long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;
   int selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
+  int failed_linear_solves = 0;  ///< of the linear solves, those that ended short of the accuracy asked for
   int patch_solves = 0;  ///< linear solves of patches of blocks
   double complementarity_residual = 0.0;  ///< [-]
   double largest_penetration = 0.0;       ///< [m]

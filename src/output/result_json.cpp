@@ -110,6 +110,7 @@ std::string result_json(const RunSummary& run) {
   json["selection_rounds"] = run.selection_rounds;
   json["newton_iterations"] = run.newton_iterations;
   json["linear_solves"] = run.linear_solves;
+  json["failed_linear_solves"] = run.failed_linear_solves;
   json["krylov_iterations"] = run.krylov_iterations;
   json["patch_solves"] = run.patch_solves;
   json["factorisations"] = {

@@ -101,6 +101,7 @@ struct RunSummary {
   int steps = 0;
   double time = 0.0;  ///< [s] of stages with duration
   long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
+  long long failed_linear_solves = 0;  ///< of the linear solves, those that ended short of the accuracy asked for
   long long patch_solves = 0;  ///< linear solves of patches of blocks
   /// Preconditioners that were factored for a linear solve, systems that were factored whole, factors used again.
   long long factorised = 0, factorised_whole = 0, factors_reused = 0;

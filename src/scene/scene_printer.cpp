@@ -109,7 +109,7 @@ void print_scene(std::ostream& os, const Scene& scene) {
           counted(scene.load_steps.largest_halvings, "halving") +
           (scene.load_steps.expect_collapse ? ", collapse expected" : ""));
   row("solver", "",
-      scene.solver.method + ", tolerance " + number_text(scene.solver.tolerance) + ", at most " +
+      scene.solver.method + ", for unsymmetric systems " + scene.solver.unsymmetric_method + ", at most " +
           counted(scene.solver.largest_iterations, "iteration"));
   print_effects(os, scene);
   for (const std::string& warning : scene.warnings) os << "  warning: " << warning << '\n';

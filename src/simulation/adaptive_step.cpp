@@ -262,8 +262,12 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
       report.estimate_solves += error.linear_solves;
       report.newton.krylov_iterations += error.krylov_iterations;
+      report.newton.failed_solves += !error.known;
       report.cost.add(error.cost);
       report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
+      // What a solve leaves out may be the error: then the decreases tell, of which it is no more than a multiple.
+      if (!error.known)
+        report.error_estimate = std::max(report.error_estimate, decreases_in_error * root_of(decrease, state));
       if (in_time) known.learn(report.error_estimate);
     };
     if (large)

@@ -9,6 +9,7 @@
 #include "blocks/rigid_motion.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
 #include "simulation/local_correction.hpp"
 
@@ -212,17 +213,29 @@ void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, Tpet
   }
 }
 
+/// Matrix and preconditioner. A SolverFailure is one of all ranks.
 template <int dim>
-int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
-                               const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
-                               const SolveRequest& request) {
+Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffness, double proximal_scale, bool shear) {
   std::vector<double> proximal(proximal_weight_.size());
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
-  const TrafficScope sent_for(TrafficOf::set_up);
   matrix_->update(stiffness, proximal);
-  coarse_->update(*matrix_, stiffness, proximal, request.stiff_joints && shear_);
+  coarse_->update(*matrix_, stiffness, proximal, shear);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
   coarse_->couple(*matrix_, symmetry);
+  return symmetry;
+}
+
+template <int dim>
+LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
+                                             const Teuchos::RCP<TpetraVector>& b,
+                                             const Teuchos::RCP<TpetraVector>& d, const SolveRequest& request) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  auto symmetry = Symmetry::none;
+  try {
+    symmetry = set_up(stiffness, proximal_scale, request.stiff_joints && shear_);
+  } catch (const SolverFailure& failure) {
+    return not_solved(failure.what());
+  }
   const auto krylov = [&](int most) {
     return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, most);
   };
@@ -231,9 +244,14 @@ int ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, dou
   const bool otherwise = parts_.structure.model().rotations == Rotations::small && coarse_->may_factor_whole() &&
                          (most == 0 || most > too_many_krylov);
   auto result = krylov(otherwise ? too_many_krylov : most);
-  if (otherwise && !result.converged && coarse_->factor_whole()) result.iterations += krylov(most).iterations;
+  if (otherwise && !result.converged) {
+    coarse_->factor_whole();  // where that does not go its parts go on
+    const int before = result.iterations;
+    result = krylov(most);
+    result.iterations += before;
+  }
   shear_ |= request.stiff_joints && result.iterations > many_krylov;
-  return result.iterations;
+  return result;
 }
 
 template <int dim>

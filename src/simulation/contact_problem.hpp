@@ -84,8 +84,9 @@ class ContactProblem : public NonlinearProblem {
   const TpetraVector* carried() const override { return carried_.get(); }
   void subtract_contact_forces(const PointField& lambda, TpetraVector& r) override;
   const std::vector<double>& proximal_weight() const override { return proximal_weight_; }
-  int solve(const std::vector<PointStiffness>&, double proximal_scale, const Teuchos::RCP<TpetraVector>& b,
-            const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override;
+  LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
+                          const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                          const SolveRequest&) override;
   int correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest&) override;
   const SystemMatrix<dim>& system() const { return *matrix_; }
   const CoarseOperator<dim>& preconditioner() const { return *coarse_; }
@@ -98,6 +99,7 @@ class ContactProblem : public NonlinearProblem {
  private:
   void gaps(PointField& gap, bool initial) const;
   void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const;
+  Symmetry set_up(const std::vector<PointStiffness>&, double proximal_scale, bool shear);
   void set_proximal_weights();
   double stiffest_that_counts(double volume) const;
   void set_movable();

@@ -9,6 +9,7 @@
 #include "blocks/assembly.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
@@ -344,10 +345,15 @@ TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<do
   report.elastic = total(elastic);
   const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
   const double resting = resting_speed(state, energy);
-  const auto jump = velocities_.apply(*model_, state, closing, resting);
-  const auto tied = bond_what_rests(state, gap, energy, resting);
-  report.friction += jump.friction + tied.friction;
-  report.external_work += jump.work_of_supports + tied.work_of_supports;
+  try {
+    const auto jump = velocities_.apply(*model_, state, closing, resting);
+    const auto tied = bond_what_rests(state, gap, energy, resting);
+    report.friction += jump.friction + tied.friction;
+    report.external_work += jump.work_of_supports + tied.work_of_supports;
+  } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
+    report.step.newton.fail(failure.what());
+    return report;
+  }
   report.kinetic = velocities_.kinetic_energy(state.velocity);
   report.error = error(state, velocity_before, energy);
   if (!std::isfinite(report.elastic + report.kinetic)) {

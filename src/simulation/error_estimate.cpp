@@ -124,7 +124,9 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
   problem.subtract_contact_forces(forces, *b);
   b->scale(-1);
   TieError error;
-  error.krylov_iterations = problem.solve(resistance, 1.0, b, e, {solve_tolerance});
+  const auto solved = problem.solve(resistance, 1.0, b, e, {solve_tolerance});
+  error.krylov_iterations = solved.iterations;
+  error.known = solved.converged;
   error.linear_solves = 1;
   error.cost = problem.cost();
   problem.space().scatter(*e, error.change);

@@ -42,6 +42,7 @@ std::vector<char> open_points(const Model<dim>&);
 struct TieError {
   std::vector<double> change;  ///< [m] e on local node copies; empty when nothing is violated
   int linear_solves = 0, krylov_iterations = 0;
+  bool known = true;  ///< whether the linear solve, where one was needed, arrived
   SystemCost cost;
 };
 

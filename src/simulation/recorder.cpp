@@ -202,6 +202,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   row.selection_rounds = report.selection_rounds;
   row.newton_iterations = report.newton.newton_iterations;
   row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
+  row.failed_linear_solves = report.newton.failed_solves;
   row.krylov_iterations = static_cast<int>(report.newton.krylov_iterations);
   row.patch_solves = report.newton.local_solves;
   row.complementarity_residual = report.newton.complementarity;
@@ -228,6 +229,7 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   sum.selection_rounds += report.selection_rounds;
   sum.newton_iterations += report.newton.newton_iterations;
   sum.linear_solves += row.linear_solves;
+  sum.failed_linear_solves += row.failed_linear_solves;
   sum.krylov_iterations += report.newton.krylov_iterations;
   sum.patch_solves += row.patch_solves;
   sum.factorised += report.cost.factorised;

@@ -96,6 +96,7 @@ void Record::keep(Archive& archive) {
   archive.within("selection_rounds", summary.selection_rounds, 0, largest_count);
   archive.within("newton_iterations", summary.newton_iterations, 0, largest_count);
   archive.within("linear_solves", summary.linear_solves, 0, largest_count);
+  archive.within("failed_linear_solves", summary.failed_linear_solves, 0, largest_count);
   archive.within("krylov_iterations", summary.krylov_iterations, 0, largest_count);
   archive.within("patch_solves", summary.patch_solves, 0, largest_count);
   archive.within("factorisations_made", summary.factorised, 0, largest_count);

@@ -11,6 +11,7 @@
 #include "blocks/assembly.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/linear_solver.hpp"
+#include "linalg/solver_failure.hpp"
 #include "linalg/reduce.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
@@ -137,8 +138,9 @@ ContinuumPrice continuum_price(const Model<2>& model, const std::vector<double>&
     price.unknowns = static_cast<long long>(continuum.space().map()->getGlobalNumElements());
     LinearSolver solver(model.scene().solver);
     const ProcessorClock solve(comm);
-    price.krylov_iterations =
-        solver.solve(continuum.matrix(), continuum.preconditioner(), b, x, price_tolerance).iterations;
+    const auto solved = solver.solve(continuum.matrix(), continuum.preconditioner(), b, x, price_tolerance);
+    if (!solved.converged) throw SolverFailure("scaling: the price of a continuum is unknown: " + solved.failure);
+    price.krylov_iterations = solved.iterations;
     price.solve_seconds = std::min(price.solve_seconds, solve.seconds());
   }
   return price;

@@ -8,6 +8,7 @@
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 namespace {
@@ -48,7 +49,7 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
         change_(space_.map()) {
     SystemMatrix<dim> matrix(mass, points_, all_selected_, space_);
     matrix.update(std::vector<PointStiffness>(points_.size()), {});
-    blocks_.update(matrix.local());
+    all_or_none(*mass.comm(), [&] { blocks_.update(matrix.local()); });
   }
 
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return map_; }
@@ -158,7 +159,8 @@ double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::
                        std::sqrt(static_cast<double>(map->getGlobalNumElements()));
   if (size <= known) return 0;
   const double tolerance = std::max(solve_tolerance, known / size);
-  if (!solver_.solve(impulses_, by_mass_, speed, lambda, tolerance).converged) return 0;
+  const auto solved = solver_.solve(impulses_, by_mass_, speed, lambda, tolerance);
+  if (!solved.converged) throw SolverFailure("the impulses between stones are not found: " + solved.failure);
   const auto& change = impulses_->change(*lambda);
   for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
   if (!supports) return 0;

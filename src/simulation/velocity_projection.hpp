@@ -30,7 +30,7 @@ class VelocityProjection {
   /// What resists an impulse at a point along its axis, of its two nodes alone [kg]; 0 where supports hold both.
   double mass(int point, int axis) const;
 
-  /// Collective.
+  /// Collective; SolverFailure on all ranks where the impulses are not found.
   /// @param velocity  [m/s] on node copies, ghosts up to date; changed
   /// @param held      1 where relative velocities become zero [points x components]; ghosts as their owners
   /// @param supports  [m/s] on node copies: velocities of what supports hold; none where no support moves

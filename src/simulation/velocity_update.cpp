@@ -8,6 +8,7 @@
 #include "dynamics/midpoint_rule.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 #include "simulation/free_bodies.hpp"
 
 namespace voussoir {
@@ -153,7 +154,9 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& 
   for (std::size_t i = 0; i < closed.size(); i += dim)
     if (closed[i] && (!any || std::abs(speed[i]) > resting)) impulse[i] = -lambda[i];
   problem.subtract_contact_forces(impulse, *b);
-  problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d, {solve_tolerance});
+  const auto solved =
+      problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d, {solve_tolerance});
+  if (!solved.converged) throw SolverFailure("how impulses spread is not found: " + solved.failure);
   Way way;
   const auto& space = problem.space();
   space.scatter(*d, way.velocity);

@@ -185,6 +185,13 @@ class Report(unittest.TestCase):
         for word in ("url(", "@import", "http:", "https:"):
             self.assertNotIn(word, style)
 
+    def test_words_in_tables_break_between_words_alone(self):
+        # "anywhere" counts every letter as a place to break, so that a wide table squeezes a column to one letter.
+        rule = re.search(r"td\.words \{([^}]*)\}", "".join(self.page.texts["style"])).group(1)
+        self.assertNotIn("anywhere", rule)
+        self.assertNotIn("break-all", rule)
+        self.assertIn("min-width", rule)
+
     def test_pictures_are_whole_and_captioned(self):
         # Structure, deformed shape, stages, motion, joints, forces, selection, places, energy, history; phases where there
         # is time to show.

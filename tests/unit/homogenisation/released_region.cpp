@@ -32,7 +32,7 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, SolvesExactlyWhatMovesThereWithFriction) {
     const auto stiffness = direction == 0 ? w.statuses() : slipping(w, direction);
     h.update(stiffness, w.proximal());
     TEST_EQUALITY(h.couple(stiffness), direction != 0);
-    region.update(h);
+    TEST_ASSERT(region.update(h));
     TpetraVector x(w.space.map()), r(w.space.map()), again(w.space.map());
     region.add(*load(w), x);
     int moved = 0;

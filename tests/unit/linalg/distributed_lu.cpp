@@ -2,8 +2,10 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "linalg/solver_failure.hpp"
 #include "unit/linalg/systems.hpp"
 
 namespace {
@@ -88,6 +90,30 @@ TEUCHOS_UNIT_TEST(DistributedLu, LeavesOutRowsThatSayNothing) {
     lu.apply(right, x);
     TEST_COMPARE(relative_residual(*matrix, right, x), <=, 1e-12);
   }
+}
+
+/// What all ranks hear of work that MUMPS refuses.
+template <class Work>
+std::string refusal(const Work& work) {
+  try {
+    work();
+  } catch (const SolverFailure& failure) {
+    return failure.what();
+  }
+  return "nothing";
+}
+
+TEUCHOS_UNIT_TEST(DistributedLu, WhatItsLibraryRefusesIsAFailureOnAllRanks) {
+  const auto a = distributed(60, scattered(60), everyone()), none = distributed(0, scattered(0), everyone());
+  DistributedLu empty(none->getRowMap());
+  TEST_EQUALITY(refusal([&] { return empty.factor(*none); }), "MUMPS could not factor a matrix (its status: -16)");
+  DistributedLu lu(a->getRowMap());
+  TpetraVector x(a->getRowMap());
+  const auto b = noise_vector(a->getRowMap());
+  TEST_EQUALITY(refusal([&] { lu.apply(*b, x); }), "MUMPS could not solve with its factors (its status: -3)");
+  TEST_ASSERT(lu.factor(*a));  // and serves what follows
+  lu.apply(*b, x);
+  TEST_COMPARE(relative_residual(*a, *b, x), <=, 1e-12);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "linalg/solver_failure.hpp"
 #include "unit/linalg/systems.hpp"
 
 namespace {
@@ -70,7 +71,7 @@ TEUCHOS_UNIT_TEST(LinearSolver, AGoodStartIsUsedAndNotHeldToATighterTolerance) {
   const auto b = noise_vector(a->getRowMap());
   LinearSolver solver({});
   auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
-  solver.solve(a, nullptr, b, x, 1e-6);
+  TEST_ASSERT(solver.solve(a, nullptr, b, x, 1e-6).converged);
   // Relative to the residual of the start it would take as many iterations again.
   TEST_COMPARE(solver.solve(a, nullptr, b, x, 1e-5).iterations, <=, 1);
 }
@@ -95,7 +96,29 @@ TEUCHOS_UNIT_TEST(LinearSolver, TooFewIterationsAreReported) {
   const auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
   const auto result = solver.solve(a, nullptr, b, x, 1e-10);
   TEST_ASSERT(!result.converged);
+  TEST_ASSERT(!result.nothing);  // what was reached is there
+  TEST_COMPARE(x->norm2(), >, 0);
   TEST_EQUALITY(result.iterations, 3);
+  TEST_EQUALITY(result.failure, "CG did not reach 1e-10 in 3 iterations");
+}
+
+/// As where MUMPS loses its factors.
+class Refusing final : public Preconditioner {
+ public:
+  void apply(const TpetraVector&, TpetraVector&) const override { throw solver_failure("LIBRARY", "solve", -7); }
+};
+
+TEUCHOS_UNIT_TEST(LinearSolver, WhatThePreconditionerFailsAtIsNamed) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  for (const auto symmetry : {Symmetry::symmetric, Symmetry::none}) {
+    const auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+    const auto result = solver.solve(a, std::make_shared<Refusing>(), b, x, 1e-10, symmetry);
+    TEST_ASSERT(!result.converged);
+    TEST_EQUALITY(result.failure, (symmetry == Symmetry::symmetric ? "CG" : "FLEXIBLE GMRES") +
+                                      std::string(" stopped: LIBRARY could not solve (its status: -7)"));
+  }
 }
 
 TEUCHOS_UNIT_TEST(LinearSolver, AnIndefinitePreconditionerIsReportedAndNotThrown) {
@@ -103,7 +126,7 @@ TEUCHOS_UNIT_TEST(LinearSolver, AnIndefinitePreconditionerIsReportedAndNotThrown
   const auto b = noise_vector(a->getRowMap());
   LinearSolver solver({});
   auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
-  LinearSolveResult result{0, true};
+  LinearSolveResult result{0, true, "", false};
   TEST_NOTHROW(result = solver.solve(a, std::make_shared<Scaling>(-1.0), b, x, 1e-10));
   TEST_ASSERT(!result.converged);
   // And the solver serves the next system.

@@ -4,7 +4,9 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <filesystem>
 #include <iterator>
+#include <string>
 
+#include "linalg/solver_failure.hpp"
 #include "unit/blocks/lattice_block.hpp"
 #include "unit/linalg/systems.hpp"
 
@@ -139,12 +141,47 @@ TEUCHOS_UNIT_TEST(SparseCholesky, AZeroPivotIsRepaired) {
   TEST_FLOATING_EQUALITY(x[0] - x[1], 1.0, 1e-9);  // 1e-10 in two pivots, twice that by round-off of 1e-16 / 1e-10
 }
 
-TEUCHOS_UNIT_TEST(SparseCholesky, AnIndefiniteMatrixIsRefused) {
+TEUCHOS_UNIT_TEST(SparseCholesky, AnIndefiniteMatrixIsAFailureThatNamesTheLibraryAndTheNextOneIsSolved) {
   LocalCsr a;
   a.start = {0, 2, 3};
   a.column = {0, 1, 1};
   a.value = {1, 2, 1};
-  TEST_THROW(SparseCholesky{a}, std::logic_error);
+  TEST_THROW(SparseCholesky{a}, SolverFailure);
+  a.value = {3, 1, 2};
+  SparseCholesky factor(a);
+  for (const double off : {2.0, -1e3}) {
+    a.value = {1, off, 1};
+    std::string said;
+    try {
+      factor.refactor(a);
+    } catch (const SolverFailure& failure) {
+      said = failure.what();
+    }
+    TEST_EQUALITY(said, "CHOLMOD could not factor a matrix that is not positive definite (its status: 1)");
+  }
+  a.value = {3, 1, 2};
+  factor.refactor(a);
+  std::vector<double> x{5, 5};
+  factor.solve(x.data(), x.data());
+  TEST_FLOATING_EQUALITY(x[0], 1.0, round_off);
+  TEST_FLOATING_EQUALITY(x[1], 2.0, round_off);
+}
+
+// Each rank has blocks of its own: where one fails the others must not wait for it.
+TEUCHOS_UNIT_TEST(SparseCholesky, WhatFailsOnOneRankFailsOnAllWithItsWords) {
+  const auto comm = everyone();
+  for (const int failing : {0, comm->getSize() - 1}) {
+    std::string said;
+    try {
+      all_or_none(*comm, [&] {
+        if (comm->getRank() == failing) throw SolverFailure("rank " + std::to_string(failing));
+      });
+    } catch (const SolverFailure& failure) {
+      said = failure.what();
+    }
+    TEST_EQUALITY(said, "rank " + std::to_string(failing));
+  }
+  TEST_NOTHROW(all_or_none(*comm, [] {}));
 }
 
 }  // namespace

@@ -3,7 +3,12 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "linalg/solver_failure.hpp"
 
 namespace {
 
@@ -32,7 +37,7 @@ TEUCHOS_UNIT_TEST(SparseLu, SolvesUnsymmetricSystemsOfOnePattern) {
   SparseLu lu;
   for (const double coupling : {7.0, -40.0}) {
     const auto a = one_way(n, coupling);
-    lu.factor(a);
+    TEST_ASSERT(lu.factor(a));
     std::vector<double> expected(n), b(n), x(n);
     for (int i = 0; i < n; ++i) expected[i] = std::cos(i);
     a.multiply(expected.data(), b.data());
@@ -70,9 +75,9 @@ double error(const SparseLu& lu, const LocalCsr& a) {
 TEUCHOS_UNIT_TEST(SparseLu, TakesWeakPivotsOnTheDiagonalButNotNone) {
   const int n = 60;
   SparseLu firm, weak, none;
-  firm.factor(grid(n, 4.0));
-  weak.factor(grid(n, 1e-5));
-  none.factor(grid(n, 1e-12));
+  TEST_ASSERT(firm.factor(grid(n, 4.0)));
+  TEST_ASSERT(weak.factor(grid(n, 1e-5)));
+  TEST_ASSERT(none.factor(grid(n, 1e-12)));
   out << firm.bytes() << ", " << weak.bytes() << ", " << none.bytes() << " bytes\n";
   TEST_EQUALITY(weak.bytes(), firm.bytes());
   TEST_COMPARE(none.bytes(), >, firm.bytes());
@@ -80,16 +85,49 @@ TEUCHOS_UNIT_TEST(SparseLu, TakesWeakPivotsOnTheDiagonalButNotNone) {
   TEST_COMPARE(error(none, grid(n, 1e-12)), <, 1e-8);
 }
 
-TEUCHOS_UNIT_TEST(SparseLu, SaysThatAMatrixIsSingular) {
+LocalCsr two_by_two(std::vector<double> values) {
   LocalCsr a;
   a.start = {0, 2, 4};
   a.column = {0, 1, 0, 1};
-  a.value = {1, 2, 2, 4};
-  SparseLu lu;
-  lu.factor(a);
-  const double b[] = {1, 1};
+  a.value = std::move(values);
+  return a;
+}
+
+TEUCHOS_UNIT_TEST(SparseLu, SaysThatAMatrixIsSingularOrNoMatrixOfNumbersAndServesTheNextOne) {
+  const double b[] = {1, 1}, nan = std::numeric_limits<double>::quiet_NaN();
   double x[2];
-  TEST_ASSERT(!lu.solve(a, b, x));
+  SparseLu lu;
+  for (const auto& a : {two_by_two({1, 2, 2, 4}), two_by_two({0, 0, 0, 0}), two_by_two({nan, 1, 1, 1})}) {
+    TEST_ASSERT(!lu.factor(a));
+    TEST_ASSERT(!lu.solve(a, b, x));
+  }
+  const auto good = two_by_two({2, 1, 1, 3});
+  TEST_ASSERT(lu.factor(good));
+  TEST_ASSERT(lu.solve(good, b, x));
+  TEST_FLOATING_EQUALITY(x[0], 0.4, 1e-14);
+}
+
+/// What the library is heard to say of work that it refuses.
+template <class Work>
+std::string refusal(const Work& work) {
+  try {
+    work();
+  } catch (const SolverFailure& failure) {
+    return failure.what();
+  }
+  return "nothing";
+}
+
+TEUCHOS_UNIT_TEST(SparseLu, WhatItsLibraryRefusesIsAFailureThatNamesItAndItsStatus) {
+  auto twice = two_by_two({1, 2, 2, 5});
+  twice.column = {0, 0, 0, 1};  // UMFPACK_ERROR_invalid_matrix
+  SparseLu lu;
+  TEST_EQUALITY(refusal([&] { return lu.factor(twice); }), "UMFPACK could not order a matrix (its status: -8)");
+  auto other = two_by_two({1, 2, 2, 5});
+  TEST_ASSERT(lu.factor(other));
+  other.start = {0, 1, 2};  // another pattern than the one that was ordered
+  other.column = {0, 1};
+  TEST_EQUALITY(refusal([&] { return lu.factor(other); }), "UMFPACK could not factor a matrix (its status: -11)");
 }
 
 }  // namespace

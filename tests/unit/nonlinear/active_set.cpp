@@ -19,13 +19,13 @@ constexpr double friction = 0.3, at_rest = (push - friction * weight) / spring; 
 class Flying : public Patch {
  public:
   explicit Flying(bool helps) : Patch(parts_of_slider(friction)), helps_(helps) {}
-  int solve(const std::vector<PointStiffness>& resistance, double, const Teuchos::RCP<TpetraVector>&,
-            const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override {
+  LinearSolveResult solve(const std::vector<PointStiffness>& resistance, double, const Teuchos::RCP<TpetraVector>&,
+                          const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override {
     const double damping = resistance[0].tangential / stone;
     largest_damping = std::max(largest_damping, damping);
     d->putScalar(0);
     local_view_to_write(*d)[0] = helps_ && damping > 0 ? 1e-3 / damping : 1;
-    return 1;
+    return {1, true, "", false};
   }
   double largest_damping = 0;  ///< relative to the local stiffness
 

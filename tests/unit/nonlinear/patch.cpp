@@ -3,6 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "nonlinear/contact_solver.hpp"
 #include "unit/nonlinear/slider.hpp"
 
 namespace {
@@ -26,6 +27,40 @@ TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
   TEST_ASSERT(patch.solve(1e-9, report));
   TEST_COMPARE(std::abs(patch.displacement()[0]), <, 1e-9);
   TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], push, 1e-6);
+}
+
+// A second unknown that nothing holds, not even a proximal term: no way of the patch has a regular system, and both end
+// with the first.
+TEUCHOS_UNIT_TEST(Patch, GivesUpWhereItsMatrixIsSingularAndSaysSo) {
+  auto parts = parts_of_slider(0.3);
+  parts.imbalance.push_back(1);
+  parts.component.push_back(0);
+  parts.start.push_back(0);
+  parts.proximal_weight.push_back(0);
+  Patch patch(parts);
+  NewtonReport report;
+  TEST_ASSERT(!patch.solve(1e-9, report));
+  TEST_EQUALITY(report.newton_iterations, 2);
+  TEST_EQUALITY(report.failed_solves, 2);
+  TEST_EQUALITY(report.failure, "UMFPACK found the matrix of a patch singular");
+}
+
+// Where neither active sets nor the path nor what closes has a regular system the solve ends with its reason.
+TEUCHOS_UNIT_TEST(Patch, ASolveWithoutARegularSystemNamesTheLibrary) {
+  auto parts = parts_of_slider(0.3);
+  parts.imbalance.push_back(1);
+  parts.component.push_back(0);
+  parts.start.push_back(0);
+  parts.proximal_weight.push_back(0);
+  Patch patch(parts);
+  TpetraVector x(patch.map());
+  PointField lambda = {weight, 0};
+  FastWay fast;
+  const auto report = ContactSolver(patch, {}, fast).solve(x, lambda, 1e-9);
+  TEST_ASSERT(report.outcome == NewtonOutcome::not_converged);
+  TEST_COMPARE(report.newton_iterations, <=, 4);
+  TEST_EQUALITY(report.failed_solves, report.newton_iterations);
+  TEST_INEQUALITY(report.reason.find("UMFPACK found the matrix of a patch singular"), std::string::npos);
 }
 
 // Two nodes, one upon the other; below the lower one the border resists as a spring, whatever friction would say.

@@ -26,10 +26,10 @@ class Points : public NonlinearProblem {
   void evaluate_direction(const TpetraVector&, TpetraVector&, PointField&) override { absent(); }
   void subtract_contact_forces(const PointField&, TpetraVector&) override { absent(); }
   const std::vector<double>& proximal_weight() const override { return stiffness_; }
-  int solve(const std::vector<PointStiffness>&, double, const Teuchos::RCP<TpetraVector>&,
-            const Teuchos::RCP<TpetraVector>&, const SolveRequest&) override {
+  LinearSolveResult solve(const std::vector<PointStiffness>&, double, const Teuchos::RCP<TpetraVector>&,
+                          const Teuchos::RCP<TpetraVector>&, const SolveRequest&) override {
     absent();
-    return 0;
+    return {};
   }
   double force_scale() const override { return 1; }
   double length_scale() const override { return 1; }

@@ -1,0 +1,43 @@
+// What happens where a library cannot solve a system: whoever knows another way takes it, a step without one fails.
+#pragma once
+
+#include <string>
+
+#include "base/error.hpp"
+#include "linalg/reduce.hpp"
+
+namespace voussoir {
+
+/// A library did not factor or solve a system. The message names the library and its status.
+class SolverFailure : public ConvergenceError {
+ public:
+  using ConvergenceError::ConvergenceError;
+};
+
+/// @param status  as the manual of the library counts
+inline SolverFailure solver_failure(const std::string& library, const std::string& what, int status) {
+  return SolverFailure(library + " could not " + what + " (its status: " + std::to_string(status) + ")");
+}
+
+/// Does work in which systems of single ranks are factored or solved. Where that fails on one rank it fails on all: the
+/// others say what the first of those that failed would, so that nobody waits. Work may be collective as long as its
+/// last collective call comes before what fails. Collective.
+template <class Work>
+void all_or_none(const Teuchos::Comm<int>& comm, const Work& work) {
+  std::string failure;
+  try {
+    work();
+  } catch (const SolverFailure& mine) {
+    failure = mine.what();
+  }
+  const int ranks = comm.getSize();
+  const double first = ranks - largest_over_ranks(comm, failure.empty() ? 0 : ranks - comm.getRank());
+  if (first == ranks) return;
+  int size = static_cast<int>(failure.size());
+  Teuchos::broadcast(comm, static_cast<int>(first), Teuchos::outArg(size));
+  failure.resize(static_cast<std::size_t>(size));
+  Teuchos::broadcast(comm, static_cast<int>(first), size, failure.data());
+  throw SolverFailure(failure);
+}
+
+}  // namespace voussoir
