@@ -51,7 +51,7 @@ struct RigidSummary {
   struct Range {
     double least = 0, most = 0;  ///< [N] of a reaction; infinite where it has no end
   };
-  double free_share = 0;                                  ///< [-] of dry joints, from their edges, that forces can leave
+  double free_share = 0;  ///< [-] of dry joints, from their edges, that forces can leave
   std::map<std::string, std::array<Range, 2>> reactions;  ///< along x and y, by name of the support
 };
 
