@@ -39,7 +39,7 @@ double damping_of(bool helps) {
   local_view_to_write(x)[0] = at_rest - 1e-3;  // a newton from rest
   PointField lambda = {weight, friction * weight};
   NewtonReport report;
-  ActiveSet active(problem, ActiveSetUse::at_rest, ActiveSet::usual_patience);
+  ActiveSet active(problem, ActiveSetUse::at_rest, MethodParameters(), ActiveSetParameters().patience);
   active.solve(x, lambda, 1e-9, 30, nullptr, report);
   return problem.largest_damping;
 }
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(ActiveSet, SendsForcesThatCreepToWhereAPointOpens) {
   TpetraVector x(problem.map());
   PointField lambda = {weight / 2, 0, weight / 2, 0};
   NewtonReport report;
-  ActiveSet active(problem, ActiveSetUse::at_rest, ActiveSet::usual_patience);
+  ActiveSet active(problem, ActiveSetUse::at_rest, MethodParameters(), ActiveSetParameters().patience);
   TEST_ASSERT(active.solve(x, lambda, tolerance, 30, nullptr, report) == ActiveSetEnd::arrived);
   TEST_EQUALITY(lambda[0], 0);
   TEST_FLOATING_EQUALITY(lambda[2], weight, 1e-6);
