@@ -164,7 +164,8 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
   row("solver", "",
       scene.solver.method + ", tolerance " + number_text(scene.solver.tolerance) + ", at most " +
           counted(scene.solver.largest_iterations, "iteration"));
-  for (const auto& [path, value] : changed_internals(scene)) row("internals", "", path.substr(path.find(" > ") + 3) + " = " + value);
+  for (const auto& [path, value] : changed_internals(scene))
+    row("internals", "", path.substr(path.find(" > ") + 3) + " = " + value);
   print_effects(os, scene);
   if (internals) print_internals(os, scene);
   for (const std::string& warning : scene.warnings) os << "  warning: " << warning << '\n';
