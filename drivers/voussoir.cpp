@@ -38,6 +38,7 @@ const char* const usage =
   --dry-run           also count unknowns and predict the cost, then stop
   --limit-analysis    rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall
   --print-parameters  print every parameter with unit, default and range, as a scene
+  --print-internals   print every number that decides how a step is solved, for studies of the program itself
   --quiet             say nothing but errors
   --verbose           a line for every linear solve
   --version, --help
@@ -87,7 +88,7 @@ Arguments parse(const std::vector<std::string>& words) {
       a.quiet = true;
     else if (word == "--verbose")
       a.run.verbose = true;
-    else if (word == "--print-parameters" || word == "--help" || word == "--version")
+    else if (word == "--print-parameters" || word == "--print-internals" || word == "--help" || word == "--version")
       a.print = word;
     else
       throw InputError("voussoir: '" + word + "' is no option.\n  See voussoir --help.");
@@ -180,6 +181,7 @@ int run_program(const std::vector<std::string>& words) {
       if (first && a.print == "--help") std::cout << usage;
       if (first && a.print == "--version") std::cout << "voussoir " << version() << "\n";
       if (first && a.print == "--print-parameters") print_reference(std::cout);
+      if (first && a.print == "--print-internals") print_internals_reference(std::cout);
       return exit_done;
     }
     listen_for_stop_signals();

@@ -29,6 +29,9 @@ struct Choice {
   std::function<void(std::size_t)> set;
 };
 
+/// What the text of a number says whose value nobody has argued.
+inline const char* const no_reason = "No reason is recorded; see the ablation study";
+
 enum class Presence { optional, required };
 
 /// A declared parameter and the place of its value.

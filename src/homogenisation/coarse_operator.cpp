@@ -15,15 +15,6 @@
 namespace voussoir {
 namespace {
 
-constexpr double block_weight = 0.5;  // see the head of the header
-// Factors of resistances off by this share are as good: eigenvalues of S H and Q H move by no more than that.
-constexpr double same = 0.1;
-// A block shears where more than so many of its points give way: resist by less than this share of what the stiffest
-// does. Figures in README.md.
-constexpr double many = 0.125, giving_way = 0.1;
-
-bool differ(double a, double b) { return std::abs(a - b) > same * std::min(std::abs(a), std::abs(b)); }
-
 template <int dim>
 std::array<BlockId, 2> blocks_beside(const ContactPoints<dim>& points, int k) {
   const auto& joint = points.joints()[points.points()[k].joint];
@@ -53,8 +44,10 @@ std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints<dim>
 template <int dim>
 CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints<dim>& points,
                                     const std::vector<char>& selected, const MergedSpace<dim>& space,
-                                    const Continuum<dim>& continuum, const PreconditionerParameters& parameters)
-    : structure_(s),
+                                    const Continuum<dim>& continuum, const PreconditionerParameters& parameters,
+                                    const CoarseOperatorParameters& numbers)
+    : numbers_(numbers),
+      structure_(s),
       points_(points),
       space_(space),
       factored_up_to_(parameters.factored_up_to),
@@ -64,8 +57,8 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
       inner_(space.map()),
       inner_residual_(space.map()) {
   bool directly = false;
-  if (parameters.released_region && parameters.homogenised) {
-    auto region = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space);
+  if (parameters.released_region && numbers_.released_region && parameters.homogenised) {
+    auto region = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space, numbers_);
     directly = region->pays();
     if (directly && region->size() > 0) region_ = std::move(region);
   }
@@ -122,7 +115,7 @@ bool CoarseOperator<dim>::parted() const {
 
 template <int dim>
 bool CoarseOperator<dim>::may_factor_whole() const {
-  return !whole_ && parted() &&
+  return numbers_.whole_factorisation && !whole_ && parted() &&
          space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
 }
 
@@ -162,11 +155,11 @@ std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffn
   for (int k = 0; k < points_.owned(); ++k)
     for (const BlockId b : blocks_beside(points_, k)) {
       ++count[b];
-      count[blocks + b] += selected_[k] && stiffness[k].normal < giving_way * stiffest[b];
+      count[blocks + b] += selected_[k] && stiffness[k].normal < numbers_.giving_way * stiffest[b];
     }
   count = over_ranks(*structure_.comm(), Teuchos::REDUCE_SUM, count);
   std::vector<int> loose(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) loose[b] = count[blocks + b] > many * count[b];
+  for (std::size_t b = 0; b < blocks; ++b) loose[b] = count[blocks + b] > numbers_.many * count[b];
   return loose;
 }
 
@@ -174,7 +167,7 @@ std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffn
 template <int dim>
 bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stiffness, bool shear) {
   if (active_.empty()) return false;
-  auto wanted = shear ? loose_blocks(stiffness) : std::vector<int>();
+  auto wanted = shear && numbers_.shear ? loose_blocks(stiffness) : std::vector<int>();
   bool enough = motions_ && wanted.empty() == sheared_.empty();
   for (std::size_t b = 0; b < wanted.size() && enough; ++b) enough = wanted[b] <= sheared_[b];
   if (enough) return false;
@@ -189,6 +182,9 @@ bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stif
 template <int dim>
 bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
                                   const std::vector<double>& proximal) const {
+  const auto differ = [this](double a, double b) {
+    return std::abs(a - b) > numbers_.same * std::min(std::abs(a), std::abs(b));
+  };
   bool here = !factored_;
   for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
     if (!selected_[k]) continue;
@@ -220,7 +216,7 @@ void CoarseOperator<dim>::leave(const TpetraVector& r, const TpetraVector& z, Tp
 template <int dim>
 void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) const {
   z.putScalar(0);
-  if (blocks_) blocks_->add(r, z, block_weight);
+  if (blocks_) blocks_->add(r, z, numbers_.block_weight);
   if (!continuum_) return;
   if (!blocks_) {
     continuum_->add(r, z);
@@ -229,7 +225,7 @@ void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) co
   leave(r, z, inner_residual_);
   continuum_->add(inner_residual_, z);
   leave(r, z, inner_residual_);
-  blocks_->add(inner_residual_, z, block_weight);
+  blocks_->add(inner_residual_, z, numbers_.block_weight);
 }
 
 template <int dim>

@@ -13,6 +13,7 @@
 
 #include "homogenisation/block_motions.hpp"
 #include "homogenisation/block_solves.hpp"
+#include "homogenisation/coarse_operator_parameters.hpp"
 #include "homogenisation/continuum.hpp"
 #include "homogenisation/preconditioner_parameters.hpp"
 #include "homogenisation/released_region.hpp"
@@ -26,7 +27,8 @@ template <int dim>
 class CoarseOperator : public Preconditioner {
  public:
   CoarseOperator(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
-                 const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&);
+                 const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&,
+                 const CoarseOperatorParameters& = {});
 
   /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
   /// a tenth. Collective, as is a SolverFailure of this and of couple.
@@ -55,6 +57,7 @@ class CoarseOperator : public Preconditioner {
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
   void apply_around_region(const TpetraVector& r, TpetraVector& z) const;
 
+  const CoarseOperatorParameters numbers_;
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
   const MergedSpace<dim>& space_;

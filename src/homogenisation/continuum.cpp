@@ -12,13 +12,6 @@
 namespace voussoir {
 namespace {
 
-// MueLu stops coarsening at 1000 unknowns; with one level left it would be a direct solver on all ranks.
-constexpr Tpetra::global_size_t smallest_multigrid = 2000;
-// Where stones differ by more than this factor in stiffness a factorisation takes a third of the iterations of
-// multigrid (README.md), and is hardly dearer up to so many unknowns.
-constexpr double even = 10;
-constexpr Tpetra::global_size_t largest_factor = 300000;
-
 /// Rigid motions at owned clusters, 3 columns in 2D; 0 where held. Lengths are scaled, and turns are about the middle
 /// of the structure, so that columns are alike.
 Teuchos::RCP<TpetraMultiVector> rigid_motions(const Structure<2>& s, const MergedSpace<2>& space) {
@@ -48,14 +41,15 @@ double contrast(const Structure<dim>& s) {
 
 template <int dim>
 Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<char>& held,
-                          const Teuchos::ParameterList& muelu) {
+                          const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers) {
   const std::vector<char> nothing(points.size(), 0);
   space_ = std::make_unique<MergedSpace<dim>>(s, points, nothing, held);
   matrix_ = SystemMatrix<dim>(s, points, nothing, *space_).matrix();
 
   // A scene that has wishes for multigrid gets one.
-  const bool uneven = muelu.numParams() == 0 && contrast(s) > even;
-  if (space_->map()->getGlobalNumElements() < (uneven ? largest_factor : smallest_multigrid)) {
+  const bool uneven = muelu.numParams() == 0 && contrast(s) > numbers.even;
+  const int factored = uneven ? numbers.largest_factor : numbers.smallest_multigrid;
+  if (space_->map()->getGlobalNumElements() < static_cast<Tpetra::global_size_t>(factored)) {
     preconditioner_ = std::make_shared<DirectPreconditioner>(*matrix_);
     return;
   }

@@ -7,6 +7,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <memory>
 
+#include "homogenisation/coarse_operator_parameters.hpp"
 #include "homogenisation/merged_space.hpp"
 #include "linalg/amg_preconditioner.hpp"
 
@@ -16,7 +17,7 @@ template <int dim>
 class Continuum {
  public:
   Continuum(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& held,
-            const Teuchos::ParameterList& muelu);
+            const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& = {});
 
   const MergedSpace<dim>& space() const { return *space_; }
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }

@@ -13,10 +13,6 @@
 namespace voussoir {
 namespace {
 
-// Layers of cells around nodes that have parted, and the largest share of all unknowns; figures in released_region.md.
-constexpr int layers = 3;
-constexpr double largest_share = 0.25;
-
 /// Per unknown of the column map: 1 where a selection parts two nodes.
 template <int dim>
 std::vector<char> parted(const ContactPoints<dim>& points, const std::vector<char>& selected,
@@ -34,14 +30,16 @@ std::vector<char> parted(const ContactPoints<dim>& points, const std::vector<cha
 
 template <int dim>
 ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints<dim>& points,
-                                    const std::vector<char>& selected, const MergedSpace<dim>& space)
+                                    const std::vector<char>& selected, const MergedSpace<dim>& space,
+                                    const CoarseOperatorParameters& numbers)
     : space_(space) {
   auto inside = parted(points, selected, space);
   const auto& cluster = space.cluster();
   const auto unknowns = static_cast<double>(space.map()->getGlobalNumElements());
-  const auto most = static_cast<int>(std::min(largest_share * unknowns, static_cast<double>(SparseLu::most_rows)));
+  const auto most =
+      static_cast<int>(std::min(numbers.largest_region * unknowns, static_cast<double>(SparseLu::most_rows)));
   number(inside);
-  for (int layer = 0; layer < layers && size_ > 0 && size_ <= most; ++layer) {
+  for (int layer = 0; layer < numbers.layers && size_ > 0 && size_ <= most; ++layer) {
     TpetraVector mark(space.map()), seen(space.column_map());
     auto wider = inside;
     for (const auto& block : s.blocks()) {

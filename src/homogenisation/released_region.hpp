@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "homogenisation/coarse_operator_parameters.hpp"
 #include "homogenisation/system_matrix.hpp"
 #include "linalg/sparse_lu.hpp"
 
@@ -17,7 +18,7 @@ class ReleasedRegion {
  public:
   /// Collective.
   ReleasedRegion(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
-                 const MergedSpace<dim>&);
+                 const MergedSpace<dim>&, const CoarseOperatorParameters& = {});
 
   /// Unknowns of all ranks; 0 where no two nodes have parted.
   int size() const { return size_; }

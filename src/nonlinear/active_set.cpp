@@ -16,41 +16,6 @@
 namespace voussoir {
 namespace {
 
-// What closed points resist with, relative to their local stiffness. On the bridge in its earthquake (README.md) 100
-// takes 10 solves a step, because forces creep at vertices, 1000 takes 5.4 and 10^4 takes 6.5. Load steps of walls and
-// arches take as many with 100 and fewer Krylov iterations. At rest forces creep where one stone stands on two whose
-// beds are not one plane: 8 N a solve on the bridge, with the same statuses for ever. Then it rises until they change.
-constexpr double augmentation_in_time = 1000, augmentation_at_rest = 100, augmentation_of_creeping = 1e4;
-// Of linear solves. What one leaves open looks like points that change: with 1e-2 near the end the first 0.9 s of the
-// bridge in its earthquake took 2028 solves and 14416 Krylov iterations, with 1e-4 911 and 5366. Finer where statuses
-// stay the shaken wall of SolvesInTime takes 410 solves for 456.
-constexpr double accuracy = 1e-4, finest_accuracy = 1e-10;
-// So many solves that gain less than half: it circles. In load steps where stones cannot be brought to rest alone
-// another way is cheaper than to find out.
-constexpr int patience_alone = 4;
-constexpr double gained = 0.5;
-// A system at rest that takes so many Krylov iterations holds stones that next to nothing holds: no start for this way.
-constexpr int many_krylov = 50;
-// Later ones may take more, as long as residuals fall or are as near as this: blocks that flew make right sides large.
-constexpr int most_krylov = 80;
-constexpr double near = 1e-2;
-// Right sides larger than this many times the largest force are solved as accurately as if they were not: they are
-// those of stones that flew, and what a solve leaves of them must not push the others.
-constexpr double flown = 3;
-// In time steps are shortened until residuals squared fall by this share of the step, or not at all. Without that small
-// residuals were seen to grow tenfold with every solve: the bridge, all points, 12 of its first 76 steps of 10 ms.
-constexpr double descent = 0.2, shortest = 1.0 / 64;
-// A residual that grows by more than this has lost a stone. Points that give way then resist by this share of the local
-// stiffness, ten times as much as long as that leaves less than a share of the residual, and a tenth after every step
-// that is taken. Where it leaves more nothing flies: a point has held against its law and lets go next.
-constexpr double lost = 10, first_damping = 1e-2, largest_damping = 1e4, no_damping = 1e-5, damped = 0.5;
-// In patches they always resist by so much: their stones are moved on, and need not fly (figures in patches.md).
-constexpr double damping_in_patch = 1e-3;
-// With the right statuses a solve leaves a hundredth. Where it leaves more than this, or is the first, blocks beyond a
-// share of the residual are brought to rest alone: to a share of the residual, or of the tolerance. Residuals may rise
-// by so much then, as those beside them have to follow (figures in patches.md).
-constexpr double hoped = 0.05, stuck = 1e-2, settled = 1e-3, much = 0.1, spoilt = 10;
-
 /// Where a patch was nearest to rest.
 struct Nearest {
   double size = std::numeric_limits<double>::infinity();
@@ -60,10 +25,12 @@ struct Nearest {
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, int patience)
+ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodParameters& methods, int patience)
     : problem_(problem),
+      numbers_(methods.active_set),
+      patches_(methods.patches),
       use_(use),
-      augmentation_(in_time() ? augmentation_in_time : augmentation_at_rest),
+      augmentation_(in_time() ? numbers_.augmentation_in_time : numbers_.augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
       most_patience_(patience),
       patience_(patience),
@@ -80,10 +47,13 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
   const auto resistance = std::move(resistance_);
   const auto sliding = std::move(sliding_);
   set_statuses(lambda, gap, sliding);
-  const bool may_creep = !in_time() && (in_balance || augmentation_ != augmentation_at_rest);
+  const bool may_creep =
+      numbers_.creeping && !in_time() && (in_balance || augmentation_ != numbers_.augmentation_at_rest);
   settled_ = (in_time() || may_creep) && same_statuses(resistance, sliding);
   if (!may_creep) return;
-  const double wanted = !settled_ ? augmentation_at_rest : in_balance ? augmentation_of_creeping : augmentation_;
+  const double wanted = !settled_    ? numbers_.augmentation_at_rest
+                        : in_balance ? numbers_.augmentation_of_creeping
+                                     : augmentation_;
   if (wanted == augmentation_) return;
   augmentation_ = wanted;
   set_statuses(lambda, gap, sliding);
@@ -184,13 +154,13 @@ double ActiveSet::step_length(const PointField& lambda) const {
   };
   const double before = merit(0);
   double least = std::numeric_limits<double>::infinity(), best = 1;
-  for (double t = 1; t >= shortest; t /= 2) {
+  for (double t = 1; t >= numbers_.shortest; t /= 2) {
     const double m = merit(t);
     if (m < least) {
       least = m;
       best = t;
     }
-    if (m < (1 - descent * t) * before) break;
+    if (m < (1 - numbers_.descent * t) * before) break;
   }
   return best;
 }
@@ -198,9 +168,9 @@ double ActiveSet::step_length(const PointField& lambda) const {
 /// Of the next linear solve, relative to its right side. Where statuses stay it may be the last one: then it leaves no
 /// more than the resistances of closed points do. At rest such solves are rare.
 double ActiveSet::accuracy_of_next(double tolerance, const NewtonReport& report) const {
-  if (!settled_ || !in_time()) return accuracy;
+  if (!settled_ || !in_time()) return numbers_.accuracy;
   const double left = std::max(tolerance, report.complementarity / augmentation_) * scale_;
-  return std::clamp(left / (2 * gradient_->norm2()), finest_accuracy, accuracy);
+  return std::clamp(left / (2 * gradient_->norm2()), numbers_.finest_accuracy, numbers_.accuracy);
 }
 
 /// One linear solve with the statuses chosen. What damping resists is no force: nothing of it is left once points rest.
@@ -226,7 +196,7 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
     force_[2 * k] -= r.normal * gap_direction_[2 * k];
     force_[2 * k + 1] -= r.tangential * gap_direction_[2 * k + 1] + r.coupling * gap_direction_[2 * k];
   }
-  length_ = in_time() ? step_length(lambda) : 1.0;
+  length_ = in_time() && numbers_.step_lengths ? step_length(lambda) : 1.0;
   x.update(length_, *direction_, 1.0);
   if (length_ == 1)
     lambda = force_;
@@ -244,10 +214,11 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   const PointField lambda_before = lambda;
   const double size_before = size;
   lambda = admissible_;
-  const int solves = problem_.correct_locally(
-      x, lambda,
-      {std::max(tolerance, stuck * known) * scale_, std::max(much * tolerance, settled * known), scale_,
-       known * scale_, spoilt * known * scale_, resistance_, start});
+  const int solves =
+      problem_.correct_locally(x, lambda,
+                               {std::max(tolerance, patches_.block_threshold * known) * scale_,
+                                std::max(patches_.aim_of_tolerance * tolerance, patches_.aim_of_residual * known),
+                                scale_, known * scale_, patches_.bearable_rise * known * scale_, resistance_, start});
   if (solves == 0) {
     lambda = lambda_before;
     return true;
@@ -255,7 +226,7 @@ bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tole
   report.local_solves += solves;
   size = measure(x, lambda, report);
   tell(report, 0, solves);
-  if (size <= spoilt * size_before) return true;
+  if (size <= patches_.bearable_rise * size_before) return true;
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
   size = measure(x, lambda, report);
@@ -277,7 +248,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
                               const PointField* known_gap, NewtonReport& report) {
   const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
   double best = std::numeric_limits<double>::infinity(), damping = 0;
-  const double least_damping = use_ == ActiveSetUse::in_patch ? damping_in_patch : 0;
+  const bool damps = numbers_.damping;
+  const double least_damping = damps && use_ == ActiveSetUse::in_patch ? numbers_.damping_in_patch : 0;
   bool local = true;
   Nearest nearest;
   for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
@@ -290,8 +262,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       Tpetra::deep_copy(*gradient_, linear_before);
       problem_.subtract_contact_forces(target_, *gradient_);
       gradient_->scale(-1.0);
-      const double share = in_time() ? 1.0 : std::min(1.0, flown * largest_force / gradient_->normInf());
-      const int most = in_time() ? 0 : std::isinf(best) ? many_krylov : most_krylov;
+      const double share = in_time() ? 1.0 : std::min(1.0, numbers_.flown * largest_force / gradient_->normInf());
+      const int most = in_time() ? 0 : std::isinf(best) ? numbers_.many_krylov : numbers_.most_krylov;
       const double asked =
           std::max(std::numeric_limits<double>::epsilon(), share * accuracy_of_next(tolerance, report));
       const auto solved = step(x, lambda, std::max(damping, least_damping), asked, most);
@@ -304,10 +276,10 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
       }
       size = measure(x, lambda, report);
       tell(report, krylov);
-      const double expected = std::isinf(best) ? tolerance : std::max(tolerance, hoped * best);
-      if (use_ == ActiveSetUse::at_rest && local && size > expected) {
+      const double expected = std::isinf(best) ? tolerance : std::max(tolerance, patches_.trigger * best);
+      if (patches_.used && use_ == ActiveSetUse::at_rest && local && size > expected) {
         local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
-        patience_ = local ? most_patience_ : std::min(most_patience_, patience_alone);
+        patience_ = local ? most_patience_ : std::min(most_patience_, numbers_.patience_alone);
       }
       if (size <= tolerance) {
         lambda = admissible_;
@@ -315,21 +287,22 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
         return ActiveSetEnd::arrived;
       }
       if (in_time()) break;  // nothing flies
-      if (krylov >= many_krylov && (std::isinf(best) || (best > near && size > gained * best)))
-        return ActiveSetEnd::loose_stones;
+      const bool still_far = best > numbers_.near && size > numbers_.gained * best;
+      if (krylov >= numbers_.many_krylov && (std::isinf(best) || still_far)) return ActiveSetEnd::loose_stones;
       // Supports that have moved are no measure: what they leave at the start says little of what follows.
       const double known = known_gap ? best : std::min(best, start);
-      if (size <= lost * known || damping >= largest_damping || solves >= largest_solves) break;
-      if (size > damped * std::exchange(undamped, size)) break;
-      damping = std::max(10 * damping, first_damping);
+      if (!damps || size <= numbers_.lost * known) break;
+      if (damping >= numbers_.largest_damping || solves >= largest_solves) break;
+      if (size > numbers_.damped * std::exchange(undamped, size)) break;
+      damping = std::max(numbers_.damping_factor * damping, numbers_.first_damping);
       Tpetra::deep_copy(x, x_before);
     }
     if (!std::isfinite(size)) break;
     if (use_ == ActiveSetUse::in_patch && size < nearest.size)
       nearest = {size, std::make_unique<SavedPosition>(problem_, x), admissible_};
-    damping = damping > no_damping ? damping / 10 : 0;
-    if (use_ == ActiveSetUse::in_patch) move_loose_stones(x, lambda, tolerance, report);
-    if (size > gained * best) continue;
+    damping = damping > numbers_.no_damping ? damping / numbers_.damping_factor : 0;
+    if (patches_.loose_stones && use_ == ActiveSetUse::in_patch) move_loose_stones(x, lambda, tolerance, report);
+    if (size > numbers_.gained * best) continue;
     best = size;
     last_gain = solves;
     local = true;

@@ -12,6 +12,7 @@
 
 #include <functional>
 
+#include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 
@@ -27,11 +28,9 @@ enum class ActiveSetUse { at_rest, in_time, in_patch };
 
 class ActiveSet {
  public:
-  static constexpr int usual_patience = 8;
-
   /// @param problem   with two components
   /// @param patience  so many solves that gain less than half: it circles
-  ActiveSet(NonlinearProblem& problem, ActiveSetUse, int patience = usual_patience);
+  ActiveSet(NonlinearProblem& problem, ActiveSetUse, const MethodParameters&, int patience);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
@@ -59,6 +58,8 @@ class ActiveSet {
   void tell(const NewtonReport&, int krylov, int local_solves = 0) const;
 
   NonlinearProblem& problem_;
+  const ActiveSetParameters numbers_;
+  const PatchParameters patches_;
   ActiveSetUse use_;
   double augmentation_, proximal_;
   const int most_patience_;

@@ -12,36 +12,10 @@
 #include "nonlinear/rigid_mechanism.hpp"
 
 namespace voussoir {
-namespace {
-
-// Bounds of the augmentation relative to the local stiffness. 1 converges in the fewest solves and keeps the
-// preconditioner at its best; up to 1000 is used only where forces creep (README.md, table).
-constexpr double largest_augmentation = 1000;
-// Proximal scale relative to the weights of the problem; falls while forces creep, rises when Newton labours.
-constexpr double largest_proximal = 1, smallest_proximal = 1e-6;
-// A step of Newton that gained less than this factor in the outer change is creeping.
-constexpr double creeping = 0.5;
-// More Newton steps than this for one update: the update asked too much.
-constexpr int labouring = 4;
-// Newton steps after which augmentation and proximal term go back.
-constexpr int struggling = 10;
-// Outer steps that change forces by more than this share of the last change lead nowhere.
-constexpr double stagnating = 0.9;
-// A shorter step than this ran into points that its direction knew nothing of.
-constexpr double collision_step = 0.1;
-// An update waits for its minimum no longer than this many Newton steps.
-constexpr int largest_inner = 60;
-// A motion carried that far that leaves more than this share of the imbalance would have to go on as far again.
-constexpr double unchanged = 0.5;
-// Contact law, of the largest force, at which a motion that has gone far is believed: stones in flight collide.
-constexpr double believable = 0.01;
-// Forces have settled when the contact law asks for less than this share of the imbalance.
-constexpr double settled = 0.1;
-
-}  // namespace
 
 struct AugmentedLagrangian::State {
-  State(TpetraVector& unknowns, PointField& forces_in) : x(unknowns), lambda(forces_in) {}
+  State(TpetraVector& unknowns, PointField& forces_in, double first_proximal)
+      : x(unknowns), lambda(forces_in), proximal(first_proximal) {}
 
   TpetraVector& x;
   PointField& lambda;
@@ -49,7 +23,7 @@ struct AugmentedLagrangian::State {
   PointField gap, gap_direction, trial, forces, pressure;
   std::vector<double> bound;
   std::vector<PointStiffness> resistance, colliding;
-  double augmentation = 1, proximal = largest_proximal;
+  double augmentation = 1, proximal;
   double scale = 1;  // [N]
   int krylov_last = 0;
   bool refused = false;  // a library would not solve the last system
@@ -58,8 +32,12 @@ struct AugmentedLagrangian::State {
   double inner_residual = 0;
 };
 
-AugmentedLagrangian::AugmentedLagrangian(NonlinearProblem& problem, const NewtonParameters& parameters)
-    : problem_(problem), parameters_(parameters), mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
+AugmentedLagrangian::AugmentedLagrangian(NonlinearProblem& problem, const NewtonParameters& parameters,
+                                         const AugmentedLagrangianParameters& numbers)
+    : problem_(problem),
+      parameters_(parameters),
+      numbers_(numbers),
+      mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
 
 /// direction = -(K + resistance + proximal)^-1 gradient.
 void AugmentedLagrangian::solve_direction(State& s, double relative_tolerance, NewtonReport& report) {
@@ -115,8 +93,7 @@ void AugmentedLagrangian::predict(State& s, const PointField& known_gap, NewtonR
     }
   }
   problem_.subtract_contact_forces(s.forces, *s.gradient);
-  constexpr double accuracy = 1e-3;  // statuses will change; displacements to a tenth of a percent show how
-  solve_direction(s, accuracy, report);
+  solve_direction(s, numbers_.prediction, report);
   s.x.update(1.0, *s.direction, 1.0);
 }
 
@@ -153,7 +130,7 @@ int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& repo
     problem_.subtract_contact_forces(s.forces, *s.gradient);
     s.inner_residual = s.gradient->normInf();
     if (s.inner_residual < tolerance || report.newton_iterations >= parameters_.largest_iterations ||
-        solves >= largest_inner)
+        solves >= numbers_.largest_inner)
       return solves;
 
     resistances(problem_, s.trial, s.bound, s.augmentation, s.resistance);
@@ -163,14 +140,16 @@ int AugmentedLagrangian::minimise(State& s, double tolerance, NewtonReport& repo
     }
     // No more accurate than Newton can use: a tenth of what this minimisation aims at. Where one solve is all, its norm
     // bounds the largest residual.
-    const double accuracy = s.linear_only ? std::clamp(tolerance / s.gradient->norm2(), 1e-12, 1e-2)
-                                          : std::clamp(0.1 * tolerance / s.inner_residual, 1e-8, 1e-2);
+    const double accuracy =
+        s.linear_only ? std::clamp(tolerance / s.gradient->norm2(), numbers_.finest_alone, numbers_.coarsest_accuracy)
+                      : std::clamp(numbers_.solve_aim * tolerance / s.inner_residual, numbers_.finest_accuracy,
+                                   numbers_.coarsest_accuracy);
     solve_direction(s, accuracy, report);
     if (s.refused) return solves;
     const double step = line_search(s);
     s.x.update(step, *s.direction, 1.0);
     s.colliding.assign(problem_.points(), {});
-    if (step < collision_step) anticipate(s);
+    if (step < numbers_.collision_step) anticipate(s);
 
     long long mine[2] = {0, 0}, all[2];
     for (int k = 0; k < problem_.owned_points(); ++k)
@@ -217,7 +196,7 @@ void AugmentedLagrangian::measure(State& s, NewtonReport& report) const {
 /// Has the last update moved something by a share of the structure?
 bool AugmentedLagrangian::moved_far(State& s) const {
   mechanism_->update(1.0, s.x, -1.0, *s.x_old, 0.0);
-  return mechanism_->normInf() > run_away * problem_.length_scale();
+  return mechanism_->normInf() > numbers_.run_away * problem_.length_scale();
 }
 
 /// Does the motion of the last update lead nowhere? Far along it forces and imbalance must be as they are here: nothing
@@ -225,11 +204,11 @@ bool AugmentedLagrangian::moved_far(State& s) const {
 /// Expects the gradient and the gaps that measure() leaves.
 bool AugmentedLagrangian::runs_away(State& s) const {
   mechanism_->update(1.0, s.x, -1.0, *s.x_old, 0.0);
-  const double size = mechanism_->normInf(), far = run_away * problem_.length_scale();
+  const double size = mechanism_->normInf(), far = numbers_.run_away * problem_.length_scale();
   if (!(size > 0)) return false;
   mechanism_->scale(1 / size);
   if (size >= far) return true;
-  const double allowance = unchanged * s.gradient->normInf();
+  const double allowance = numbers_.unchanged * s.gradient->normInf();
   if (!parameters_.has_inertia && is_rigid_mechanism(problem_, *mechanism_, s.lambda, s.gap, far, allowance))
     return true;
   s.direction->update(1.0, s.x, far, *mechanism_, 0.0);
@@ -242,7 +221,7 @@ bool AugmentedLagrangian::runs_away(State& s) const {
 NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, double tolerance,
                                         const PointField* known_gap) {
   NewtonReport report;
-  State s{x, lambda};
+  State s{x, lambda, numbers_.largest_proximal};
   for (auto* v : {&s.x_old, &s.gradient, &s.direction, &s.stiffness_direction, &s.linear})
     *v = Teuchos::rcp(new TpetraVector(problem_.map()));
   double previous = std::numeric_limits<double>::infinity();
@@ -255,7 +234,8 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
   for (report.outer_iterations = 1;; ++report.outer_iterations) {
     s.scale = force_scale(problem_, lambda);
     const bool first = report.outer_iterations == 1;
-    if (first && known_gap) predict(s, *known_gap, report);
+    const bool closes = numbers_.used || s.linear_only;
+    if (first && known_gap && closes) predict(s, *known_gap, report);
     problem_.carry(x, tolerance * s.scale);
     Tpetra::deep_copy(*s.x_old, x);
     if (first) {
@@ -263,8 +243,13 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
       change = std::max(report.residual, report.complementarity) * s.scale;
       if (report.residual <= tolerance && report.complementarity <= tolerance) break;
     }
+    if (!closes) {
+      report.reason = "the augmented Lagrangian is switched off, and nothing else has closed the contact conditions";
+      return report;
+    }
     // Without contact one linear solve is the answer, so it is made as accurate as that.
-    const double aim = s.linear_only ? tolerance * s.scale : std::max(0.1 * tolerance * s.scale, 0.1 * change);
+    const double aim =
+        s.linear_only ? tolerance * s.scale : std::max(numbers_.aim * tolerance * s.scale, numbers_.aim * change);
     const int solves = minimise(s, aim, report);
     if (s.refused) {
       report.reason = "a linear system has no solution";
@@ -275,12 +260,13 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
     measure(s, report);
     if (report.residual <= tolerance && report.complementarity <= tolerance) break;
     // Only where forces have settled and the imbalance stays: early iterations may look like anything.
-    drifting = report.complementarity < settled * report.residual && report.residual > 0.5 * last_residual
+    drifting = report.complementarity < numbers_.settled * report.residual &&
+                       report.residual > numbers_.drifting * last_residual
                    ? drifting + 1
                    : 0;
     last_residual = report.residual;
-    const bool far = report.complementarity < believable && moved_far(s);
-    if ((drifting > 1 || far) && runs_away(s)) {
+    const bool far = report.complementarity < numbers_.believable && moved_far(s);
+    if ((drifting > numbers_.drifting_steps || far) && runs_away(s)) {
       report.outcome = NewtonOutcome::collapse;
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return report;
@@ -290,20 +276,21 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
       report.reason = "the largest number of linear solves was reached";
       return report;
     }
-    stagnant = change > stagnating * previous && solves <= struggling ? stagnant + 1 : 0;
-    const bool creeps = (solves <= 1 && change > creeping * previous) || stagnant > 2;
-    if (stagnant > 2) stagnant = 0;
+    stagnant = change > numbers_.stagnating * previous && solves <= numbers_.struggling ? stagnant + 1 : 0;
+    const bool stagnates = stagnant > numbers_.stagnant_steps;
+    const bool creeps = (solves <= 1 && change > numbers_.creeping * previous) || stagnates;
+    if (stagnates) stagnant = 0;
     // Pressures that go in circles take friction bounds with them: let the bounds follow half way for a while.
-    relaxation = creeps ? 0.5 : 1.0;
+    relaxation = creeps ? numbers_.relaxation : 1.0;
     for (std::size_t i = 0; i < lambda.size(); ++i) s.pressure[i] += relaxation * (lambda[i] - s.pressure[i]);
     previous = change;
-    s.following = creeps ? labouring : 0;
+    s.following = creeps ? numbers_.labouring : 0;
     if (creeps) {
-      s.augmentation = std::min(10 * s.augmentation, largest_augmentation);
-      s.proximal = std::max(s.proximal / 10, smallest_proximal);
-    } else if (solves > struggling) {
-      s.augmentation = std::max(s.augmentation / 10, 1.0);
-      s.proximal = std::min(s.proximal * 10, largest_proximal);
+      s.augmentation = std::min(numbers_.factor * s.augmentation, numbers_.largest_augmentation);
+      s.proximal = std::max(s.proximal / numbers_.factor, numbers_.smallest_proximal);
+    } else if (solves > numbers_.struggling) {
+      s.augmentation = std::max(s.augmentation / numbers_.factor, 1.0);
+      s.proximal = std::min(s.proximal * numbers_.factor, numbers_.largest_proximal);
     }
   }
   report.outcome = NewtonOutcome::converged;

@@ -10,6 +10,7 @@
 
 #include <functional>
 
+#include "nonlinear/augmented_lagrangian_parameters.hpp"
 #include "nonlinear/newton_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
@@ -18,7 +19,7 @@ namespace voussoir {
 
 class AugmentedLagrangian {
  public:
-  AugmentedLagrangian(NonlinearProblem&, const NewtonParameters&);
+  AugmentedLagrangian(NonlinearProblem&, const NewtonParameters&, const AugmentedLagrangianParameters&);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
@@ -47,6 +48,7 @@ class AugmentedLagrangian {
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
+  AugmentedLagrangianParameters numbers_;
   Teuchos::RCP<TpetraVector> mechanism_;
 };
 

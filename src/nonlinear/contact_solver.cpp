@@ -6,25 +6,12 @@
 #include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
-namespace {
 
-// Linear solves for active sets: in time those that arrive take up to 20, in load steps up to 15. From near the end of
-// the path they may take longer: after 20 W(512) stopped just short of its tolerance, and what follows is slower.
-constexpr int solves_in_time = 30, solves_at_rest = 20, solves_from_near = 40;
-// The path goes on and offers a better state: there they give up sooner. Figures in README.md.
-constexpr int patience_from_near = 3;
-// Linear solves after which closing gives way to another path: those that arrive from a path took up to 75. Twice as
-// many after every path that led nowhere: then what closing follows may be a mechanism, which takes it hundreds.
-constexpr int closing_solves = 80;
-constexpr int most_doublings = 10;
-// Steps of the path: those that arrive took up to 130.
-constexpr int largest_path = 200;
-
-}  // namespace
-
-ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& parameters, FastWay& fast)
+ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& parameters,
+                             const MethodParameters& methods, FastWay& fast)
     : problem_(problem),
       parameters_(parameters),
+      methods_(methods),
       fast_(fast),
       mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
 
@@ -41,13 +28,14 @@ bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lamb
 }
 
 bool ContactSolver::may_be_fast() {
-  if (parameters_.time_follows) return false;
+  if (!methods_.solver.active_sets || parameters_.time_follows) return false;
+  if (!methods_.solver.back_off) return true;
   if (!parameters_.has_inertia && fast_.wait > 0) {
     --fast_.wait;
     return false;
   }
   fast_.wait = fast_.next_wait;  // unless they arrive
-  fast_.next_wait = std::min(2 * fast_.next_wait + 1, FastWay::longest);
+  fast_.next_wait = std::min(2 * fast_.next_wait + 1, methods_.solver.longest_wait);
   return true;
 }
 
@@ -56,7 +44,8 @@ ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, 
                                            NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
-  ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest, patience);
+  ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest, methods_,
+                   patience);
   active.narrate = narrate;
   const int most = std::min(largest_solves, parameters_.largest_iterations);
   const auto end = active.solve(x, lambda, tolerance, most, known_gap, report);
@@ -69,15 +58,15 @@ ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, 
 
 const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
                                                 const PointField* known_gap, bool shortcut, NewtonReport& report) {
-  if (!path_) return known_gap;
-  InteriorPath interior(problem_);
+  if (!path_ || !methods_.path.used) return known_gap;
+  InteriorPath interior(problem_, methods_);
   interior.narrate = narrate;
   if (shortcut)
     interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
-      return try_active_set(near_x, near_lambda, tolerance, nullptr, solves_from_near, patience_from_near, report) ==
-             ActiveSetEnd::arrived;
+      return try_active_set(near_x, near_lambda, tolerance, nullptr, methods_.solver.solves_from_near,
+                            methods_.solver.patience_from_near, report) == ActiveSetEnd::arrived;
     };
-  const int steps = std::min(largest_path, parameters_.largest_iterations - report.newton_iterations);
+  const int steps = std::min(methods_.solver.largest_path, parameters_.largest_iterations - report.newton_iterations);
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   const double off_before = out_of_balance(x, lambda);
@@ -99,25 +88,25 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
     known_gap = nullptr;  // nothing has moved: closing only measures
   } else if (path_) {
     if (may_be_fast()) {
-      const int most = parameters_.has_inertia ? solves_in_time : solves_at_rest;
-      const auto end = try_active_set(x, lambda, tolerance, known_gap, most, ActiveSet::usual_patience, report);
+      const int most = parameters_.has_inertia ? methods_.solver.solves_in_time : methods_.solver.solves_at_rest;
+      const auto end = try_active_set(x, lambda, tolerance, known_gap, most, methods_.active_set.patience, report);
       if (end == ActiveSetEnd::arrived) {
         fast_ = {};
         return report;
       }
       fast_.offered = end == ActiveSetEnd::circled;
     }
-    const bool shortcut = fast_.offered && !parameters_.time_follows;
+    const bool shortcut = methods_.solver.shortcut && fast_.offered && !parameters_.time_follows;
     known_gap = along_the_path(x, lambda, tolerance, known_gap, shortcut, report);
   }
   // Where closing labours, another path from the state it has reached is shorter.
   for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, false, report)) {
     const int left = parameters_.largest_iterations - report.newton_iterations;
-    const int most = closing_solves << std::min(led_nowhere_, most_doublings);
+    const int most = methods_.solver.closing_solves << std::min(led_nowhere_, methods_.solver.most_doublings);
     last = left <= most;
     NewtonParameters some = parameters_;
     some.largest_iterations = std::max(1, last ? left : most);
-    AugmentedLagrangian closing(problem_, some);
+    AugmentedLagrangian closing(problem_, some, methods_.closing);
     const int before = report.newton_iterations;
     closing.narrate = [&](NewtonProgress p) {
       p.iteration += before;
@@ -126,7 +115,7 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
     report.add(closing.solve(x, lambda, tolerance, known_gap));
     Tpetra::deep_copy(*mechanism_, closing.mechanism());
     if (report.outcome != NewtonOutcome::not_converged) return report;
-    if (!last && !report.no_way_on) continue;
+    if (!last && methods_.closing.used && !report.no_way_on) continue;
     if (report.failed_solves > 0)
       report.reason += "; " + std::to_string(report.failed_solves) + " of " +
                        std::to_string(report.newton_iterations) + " linear solves failed, at last as " + report.failure;

@@ -10,12 +10,13 @@
 #include "nonlinear/augmented_lagrangian.hpp"
 #include "nonlinear/fast_way.hpp"
 #include "nonlinear/interior_path.hpp"
+#include "nonlinear/method_parameters.hpp"
 
 namespace voussoir {
 
 class ContactSolver {
  public:
-  ContactSolver(NonlinearProblem&, const NewtonParameters&, FastWay&);
+  ContactSolver(NonlinearProblem&, const NewtonParameters&, const MethodParameters&, FastWay&);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
@@ -44,6 +45,7 @@ class ContactSolver {
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
+  MethodParameters methods_;
   FastWay& fast_;
   bool path_ = false;
   int led_nowhere_ = 0;  ///< paths that ran away, or stuck farther from equilibrium than they began

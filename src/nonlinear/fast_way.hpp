@@ -5,7 +5,7 @@
 namespace voussoir {
 
 struct FastWay {
-  int wait = 0;       ///< solves that go without it
+  int wait = 0;       ///< solves that go without it: none, 1, 3, up to a bound that is a setting
   int next_wait = 0;  ///< after its next failure
   int offered = 0;    ///< 1 where it is tried again near the end of the path: it circled
   template <class Archive>
@@ -14,7 +14,7 @@ struct FastWay {
     archive.within("fast_way.last_wait", next_wait, 0, longest);
     archive.within("fast_way.offered", offered, 0, 1);
   }
-  static constexpr int longest = 7;  ///< waits are none, 1, 3, up to this
+  static constexpr int longest = 1000;  ///< that a wait can be, whatever the settings of the run are
 };
 
 }  // namespace voussoir

@@ -11,58 +11,16 @@
 #include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
-namespace {
 
-// Distance from the bounds at which the path starts, relative to the largest force. On W(16), A(61) and
-// A(121) a tenth took 138 solves in all, 0.01 148 and 1 152 (prototype, both load steps).
-constexpr double start = 0.1;
-// Share of the step to the boundary that is taken, and of a full step: slacks stay positive.
-constexpr double to_boundary = 0.99, full_step = 0.999;
-// By how much the barrier falls after a long, a middling and a short step.
-constexpr double long_step = 0.8, middling_step = 0.4;
-constexpr double after_long = 0.1, after_middling = 0.3, after_short = 0.7;
-// The barrier waits for residuals: it does not fall below this share of the square of the contact residual.
-constexpr double waiting = 1e-2;
-// Friction beyond this coefficient locks (89.4 degrees): larger numbers only spoil the conditioning of the path. What
-// closes the contact conditions afterwards uses the true one.
-constexpr double locking_friction = 100;
-// Share of the proximal weights of the problem: enough to hold loose stones, a hundredth of what bounds a collapse.
-constexpr double proximal = 1e-2;
-// Linear solves are no more accurate than the path needs: 1e-3 takes as many solves and 1.6 times the Krylov iterations
-// on the bridge, 3e-2 more solves, and the deformed bridge does not arrive.
-constexpr double solve_accuracy = 1e-2;
-// What points resist at most, relative to their local stiffness; figures in README.md. Where forces creep (so many
-// steps for so little of a gain) it rises.
-constexpr int creeping_steps = 2;
-constexpr double creeping_gain = 0.5, usual = 10, faster = 100, fastest = 1e3;
-// The path then begins anew, this many times the contact residual from the bounds.
-constexpr double recentring = 1;
-// Forces that drift evenly step after step may go so many steps at once.
-constexpr double drift = 0.9, far = 100;
-// A step cut to less than this, though equilibrium is near, is at a fold: the path turns back there. Friction then
-// follows the pressure by a half (README.md says why a half), and at the next fold not at all: no path of a convex
-// problem folds.
-constexpr double folded = 0.1, half = 0.5;
-// The path leads no further when so many steps, with equilibrium this near, gain less than a tenth.
-constexpr int patience = 15;
-constexpr double balanced = 0.1, gained = 0.9;
-// So many steps in a row shorter than this lead nowhere: what bounds them shrinks with them, down to numbers that are
-// none.
-constexpr int halting_steps = 5;
-constexpr double halting = 1e-6;
-// Residuals at which statuses may be known; if they are not, once residuals have fallen by this. Figures in README.md.
-constexpr double near = 1e-3, nearer = 0.1;
-
-}  // namespace
-
-InteriorPath::InteriorPath(NonlinearProblem& problem) : problem_(problem) {
+InteriorPath::InteriorPath(NonlinearProblem& problem, const MethodParameters& methods)
+    : problem_(problem), numbers_(methods.path), run_away_(methods.closing.run_away) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_, &work_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
 double InteriorPath::bound(int point, double normal) const {
   auto law = problem_.law()[point];
-  law.friction = std::min(law.friction, locking_friction);
+  law.friction = std::min(law.friction, numbers_.locking_friction);
   return friction_bound(law, normal);
 }
 
@@ -79,8 +37,8 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
     const double slip = motion_of(problem_, k, 1, gap, lambda);
     const double limit = bound(k, lambda[2 * k]), q = std::clamp(lambda[2 * k + 1], -limit, limit);
     const double shifted = p.opens ? bound(k, std::max(lambda[2 * k], -law.tension) + shift) : limit;
-    p.w = {std::max(lambda[2 * k] + law.tension, 0.0) + shift, std::max(shifted - q, start * shift),
-           std::max(shifted + q, start * shift)};
+    p.w = {std::max(lambda[2 * k] + law.tension, 0.0) + shift, std::max(shifted - q, numbers_.start * shift),
+           std::max(shifted + q, numbers_.start * shift)};
     p.y = {std::max(motion_of(problem_, k, 0, gap, lambda), 0.0) + distance, std::max(-slip, 0.0) + distance,
            std::max(slip, 0.0) + distance};
   }
@@ -89,7 +47,7 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
 /// Change of the friction bound with the pressure [-].
 double InteriorPath::friction(int point, double normal) const {
   const double limit = bound(point, normal);
-  return limit > 0 && std::isfinite(limit) ? std::min(problem_.law()[point].friction, locking_friction) : 0.0;
+  return limit > 0 && std::isfinite(limit) ? std::min(problem_.law()[point].friction, numbers_.locking_friction) : 0.0;
 }
 
 /// Stiffness of each point on the path [N/m]. Where only a prediction is made, friction stays as it is.
@@ -111,7 +69,7 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
 
 /// Moves supports and loads with the resistances that the path gives the points of the old state.
 void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport& report) {
-  enter(lambda, known_gap, start * scale_);
+  enter(lambda, known_gap, numbers_.start * scale_);
   resistances(lambda, true);
   problem_.evaluate(x, *gradient_, gap_);
   force_ = lambda;
@@ -135,7 +93,7 @@ void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField
 LinearSolveResult InteriorPath::solve(NewtonReport& report) {
   gradient_->scale(-1.0);
   direction_->putScalar(0);
-  auto solved = problem_.solve(resistance_, proximal, gradient_, direction_, {solve_accuracy});
+  auto solved = problem_.solve(resistance_, numbers_.proximal, gradient_, direction_, {numbers_.solve_accuracy});
   report.count(solved);
   return solved;
 }
@@ -264,64 +222,67 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   scale_ = force_scale(problem_, lambda);
   if (known_gap) predict(x, lambda, *known_gap, report);
   problem_.evaluate(x, *linear_, gap_);
-  set_out(lambda, start * std::max(scale_, force_scale(problem_, lambda)));
+  set_out(lambda, numbers_.start * std::max(scale_, force_scale(problem_, lambda)));
   std::vector<double> sizes;
   double step = 0;
   int waits = 0, changed = 0, halts = 0;
-  augmentation_ = usual;
+  augmentation_ = numbers_.resistance;
   follows_ = 1;
-  double offered = near;
+  double offered = numbers_.near;
   bool arrived = false;
   for (int iteration = 0;; ++iteration) {
     problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     arrived = size <= tolerance && after_leaving(lambda) <= tolerance;
-    const bool slow = iteration > changed + patience && equilibrium < balanced * contact &&
-                      size > gained * sizes[iteration - patience];
-    const bool stuck = slow || halts >= halting_steps;
+    const bool slow = iteration > changed + numbers_.patience && equilibrium < numbers_.balanced * contact &&
+                      size > numbers_.gained * sizes[iteration - numbers_.patience];
+    const bool stuck = slow || halts >= numbers_.halting_steps;
     if (arrived || stuck || iteration >= largest_iterations) break;
     if (shortcut && size <= offered) {
-      offered = nearer * size;
+      offered = numbers_.nearer * size;
       if (take_shortcut(x, lambda)) return PathEnd::arrived;
     }
     sizes.push_back(size);
-    if (before.distance(x) > run_away * problem_.length_scale()) {
+    if (before.distance(x) > run_away_ * problem_.length_scale()) {
       before.restore(x);
       lambda = lambda_before;
       return PathEnd::ran_away;
     }
-    const double least = waiting * std::pow(contact * scale_, 2);
+    const double least = numbers_.waiting * std::pow(contact * scale_, 2);
     double distance = barrier();
     waits = 2 * least > distance ? waits + 1 : 0;
-    const bool creeping = waits >= creeping_steps && (iteration < creeping_steps ||  // waiting since it set out
-                                                      size > creeping_gain * sizes[iteration - creeping_steps]);
-    if (augmentation_ < fastest && creeping) {
-      augmentation_ *= faster;
+    const int steps = numbers_.creeping_steps;  // before which it has been waiting since it set out
+    const bool creeping =
+        waits >= steps && (iteration < steps || size > numbers_.creeping_gain * sizes[iteration - steps]);
+    if (numbers_.rising && augmentation_ < numbers_.largest_resistance && creeping) {
+      augmentation_ *= numbers_.resistance_factor;
       waits = 0;
       changed = iteration;
-      set_out(lambda, recentring * contact * scale_);
+      set_out(lambda, numbers_.recentring * contact * scale_);
       distance = barrier();
       step = 0;
     }
     resistances(lambda, false);
-    const double share = step > long_step ? after_long : step > middling_step ? after_middling : after_short;
+    const double share = step > numbers_.long_step       ? numbers_.after_long
+                         : step > numbers_.middling_step ? numbers_.after_middling
+                                                         : numbers_.after_short;
     aim(lambda, std::max(share * distance, least));
     Tpetra::deep_copy(*gradient_, *linear_);
     problem_.subtract_contact_forces(force_, *gradient_);
     const auto solved = solve(report);
     if (solved.nothing) break;
     problem_.evaluate_direction(*direction_, *work_, gap_direction_);
-    const bool drifting = step == 1 && waits >= creeping_steps && size > drift * sizes[iteration - 1];
-    const double furthest = drifting ? far : 1;
+    const bool drifting = numbers_.leaps && step == 1 && waits >= steps && size > numbers_.drift * sizes[iteration - 1];
+    const double furthest = drifting ? numbers_.longest_leap : 1;
     step = step_length(furthest);
-    const double length = step < furthest ? to_boundary * step : full_step * furthest;
+    const double length = step < furthest ? numbers_.to_boundary * step : numbers_.full_step * furthest;
     step = std::min(step, 1.0);
-    if (step < folded && equilibrium < balanced * contact && follows_ > 0) {
-      follows_ = follows_ > half ? half : 0;
+    if (numbers_.folds && step < numbers_.folded && equilibrium < numbers_.balanced * contact && follows_ > 0) {
+      follows_ = follows_ > numbers_.half_following ? numbers_.half_following : 0;
       changed = iteration;
     }
-    halts = step < halting ? halts + 1 : 0;
+    halts = step < numbers_.halting ? halts + 1 : 0;
     x.update(length, *direction_, 1.0);
     for (int k = 0; k < problem_.points(); ++k) {
       if (!problem_.selected()[k]) continue;

@@ -18,6 +18,7 @@
 #include <array>
 #include <functional>
 
+#include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "nonlinear/residuals.hpp"
@@ -30,7 +31,7 @@ enum class PathEnd { arrived, stuck, ran_away };
 class InteriorPath {
  public:
   /// The law must have one tangential direction.
-  explicit InteriorPath(NonlinearProblem&);
+  InteriorPath(NonlinearProblem&, const MethodParameters&);
 
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
@@ -75,6 +76,8 @@ class InteriorPath {
   double friction(int point, double normal) const;
 
   NonlinearProblem& problem_;
+  const InteriorPathParameters numbers_;
+  const double run_away_;
   std::vector<Point> path_;
   std::vector<PointStiffness> resistance_;
   PointField gap_, gap_direction_, force_;

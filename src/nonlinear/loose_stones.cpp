@@ -11,11 +11,6 @@
 namespace voussoir {
 namespace {
 
-// A stone is held where moving it as a whole takes forces of more than this share of its stiffness: round-off is less.
-constexpr double held_share = 1e-10;
-// Beds are parallel, and a stone comes nearer to another, beyond this [-].
-constexpr double round_off = 1e-9;
-
 /// Stones that hold each other.
 struct Group {
   std::vector<int> stones, points;
@@ -32,8 +27,14 @@ struct Stop {
 class Walk {
  public:
   Walk(const std::vector<PatchPoint>& points, PointStatuses& statuses, const std::vector<std::array<int, 2>>& sides,
-       int stones)
-      : points_(points), statuses_(statuses), sides_(sides), groups_(stones), sets_(stones), shift_(stones) {}
+       int stones, double parallel)
+      : points_(points),
+        statuses_(statuses),
+        sides_(sides),
+        groups_(stones),
+        sets_(stones),
+        shift_(stones),
+        parallel_(parallel) {}
 
   std::vector<int> go(const std::vector<Vector<2>>& push, double least);
   const Vector<2>& shift(int stone) const { return shift_[stone]; }  ///< [m]
@@ -53,6 +54,7 @@ class Walk {
   std::vector<Group> groups_;              ///< at the roots
   DisjointSets sets_;
   std::vector<Vector<2>> shift_;
+  double parallel_;
 };
 
 void Walk::gather(const std::vector<Vector<2>>& push) {
@@ -76,7 +78,7 @@ bool Walk::find_way(const Group& group, Vector<2>& along) {
     if (statuses_.resistance[k].normal == 0 || inside(k)) continue;
     if (!any) along = points_[k].axis[1];
     any = true;
-    if (std::abs(dot(points_[k].axis[0], along)) > round_off) return false;
+    if (std::abs(dot(points_[k].axis[0], along)) > parallel_) return false;
   }
   if (dot(group.push, along) < 0) along = -1.0 * along;
   return any;
@@ -96,7 +98,7 @@ Stop Walk::first_stop(int group, const Vector<2>& along) {
     if (closed && points_[k].law.friction == 0 && points_[k].law.cohesion == 0) continue;  // holds nothing
     const double sign = closed ? -statuses_.sliding[k] : 1.0;  // friction acts against the slip
     const double speed = -sign * rate(k, closed, group, along);
-    if (!(speed > round_off)) continue;
+    if (!(speed > parallel_)) continue;
     const double distance = std::max(sign * statuses_.motion[k][closed], 0.0) / speed;
     if (distance < first.distance) first = {k, distance};
   }
@@ -140,7 +142,8 @@ std::vector<int> Walk::go(const std::vector<Vector<2>>& push, double least) {
 
 }  // namespace
 
-LooseStones::LooseStones(const PatchParts& parts) : component_(parts.component), stone_(parts.imbalance.size()) {
+LooseStones::LooseStones(const PatchParts& parts, const PatchParameters& numbers)
+    : parallel_(numbers.parallel), component_(parts.component), stone_(parts.imbalance.size()) {
   VOUSSOIR_EXPECT(component_.size() == stone_.size());
   DisjointSets sets(stone_.size());
   std::vector<double> whole(stone_.size(), 0.0), diagonal = whole;
@@ -152,7 +155,7 @@ LooseStones::LooseStones(const PatchParts& parts) : component_(parts.component),
   std::vector<char> held(stone_.size(), 0);
   const int unknowns = static_cast<int>(stone_.size());
   for (int i = 0; i < unknowns; ++i)
-    if (std::abs(whole[i]) > held_share * diagonal[i]) held[sets.root(i)] = 1;
+    if (std::abs(whole[i]) > numbers.held_share * diagonal[i]) held[sets.root(i)] = 1;
   for (const auto& p : parts.border)
     for (int i : p.unknown)
       if (i >= 0 && p.resistance.tangential > 0) held[sets.root(i)] = 1;
@@ -174,7 +177,7 @@ std::vector<int> LooseStones::move_on(const std::vector<PatchPoint>& points, Poi
                                       const double* imbalance, double least, double* displacement) const {
   std::vector<Vector<2>> push(stones_);
   for (std::size_t i = 0; i < stone_.size(); ++i) push[stone_[i]][component_[i]] -= imbalance[i];
-  Walk walk(points, statuses, sides_, stones_);
+  Walk walk(points, statuses, sides_, stones_, parallel_);
   const auto stops = walk.go(push, least);
   for (std::size_t i = 0; i < stone_.size(); ++i) displacement[i] += walk.shift(stone_[i])[component_[i]];
   return stops;

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "nonlinear/patch_parameters.hpp"
 #include "nonlinear/patch_parts.hpp"
 
 namespace voussoir {
@@ -23,7 +24,7 @@ struct PointStatuses {
 
 class LooseStones {
  public:
-  explicit LooseStones(const PatchParts&);
+  explicit LooseStones(const PatchParts&, const PatchParameters& = {});
 
   /// Moves stones that nothing holds and that are out of balance.
   /// @param points        those of the parts
@@ -37,6 +38,7 @@ class LooseStones {
  private:
   int stone_at(const PatchPoint&, int side) const;
 
+  double parallel_;                        ///< [-] beds are, and stones come nearer, up to and beyond this
   std::vector<char> component_;            ///< of each unknown
   std::vector<int> stone_;                 ///< of each unknown; 0 where it is held
   int stones_ = 1;                         ///< with the number 0 of all that is held

@@ -16,17 +16,6 @@
 namespace voussoir {
 namespace {
 
-// Steps of the path: those that arrive on W(256) took up to 142. With 80 patches failed that were 0.03 N from rest.
-constexpr int largest_path = 200;
-// Solves of active sets: patches of W(512) and W(640) take up to 157, and paths follow where they fail. They aim at
-// this share of the tolerance: a stone out of balance by the rest flies in the next solve of the whole. The tolerance
-// will do.
-constexpr int most_active = 200;
-constexpr double rest = 1e-2;
-// Solves that gain less than half: what has no border is all that has parted, and large; other patches that labour are
-// too narrow, and a path or more neighbours are sooner there (push of W(64), every point: 224 solves for 314).
-constexpr int patience = 100, patience_with_border = 10;
-
 /// Which way an unknown of a point (of i, of i, of j, of j) moves its gap along an axis.
 double share(const PatchPoint& p, int unknown, int axis) {
   return (unknown < 2 ? -1 : 1) * p.axis[axis][unknown % 2];
@@ -42,8 +31,12 @@ std::array<double, 2> PatchPoint::motion(const double* displacement) const {
   return sum;
 }
 
-Patch::Patch(PatchParts parts)
-    : parts_(std::move(parts)), loose_stones_(parts_), selected_(parts_.points.size(), 1), law_(parts_.points.size()) {
+Patch::Patch(PatchParts parts, const MethodParameters& methods)
+    : parts_(std::move(parts)),
+      methods_(methods),
+      loose_stones_(parts_, methods_.patches),
+      selected_(parts_.points.size(), 1),
+      law_(parts_.points.size()) {
   const int n = static_cast<int>(parts_.imbalance.size());
   map_ = Teuchos::rcp(new TpetraMap(n, n, 0, Teuchos::rcp(new Teuchos::SerialComm<int>())));
   for (std::size_t k = 0; k < parts_.points.size(); ++k) {
@@ -156,15 +149,18 @@ std::vector<int> Patch::move_loose_stones(TpetraVector& x, const LooseRequest& r
 bool Patch::come_to_rest(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
   const TpetraVector start(x, Teuchos::Copy);
   PointField forces = lambda;
-  ActiveSet active(*this, ActiveSetUse::in_patch, parts_.border.empty() ? patience : patience_with_border);
-  active.solve(x, forces, rest * tolerance, most_active, nullptr, report);
+  const auto& numbers = methods_.patches;
+  ActiveSet active(*this, ActiveSetUse::in_patch, methods_,
+                   parts_.border.empty() ? numbers.patience : numbers.patience_with_border);
+  active.solve(x, forces, numbers.active_aim * tolerance, numbers.active_solves, nullptr, report);
   if (std::max(report.residual, report.complementarity) <= tolerance) {
     lambda = forces;
     return true;
   }
+  if (!methods_.path.used) return false;
   Tpetra::deep_copy(x, start);
-  InteriorPath path(*this);
-  return path.follow(x, lambda, tolerance, largest_path, nullptr, report) == PathEnd::arrived;
+  InteriorPath path(*this, methods_);
+  return path.follow(x, lambda, tolerance, numbers.largest_path, nullptr, report) == PathEnd::arrived;
 }
 
 bool Patch::solve(double tolerance, NewtonReport& report) {

@@ -13,6 +13,7 @@
 #include "linalg/local_csr.hpp"
 #include "linalg/sparse_lu.hpp"
 #include "nonlinear/loose_stones.hpp"
+#include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "nonlinear/patch_parts.hpp"
@@ -21,7 +22,7 @@ namespace voussoir {
 
 class Patch : public NonlinearProblem {
  public:
-  explicit Patch(PatchParts);
+  explicit Patch(PatchParts, const MethodParameters& = {});
 
   /// Brings the stones to rest; false when they find none.
   /// @param tolerance  relative to the largest force of the structure
@@ -63,6 +64,7 @@ class Patch : public NonlinearProblem {
   double& entry(LocalCsr&, int row, int column) const;
 
   PatchParts parts_;
+  MethodParameters methods_;
   LooseStones loose_stones_;
   Teuchos::RCP<const TpetraMap> map_;
   std::vector<char> selected_;

@@ -5,9 +5,6 @@
 
 namespace voussoir {
 
-/// A displacement of this share of the structure in one load step is no elastic answer of a masonry structure.
-constexpr double run_away = 0.2;
-
 struct Imbalance {
   double equilibrium;  ///< [N] largest of the residual
   double contact;      ///< [N] largest change the contact law wants

@@ -18,6 +18,7 @@
 #include "nonlinear/newton_parameters.hpp"
 #include "output/observation_parameters.hpp"
 #include "output/output_parameters.hpp"
+#include "scene/internals.hpp"
 #include "selection/selection_parameters.hpp"
 
 namespace voussoir {
@@ -48,6 +49,7 @@ struct Scene {
   NewtonParameters newton;
   PreconditionerParameters preconditioner;
   SolverParameters solver;
+  Internals internals;  ///< how steps are solved: for studies
   std::vector<Named<ObservationParameters>> observations;
   OutputParameters output;
   std::vector<std::string> warnings;  ///< what is legal but probably not meant

@@ -12,6 +12,22 @@
 namespace voussoir {
 namespace {
 
+/// Values of all internals by path.
+Defaults internals_of(Internals internals) {
+  DefaultsCollector collector;
+  declare_internals(internals, collector);
+  return collector.defaults;
+}
+
+/// Those that are not as usual.
+Defaults changed_internals(const Scene& scene) {
+  const auto usual = internals_of(Internals());
+  auto changed = internals_of(scene.internals);
+  for (auto it = changed.begin(); it != changed.end();)
+    it = usual.at(it->first) == it->second ? changed.erase(it) : std::next(it);
+  return changed;
+}
+
 std::string counted(int n, const std::string& thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
 std::string cells_text(CellType cells) { return cells == CellType::triangle ? "triangles" : "quadrilaterals"; }
@@ -67,9 +83,46 @@ std::string selection_text(const SelectionParameters& s) {
          (s.whole_joints ? ", whole joints" : ", single points") + ", at most " + counted(s.largest_rounds, "round");
 }
 
+/// One paragraph for each method.
+void print_internals(std::ostream& os, const Scene& scene) {
+  const auto usual = internals_of(Internals());
+  os << "  how steps are solved (* not as usual):";
+  std::string method;
+  std::size_t column = 0;
+  for (const auto& [path, value] : internals_of(scene.internals)) {
+    const auto words = split(path, " > ");  // internals, method, name
+    std::string text = words[2] + ' ' + value + (usual.at(path) == value ? "" : "*");
+    if (words[1] != method) {
+      method = words[1];
+      os << "\n    " << std::left << std::setw(22) << method;
+      column = 26;
+    } else if (column + text.size() > 116) {
+      os << ",\n    " << std::string(22, ' ');
+      column = 26;
+    } else {
+      os << ", ";
+      column += 2;
+    }
+    os << text;
+    column += text.size();
+  }
+  os << '\n';
+}
+
 }  // namespace
 
-void print_scene(std::ostream& os, const Scene& scene) {
+void print_internals_reference(std::ostream& os) {
+  Internals internals;
+  XmlPrinter printer(os, internals_of(internals));
+  os << "<!-- Numbers and switches that decide how steps are solved, for studies of the program; made by: voussoir "
+        "with\n"
+        "     the option print-internals. A comment gives [unit] range, default: meaning and reason. -->\n"
+        "<ParameterList name=\"internals\">\n";
+  declare_internals(internals, printer);
+  os << "</ParameterList>\n";
+}
+
+void print_scene(std::ostream& os, const Scene& scene, bool internals) {
   const auto row = [&os](const std::string& kind, const std::string& name, const std::string& text) {
     os << "  " << std::left << std::setw(11) << kind << std::setw(14) << name << ' ' << text << '\n';
   };
@@ -111,7 +164,10 @@ void print_scene(std::ostream& os, const Scene& scene) {
   row("solver", "",
       scene.solver.method + ", for unsymmetric systems " + scene.solver.unsymmetric_method + ", at most " +
           counted(scene.solver.largest_iterations, "iteration"));
+  for (const auto& [path, value] : changed_internals(scene))
+    row("internals", "", path.substr(path.find(" > ") + 3) + " = " + value);
   print_effects(os, scene);
+  if (internals) print_internals(os, scene);
   for (const std::string& warning : scene.warnings) os << "  warning: " << warning << '\n';
 }
 
@@ -120,6 +176,7 @@ void write_scene(std::ostream& os, const Scene& scene) {
   XmlPrinter printer(os);
   os << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ParameterList name=\"" << xml_escaped(scene.name) << "\">\n";
   declare(copy, printer);
+  if (!changed_internals(scene).empty()) declare_internals(copy.internals, printer);
   os << "</ParameterList>\n";
 }
 

@@ -10,10 +10,15 @@
 namespace voussoir {
 
 /// The table at the head of a run, with units and warnings.
-void print_scene(std::ostream&, const Scene&);
+/// @param internals  with every number and switch that decides how steps are solved; else those that are not as usual
+void print_scene(std::ostream&, const Scene&, bool internals = false);
 
 /// The scene as XML with every value written out, defaults included: reading it gives an equal scene, to the last bit.
+/// How steps are solved is left out where it is as usual.
 void write_scene(std::ostream&, const Scene&);
+
+/// Every number and switch that decides how steps are solved, with unit, range, default, meaning and reason.
+void print_internals_reference(std::ostream&);
 
 /// The sections of write_scene() by name, to tell what two scenes differ in.
 std::map<std::string, std::string> section_texts(const Scene&);

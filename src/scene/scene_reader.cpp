@@ -43,6 +43,7 @@ Scene read_scene_from_text(const std::string& text, const std::string& file,
 
   ParameterReader reader(list, given, problems);
   declare(scene, reader);
+  declare_internals(scene.internals, reader);
   reader.finish();
   check_scene(scene, problems);
   problems.throw_if_any();

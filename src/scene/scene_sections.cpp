@@ -72,4 +72,8 @@ void declare(Scene& scene, ParameterSection& section) {
   section.add_section("output", scene.output, "what a run leaves behind");
 }
 
+void declare_internals(Internals& internals, ParameterSection& section) {
+  section.add_section("internals", internals, "how steps are solved, for studies");
+}
+
 }  // namespace voussoir

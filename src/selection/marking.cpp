@@ -8,7 +8,8 @@
 
 namespace voussoir {
 
-std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>& comm) {
+std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>& comm,
+                            const RestParameters& numbers) {
   VOUSSOIR_EXPECT(share > 0 && share <= 1);
   const auto sum_from = [&](double cut) {
     double mine = 0, all = 0;
@@ -22,11 +23,11 @@ std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const 
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
   std::vector<char> marked(eta.size(), 0);
   if (largest == 0) return marked;
-  // The largest cut that still holds the share, by bisection over the 60 octaves below the largest value.
+  // The largest cut that still holds the share, by bisection over the octaves below the largest value.
   const double wanted = share * sum_from(0.0);
-  double low = -60, high = 0;
+  double low = -numbers.octaves, high = 0;
   if (share < 1)
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < numbers.bisections; ++k) {
       const double middle = (low + high) / 2;
       (sum_from(largest * std::exp2(middle)) >= wanted ? low : high) = middle;
     }

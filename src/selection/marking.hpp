@@ -7,12 +7,15 @@
 #include <Teuchos_Comm.hpp>
 #include <vector>
 
+#include "selection/rest_parameters.hpp"
+
 namespace voussoir {
 
 /// Bulk (Doerfler) marking over all ranks. Collective.
 /// @param eta    [J] per owned point, >= 0
 /// @param share  in (0, 1]; 1 marks every point with eta > 0
 /// @return 1 where marked
-std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>&);
+std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>&,
+                            const RestParameters& = {});
 
 }  // namespace voussoir

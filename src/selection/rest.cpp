@@ -3,14 +3,6 @@
 #include <algorithm>
 
 namespace voussoir {
-namespace {
-
-// A point that never stays bonded costs a release each time: it waits up to so many times the patience.
-constexpr double longest_wait = 16;
-// A point that stays bonded for so many times the steps it had to rest is trusted as at first.
-constexpr double trusted_after = 8;
-
-}  // namespace
 
 Rest rested(const std::vector<double>& gap, int points, int patience) {
   Rest rest;
@@ -22,8 +14,8 @@ Rest rested(const std::vector<double>& gap, int points, int patience) {
 }
 
 bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<double>& gap,
-                     const std::vector<double>& stiffness, const std::vector<char>& calm, double energy,
-                     int patience) {
+                     const std::vector<double>& stiffness, const std::vector<char>& calm, double energy, int patience,
+                     const RestParameters& numbers) {
   const std::size_t points = selected.size();
   if (points == 0) return false;
   const std::size_t components = gap.size() / points;
@@ -37,12 +29,12 @@ bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<
     auto& steps = rest.steps[k];
     auto& needed = rest.needed[k];
     if (!selected[k]) {
-      if (rest.bonded[k] != 0 && ++steps > trusted_after * needed) needed = patience;
+      if (rest.bonded[k] != 0 && ++steps > numbers.trusted_after * needed) needed = patience;
       continue;
     }
     if (rest.bonded[k] != 0) {
       rest.bonded[k] = steps = 0;
-      needed = std::min(2 * needed, longest_wait * patience);
+      needed = std::min(2 * needed, numbers.longest_wait * patience);
     }
     double moved = 0;
     for (std::size_t i = k * components; i < (k + 1) * components; ++i)

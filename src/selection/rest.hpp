@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+#include "selection/rest_parameters.hpp"
+
 namespace voussoir {
 
 /// The error of a selection follows the root of the decreases that releases would bring, whose ratio to it is known
@@ -32,10 +34,9 @@ struct KnownError {
   }
   /// Bound of the error now [-].
   /// @param unknown  error by root where it was not computed
-  double bound(double unknown) const {
-    constexpr double growth = 2, margin = 1.5, distrust = 2;
-    if (ratio == 0 || root > growth * root_known) return unknown * root;
-    return ratio * std::min(margin * root, root + distrust * travelled);
+  double bound(double unknown, const RestParameters& numbers = {}) const {
+    if (ratio == 0 || root > numbers.growth * root_known) return unknown * root;
+    return ratio * std::min(numbers.margin * root, root + numbers.distrust * travelled);
   }
 };
 
@@ -60,6 +61,7 @@ Rest rested(const std::vector<double>& gap, int points, int patience);
 /// @param patience   steps of rest before a point is bonded for the first time, > 0
 /// @return whether a point of this rank was deselected
 bool bond_what_rests(Rest&, std::vector<char>& selected, const std::vector<double>& gap,
-                     const std::vector<double>& stiffness, const std::vector<char>& calm, double energy, int patience);
+                     const std::vector<double>& stiffness, const std::vector<char>& calm, double energy, int patience,
+                     const RestParameters& = {});
 
 }  // namespace voussoir

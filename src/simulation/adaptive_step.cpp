@@ -15,33 +15,10 @@
 namespace voussoir {
 namespace {
 
-// A round whose points will be released is not worth more accuracy than a tenth of what is wrong with them,
-// nor less than a percent of the forces.
-constexpr double share_of_violation = 0.1, coarsest_tolerance = 1e-2;
-// A first look is as accurate as the violations that it is to show.
-constexpr double accuracy_of_a_look = 1e-4;
-// The error is at most so many times the root of the sum of decreases (1 to 5 times: src/selection/README.md).
-constexpr double decreases_in_error = 5;
-// Once stones have moved the error is 5 to 14 times the root of the decreases of what a release left: where so much
-// will do, a rough round is not looked at.
-constexpr double rest_in_error = 10;
-// A root of decreases so many times what is allowed is too large: errors are 0.7 (brittle joints) to 5 times the root.
-// Where nothing is selected yet they are 1.06 to 2 times the root, and to know it costs a third of what releasing does.
-constexpr double too_large = 2, too_large_bonded = 0.8;
-// An error stays in the slips it leaves, and time steps are many: each may have half of what is allowed. With all of it
-// the shaken wall of tests/analytic/rest_in_time was up to 2.2 % beside the solution with all points.
-constexpr double share_of_a_time_step = 0.5;
-
-// Linear solves that a round with ties may take: those that arrive take up to 81 (the bridge with selection > largest
-// share = 1). Others are better off without ties, as where stones over an opening fall: 57 solves for 414.
-constexpr int solves_with_ties = 120;
-
 /// A root of decreases relative to the energy that will be there.
 double beside_what_follows(double root) { return root / std::hypot(1, root); }
 
-bool is_too_large(double root, double allowed, double times = too_large) {
-  return beside_what_follows(root) > times * allowed;
-}
+bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
 
 template <int dim>
 Vector<dim> force_at(const PointField& lambda, int k) {
@@ -106,7 +83,8 @@ double AdaptiveStep<dim>::energy_of(const ContactState& state) const {
 /// Root of decreases, relative to the energy.
 template <int dim>
 double AdaptiveStep<dim>::root_of(const std::vector<double>& decrease, const ContactState& state) const {
-  return root_of_decreases(decrease, energy_of(state), *model_.structure().comm());
+  return root_of_decreases(decrease, energy_of(state), model_.scene().internals.step.largest_error,
+                           *model_.structure().comm());
 }
 
 /// The same of the points that are not selected.
@@ -144,8 +122,8 @@ bool AdaptiveStep<dim>::solve_round(const typename ContactProblem<dim>::Parts& p
   how.time_follows = !how.has_inertia && any_time(model_.scene().stages);
   const bool all = count_selected(model_, state) == model_.points().total();
   if (!all && model_.scene().selection.mode == SelectionMode::adaptive)
-    how.largest_iterations = std::min(how.largest_iterations, solves_with_ties);
-  ContactSolver newton(problem, how, state.fast_way);
+    how.largest_iterations = std::min(how.largest_iterations, model_.scene().internals.step.solves_with_ties);
+  ContactSolver newton(problem, how, model_.scene().internals.methods, state.fast_way);
   newton.narrate = narrate;
   const auto x = problem.unknowns(state.displacement);
   {
@@ -195,17 +173,19 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
                                              const std::vector<double>& prescribed) {
   const auto& scene = model_.scene();
   const typename ContactProblem<dim>::Parts parts{
-      model_.structure(),       model_.points(),         model_.continuum(),      model_.held(),
-      model_.local_stiffness(), model_.initial_gap(),    scene.preconditioner,    solver_,
-      model_.compliance(),      model_.softest_mortar(), scene.newton.has_inertia};
+      model_.structure(),      model_.points(),         model_.continuum(), model_.held(), model_.local_stiffness(),
+      model_.initial_gap(),    scene.preconditioner,    scene.internals,    solver_,       model_.compliance(),
+      model_.softest_mortar(), scene.newton.has_inertia};
   StepReport report;
   law_ = current_law(state);
   const auto& selection = scene.selection;
+  const auto& numbers = scene.internals.step;
   const double tolerance = scene.newton.tolerance;
-  const double allowed = (in_time || any_time(scene.stages) ? share_of_a_time_step : 1.0) * selection.error_tolerance;
+  const double allowed =
+      (in_time || any_time(scene.stages) ? numbers.share_of_a_time_step : 1.0) * selection.error_tolerance;
   double wanted = tolerance;
   const long long selected_before = count_selected(model_, state);
-  if (looks_first(selected_before)) wanted = std::max(tolerance, accuracy_of_a_look);
+  if (looks_first(selected_before)) wanted = std::max(tolerance, numbers.first_look);
   const ContactState before = state;
   ContactState solved_last;  // of this step, with fewer points selected: nearer than what was before
   solved_last.displacement = before.displacement;
@@ -219,7 +199,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     bool solved = solve_round(parts, state, load, prescribed, wanted, left, before.lambda, cluster, report);
     // Where points are selected already a rough state is looked at no further, unless far more have to let go.
     if (solved && report.selection_rounds == 0 && selected_before > 0 && wanted > tolerance)
-      suffices = !is_too_large(root_of_violations(state, cluster), allowed);
+      suffices = !is_too_large(root_of_violations(state, cluster), allowed, numbers.too_large);
     if (solved && suffices && wanted > tolerance) {
       wanted = tolerance;
       solved = solve_round(parts, state, load, prescribed, wanted, nullptr, before.lambda, cluster, report);
@@ -254,9 +234,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     const double root = in_time || may_release ? root_of(decrease, state) : 0.0;
     auto& known = state.rest.error;
     known.follow(root);
-    report.error_estimate = known.bound(decreases_in_error);
+    report.error_estimate = known.bound(numbers.error_by_indicator, scene.internals.rest);
     const bool small = in_time && (report.error_estimate <= allowed || selection.mode != SelectionMode::adaptive);
-    const double times = first_look && selected_before == 0 ? too_large_bonded : too_large;
+    const double times = first_look && selected_before == 0 ? numbers.too_large_bonded : numbers.too_large;
     const bool large = !in_time && (release_rest || is_too_large(root, allowed, times));
     const auto estimate = [&] {
       const auto error = tie_error<dim>(parts, law_, state, cluster, violations, load, prescribed);
@@ -264,10 +244,11 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       report.newton.krylov_iterations += error.krylov_iterations;
       report.newton.failed_solves += !error.known;
       report.cost.add(error.cost);
-      report.error_estimate = relative_error(model_.structure(), state.displacement, error, known_energy);
+      report.error_estimate =
+          relative_error(model_.structure(), state.displacement, error, known_energy, numbers.largest_error);
       // What a solve leaves out may be the error: then the decreases tell, of which it is no more than a multiple.
       if (!error.known)
-        report.error_estimate = std::max(report.error_estimate, decreases_in_error * root_of(decrease, state));
+        report.error_estimate = std::max(report.error_estimate, numbers.error_by_indicator * root_of(decrease, state));
       if (in_time) known.learn(report.error_estimate);
     };
     if (large)
@@ -282,7 +263,7 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
     // from any solution where they are small. Releasing points lowers the error: one that grows is not believed.
     const bool grown = large ? root > root_before : report.error_estimate > estimate_before;
     if (grown && wanted > tolerance) {
-      wanted = std::max(tolerance, share_of_violation * wanted);
+      wanted = std::max(tolerance, numbers.share_of_violation * wanted);
       continue;
     }
     root_before = root;
@@ -295,8 +276,9 @@ StepReport AdaptiveStep<dim>::solve_unbroken(ContactState& state, const std::vec
       const auto released = release(model_, law_, cluster, decrease, state);
       more = released > 0;
       if (more) known = {};
-      if (more) wanted = std::clamp(share_of_violation * violations.largest, tolerance, coarsest_tolerance);
-      suffices = more && rest_in_error * root_of_rest(decrease, state) <= allowed;
+      if (more)
+        wanted = std::clamp(numbers.share_of_violation * violations.largest, tolerance, numbers.coarsest_tolerance);
+      suffices = more && numbers.error_of_remainder * root_of_rest(decrease, state) <= allowed;
       const auto most = selection.largest_share * static_cast<double>(model_.points().total());
       // The next round tends to release as many again: better all at once than a round that is thrown away.
       if (static_cast<double>(count_selected(model_, state) + released) > most && release_all(model_, law_, state)) {

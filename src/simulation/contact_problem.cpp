@@ -14,23 +14,6 @@
 #include "simulation/local_correction.hpp"
 
 namespace voussoir {
-namespace {
-
-// The proximal term is the stiffness of a foundation that lets the whole structure move by its size under a strain
-// of this amount: 1e-4 of E V / L^2 is far below the stiffness of any arch that stands, and bounds free motions.
-constexpr double proximal_strain = 1e-4;
-// Stones stiffer than this many times the pressure below a column of them as high as the structure are next to rigid:
-// how far they move is a matter of geometry then, and a proximal term in proportion to stiffness would hold them.
-constexpr double next_to_rigid = 1e7;
-// What round-off of displacements may make of forces, counted for one node, relative to the tolerance.
-constexpr double share_of_round_off = 0.1;
-// Stones shear in the preconditioner once a system with stiff joints has taken more Krylov iterations. Own weight of
-// W(64), adaptive, takes 5 to 11 with and without, pushed sideways it takes 20 to 40 without.
-constexpr int many_krylov = 12;
-// After so many a system is factored whole, and those that follow it are at once (figures in homogenisation/whole.md).
-constexpr int too_many_krylov = 20;
-
-}  // namespace
 
 template <int dim>
 ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& state, const PointLaws& law,
@@ -40,7 +23,7 @@ ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& stat
   space_ = std::make_unique<MergedSpace<dim>>(s, parts.points, state.selected, parts.held);
   matrix_ = std::make_unique<SystemMatrix<dim>>(s, parts.points, state.selected, *space_);
   coarse_ = std::make_shared<CoarseOperator<dim>>(s, parts.points, state.selected, *space_, parts.continuum,
-                                                  parts.preconditioner);
+                                                  parts.preconditioner, parts.internals.preconditioner);
   set_proximal_weights();
   set_movable();
   double mine = 0;
@@ -60,7 +43,8 @@ double ContactProblem<dim>::stiffest_that_counts(double volume) const {
   double mine[2] = {0, volume}, all[2];
   for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(load_[i]);
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
-  return all[0] > 0 ? next_to_rigid * all[0] * s.size() / all[1] : std::numeric_limits<double>::infinity();
+  return all[0] > 0 ? parts_.internals.step.next_to_rigid * all[0] * s.size() / all[1]
+                    : std::numeric_limits<double>::infinity();
 }
 
 template <int dim>
@@ -77,7 +61,7 @@ void ContactProblem<dim>::set_proximal_weights() {
     volume.insert(volume.end(), more.begin(), more.end());
   }
   const double stiffest = stiffest_that_counts(std::accumulate(volume.begin(), volume.begin() + s.owned_nodes(), 0.0));
-  const double factor = proximal_strain / (s.size() * s.size());
+  const double factor = parts_.internals.step.proximal_strain / (s.size() * s.size());
   const double mortar = parts_.softest_mortar * s.size();
   for (std::size_t i = 0; i < volume.size(); ++i) {
     const int k = space_->cluster()[i];
@@ -180,9 +164,9 @@ double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
 
 template <int dim>
 bool ContactProblem<dim>::carry(TpetraVector& x, double tolerance) {
-  if (parts_.inertia) return false;
+  if (parts_.inertia || !parts_.internals.step.carry) return false;
   const double round_off = std::numeric_limits<double>::epsilon() * stiffest_ * x.normInf();
-  if (!(round_off > share_of_round_off * tolerance)) return false;
+  if (!(round_off > parts_.internals.step.share_of_round_off * tolerance)) return false;
   std::vector<double> moved;
   space_->scatter(x, moved);
   if (carried_.is_null()) {
@@ -239,25 +223,25 @@ LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& 
   const auto krylov = [&](int most) {
     return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, most);
   };
-  const int most = request.largest_krylov;
+  const int most = request.largest_krylov, too_many = parts_.internals.preconditioner.krylov_to_factor;
   // With finite rotations exact solutions keep the path from arriving (homogenisation/whole.md).
   const bool otherwise = parts_.structure.model().rotations == Rotations::small && coarse_->may_factor_whole() &&
-                         (most == 0 || most > too_many_krylov);
-  auto result = krylov(otherwise ? too_many_krylov : most);
+                         (most == 0 || most > too_many);
+  auto result = krylov(otherwise ? too_many : most);
   if (otherwise && !result.converged) {
     coarse_->factor_whole();  // where that does not go its parts go on
     const int before = result.iterations;
     result = krylov(most);
     result.iterations += before;
   }
-  shear_ |= request.stiff_joints && result.iterations > many_krylov;
+  shear_ |= request.stiff_joints && result.iterations > parts_.internals.preconditioner.krylov_to_shear;
   return result;
 }
 
 template <int dim>
 int ContactProblem<dim>::correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest& request) {
-  const typename LocalCorrection<dim>::Parts parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this,
-                                                   patch_together_};
+  const typename LocalCorrection<dim>::Parts parts{
+      parts_.structure, parts_.points, *space_, proximal_weight_, *this, patch_together_, parts_.internals.methods};
   return LocalCorrection<dim>(parts).apply(x, lambda, request);
 }
 

@@ -8,6 +8,7 @@
 #include "linalg/reduce.hpp"
 #include "nonlinear/fast_way.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "scene/internals.hpp"
 #include "selection/rest.hpp"
 
 namespace voussoir {
@@ -48,6 +49,7 @@ class ContactProblem : public NonlinearProblem {
     const std::vector<double>& local_stiffness;   ///< per point [N/m]
     const std::vector<double>& initial_gap;       ///< per point [m], empty when all joints are closed at first
     const PreconditionerParameters& preconditioner;
+    const Internals& internals;
     LinearSolver& solver;
     /// Per point, empty without mortar.
     const std::vector<PointCompliance>& compliance = no_mortar();

@@ -18,14 +18,6 @@
 namespace voussoir {
 namespace {
 
-// Relative velocities below this share of the fastest, or of what the energy of the structure could move it with, rest.
-constexpr double share_of_fastest = 1e-6, share_of_energy = 1e-9;
-// If all selected points moved by what counts as rest, the error would be this share of what the selection may cost.
-constexpr double share_of_tolerance = 0.15;
-
-// Gaps that press the stones beside them by so many times the tolerance of load steps may be what these leave.
-constexpr double left_by_solver = 10;
-
 template <int dim>
 Structure<dim> structure_of_mass(const Model<dim>& model) {
   Phase phase("blocks");
@@ -157,8 +149,8 @@ void DynamicStep<dim>::set_time_step(double time_step) {
 template <int dim>
 void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
-  const double left =
-      left_by_solver * at_rest_.scene().newton.tolerance * largest_normal_force(at_rest_, lambda);
+  const double left = at_rest_.scene().internals.time_step.left_by_solver * at_rest_.scene().newton.tolerance *
+                      largest_normal_force(at_rest_, lambda);
   std::vector<double> offset(at_rest_.points().size());
   for (std::size_t k = 0; k < offset.size(); ++k) {
     const double g = gap[dim * k], force = at_rest_.local_stiffness()[k] * g;
@@ -200,7 +192,7 @@ double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& 
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
-  const double none = no_force * largest_force(at_rest_, mid);
+  const double none = at_rest_.scene().internals.time_step.no_force * largest_force(at_rest_, mid);
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
     if (!mid.selected[k]) continue;
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
@@ -231,8 +223,9 @@ template <int dim>
 double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
   double fastest = 0;
   for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
-  return share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
-         share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
+  const auto& numbers = at_rest_.scene().internals.time_step;
+  return numbers.share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
+         numbers.share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
 }
 
 /// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy. The change is the
@@ -262,11 +255,12 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   const auto& joints = at_rest_.scene().joints;
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
   if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
-  const double share = share_of_tolerance * selection.error_tolerance;
+  const double share = at_rest_.scene().internals.time_step.share_of_tolerance * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
-                                              velocities_.calm(state, negligible, resting), negligible, selection.rest);
+                                              velocities_.calm(state, negligible, resting), negligible, selection.rest,
+                                              at_rest_.scene().internals.rest);
   if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);

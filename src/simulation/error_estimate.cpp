@@ -10,19 +10,6 @@
 namespace voussoir {
 namespace {
 
-// Violations below this multiple of the solver's tolerance are its noise.
-constexpr double noise = 10;
-// Forces nearer to their bounds than this share of the largest are at them, and hold: else round-off would tell, which
-// differs from one number of ranks to the next, and the estimate of a wall with it by 4e-4 of itself.
-constexpr double least_noise = 1e-8;
-// Relative residual of the linear solve. 1e-2 changes no third digit and saves a twentieth of the Krylov iterations,
-// but the estimate would then depend on the number of ranks by as much.
-constexpr double solve_tolerance = 1e-4;
-
-// Errors beyond this many times the solution are all the same: no solution at all. Bounds the estimate where nothing
-// would be left under load.
-constexpr double largest_error = 100;
-
 /// Releases every point at the vertex of a violating one: each of them ties its nodes.
 template <int dim>
 void release_violating(const ContactPoints<dim>& points, const std::vector<int>& cluster,
@@ -56,11 +43,13 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
                                const std::vector<int>& cluster) {
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
+  const auto& numbers = model.scene().internals.step;
+  const double tolerance = numbers.noise * model.scene().newton.tolerance;
   TiedViolations v;
   v.force.assign(points.owned(), 0.0);
   double worst = 0;
   const double force = v.largest_normal = largest_normal_force(model, state.lambda);
-  v.noise = std::max(noise * model.scene().newton.tolerance, least_noise) * force;
+  v.noise = std::max(tolerance, numbers.least_noise) * force;
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
@@ -69,7 +58,7 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
     std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
     // An open point that is tied bears nothing.
     const double r = !open.empty() && open[k] ? norm(f) : violation(law[k], f);
-    if (r <= noise * model.scene().newton.tolerance * force) continue;
+    if (r <= tolerance * force) continue;
     v.force[k] = r;
     worst = std::max(worst, r);
   }
@@ -85,10 +74,11 @@ std::vector<double> predicted_decrease(const TiedViolations& violations, const s
   return eta;
 }
 
-double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, const Teuchos::Comm<int>& comm) {
+double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, double largest,
+                         const Teuchos::Comm<int>& comm) {
   const double sum =
       total_over_ranks(comm, std::accumulate(predicted_decrease.begin(), predicted_decrease.end(), 0.0));
-  return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest_error;
+  return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest;
 }
 
 template <int dim>
@@ -124,7 +114,7 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
   problem.subtract_contact_forces(forces, *b);
   b->scale(-1);
   TieError error;
-  const auto solved = problem.solve(resistance, 1.0, b, e, {solve_tolerance});
+  const auto solved = problem.solve(resistance, 1.0, b, e, {parts.internals.step.estimate_accuracy});
   error.krylov_iterations = solved.iterations;
   error.known = solved.converged;
   error.linear_solves = 1;
@@ -135,13 +125,13 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
 
 template <int dim>
 double relative_error(const Structure<dim>& structure, const std::vector<double>& displacement, const TieError& error,
-                      double known_energy) {
+                      double known_energy, double largest) {
   if (error.change.empty()) return 0.0;
   auto without = structure.deformation(displacement);
   for (std::size_t i = 0; i < without.size(); ++i) without[i] += error.change[i];
   const double changed = structure.elastic_energy(error.change);
   const double energy = std::max(structure.elastic_energy(without), known_energy);
-  return std::sqrt(changed) < largest_error * std::sqrt(energy) ? std::sqrt(changed / energy) : largest_error;
+  return std::sqrt(changed) < largest * std::sqrt(energy) ? std::sqrt(changed / energy) : largest;
 }
 
 template double largest_normal_force<2>(const Model<2>&, const PointField&);
@@ -151,6 +141,6 @@ template std::vector<char> open_points<2>(const Model<2>&);
 template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&, const ContactState&,
                                const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
                                const std::vector<double>&);
-template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double);
+template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double, double);
 
 }  // namespace voussoir

@@ -32,7 +32,9 @@ TiedViolations tied_violations(const Model<dim>&, const PointLaws&, const Contac
 std::vector<double> predicted_decrease(const TiedViolations&, const std::vector<double>& local_stiffness);
 
 /// Root of the sum of decreases by the energy of the structure [J]; the error is at most five times that. Collective.
-double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, const Teuchos::Comm<int>&);
+/// @param largest  errors beyond it are all the same
+double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, double largest,
+                         const Teuchos::Comm<int>&);
 
 /// 1 where a point stands open when a step begins.
 template <int dim>
@@ -55,9 +57,10 @@ TieError tie_error(const typename ContactProblem<dim>::Parts&, const PointLaws&,
 
 /// Error of ties relative to the energy that the structure would have without them [-]. Collective.
 /// @param known_energy  [J] of the structure, where displacement does not tell
+/// @param largest       errors beyond it are all the same
 template <int dim>
 double relative_error(const Structure<dim>&, const std::vector<double>& displacement, const TieError&,
-                      double known_energy);
+                      double known_energy, double largest);
 
 /// Largest normal force of all points, tied ones too [N]. Collective.
 template <int dim>
@@ -70,6 +73,7 @@ extern template std::vector<char> open_points<2>(const Model<2>&);
 extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&,
                                       const ContactState&, const std::vector<int>&, const TiedViolations&,
                                       const std::vector<double>&, const std::vector<double>&);
-extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double);
+extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double,
+                                         double);
 
 }  // namespace voussoir

@@ -18,13 +18,6 @@
 namespace voussoir {
 namespace {
 
-// Patches may have this share of all unknowns together: their ten to twenty direct solutions then cost as much as two
-// or three linear solves of the whole. Where all that has parted has no more than the second share it is brought to
-// rest together: nothing is passed on then, and nothing stays stuck.
-constexpr double largest_share = 0.25, largest_share_of_all = 0.125;
-// So many more rings of neighbours where what a patch passes on is more than its surroundings should bear.
-constexpr int more_rings = 3;
-
 /// Blocks that any rank names, ascending, the same list on every rank.
 std::vector<BlockId> over_ranks(std::vector<BlockId> mine, const Teuchos::Comm<int>& comm) {
   sort_unique(mine);
@@ -277,7 +270,7 @@ typename LocalCorrection<dim>::Outcome LocalCorrection<dim>::solve(const LocalRe
     parts[i].force_scale = request.scale;
     parts[i].length_scale = parts_.structure.size();
     const auto points_before = parts[i].points, border_before = parts[i].border;
-    Patch patch(std::move(parts[i]));
+    Patch patch(std::move(parts[i]), parts_.methods);
     if (ids[i].size() > SparseLu::most_rows || !patch.solve(request.tolerance, report)) {
       ++out.failed;
       continue;
@@ -339,11 +332,12 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   parts_.problem.evaluate(x, *linear_, gap_);
   find_blocks(lambda, request.threshold);
   if (stuck_.empty()) return 0;
+  const int more_rings = parts_.methods.patches.more_rings;
   int solves = 0;
   if (parts_.together) {
     const auto worst = std::exchange(stuck_, parted_blocks());
     find_patches();
-    if (!larger_than(largest_share_of_all)) {
+    if (!larger_than(parts_.methods.patches.largest_share_of_all)) {
       const auto result = solve_patches(x, lambda, request, request.most);
       if (result.at_rest) return result.solves;
       solves = result.solves;
@@ -354,7 +348,7 @@ int LocalCorrection<dim>::apply(TpetraVector& x, PointField& lambda, const Local
   }
   for (int ring = 0; !stuck_.empty(); ++ring) {
     find_patches();
-    if (larger_than(largest_share)) break;
+    if (larger_than(parts_.methods.patches.largest_share)) break;
     const auto result = solve_patches(x, lambda, request, ring < more_rings ? request.bearable : request.most);
     solves += result.solves;
     if (ring == more_rings) break;

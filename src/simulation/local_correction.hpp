@@ -7,6 +7,7 @@
 #pragma once
 
 #include "homogenisation/merged_space.hpp"
+#include "nonlinear/method_parameters.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "simulation/patch_messages.hpp"
 
@@ -23,6 +24,7 @@ class LocalCorrection {
     const std::vector<double>& proximal_weight;
     NonlinearProblem& problem;
     bool& together;  ///< whether all that has parted may be one patch; false once that is too much or came to no rest
+    const MethodParameters& methods;
   };
   explicit LocalCorrection(const Parts& parts) : parts_(parts) {}
 

@@ -33,11 +33,6 @@ std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>
 
 // Forces whose squares, down to the tolerances of solvers, stay within the numbers a computer holds. [N]
 constexpr double smallest_force = 1e-130, largest_force = 1e130;
-// Active sets, one path and one closing: what has not arrived then goes in circles, and half the step is the way out.
-constexpr int largest_iterations_in_time = 250;
-// Where points share a vertex, mortar alone decides between their forces, and a solver that sees them as softer creeps:
-// W(8) with mortar of 1e12 Pa/m took 254 linear solves as soft as its stones, 57 as stiff as these multiples allow.
-constexpr double beyond_mortar = 10, beyond_stone = 100;
 
 }  // namespace
 
@@ -63,7 +58,8 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
   }
   if (only_time(scene.stages)) return;
   Phase phase("continuum");
-  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu);
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu,
+                                                scene.internals.preconditioner);
 }
 
 template <int dim>
@@ -72,7 +68,8 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
         Scene scene = at_rest.scene_;
         scene.newton.tolerance = tolerance;
         scene.newton.has_inertia = true;
-        scene.newton.largest_iterations = std::min(scene.newton.largest_iterations, largest_iterations_in_time);
+        scene.newton.largest_iterations =
+            std::min(scene.newton.largest_iterations, scene.internals.time_step.largest_iterations);
         return scene;
       }())),
       scene_(*own_scene_),
@@ -89,7 +86,8 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
   }));
   set_local_stiffness(&mass, rule);
   Phase phase("continuum");
-  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene_.solver.muelu);
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene_.solver.muelu,
+                                                scene_.internals.preconditioner);
 }
 
 template <int dim>
@@ -141,6 +139,7 @@ void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointR
     return (mass ? rule.stiffness_factor() : 1.0) * material.young_modulus * structure_->model().thickness +
            inertia[node];
   };
+  const auto& numbers = scene_.internals.step;
   local_stiffness_.clear();
   for (const auto& p : points_->points()) {
     const double i = side(p.node_i), j = side(p.node_j);
@@ -149,7 +148,7 @@ void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointR
     const auto& c = compliance_[local_stiffness_.size() - 1];
     const double softest = std::max(c.normal, c.tangential);
     double& k = local_stiffness_.back();
-    if (softest > 0) k = std::max(k, std::min(beyond_mortar / softest, beyond_stone * k));
+    if (softest > 0) k = std::max(k, std::min(numbers.beyond_mortar / softest, numbers.beyond_stone * k));
   }
 }
 

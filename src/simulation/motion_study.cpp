@@ -41,6 +41,7 @@ enum Status : char { tied, open, sticks, slips };
 
 /// Of every point a rank owns.
 std::vector<char> statuses(const Model<2>& model, const ContactState& state) {
+  const double no_force = model.scene().internals.time_step.no_force;
   const double none = no_force * largest_force(model, state);
   std::vector<char> status(model.points().owned(), tied);
   for (int k = 0; k < model.points().owned(); ++k) {

@@ -29,7 +29,7 @@ long long release(const Model<dim>& model, const PointLaws& law, const std::vect
   const auto& comm = *model.structure().comm();
   const auto& parameters = model.scene().selection;
   const double share = parameters.error_tolerance > 0 ? parameters.bulk : 1.0;
-  const auto marked = mark_bulk(eta, share, comm);
+  const auto marked = mark_bulk(eta, share, comm, model.scene().internals.rest);
   std::vector<double> flag(points.size(), 0.0);
   for (int k = 0; k < points.owned(); ++k) flag[k] = marked[k];
   points.exchange().update(flag, 1);

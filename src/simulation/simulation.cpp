@@ -354,7 +354,7 @@ class Run {
 
 RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, std::ostream& say) {
   Teuchos::Time clock("total", true);
-  print_scene(say, scene);
+  print_scene(say, scene, options.verbose);
   const auto source = checked_blocks(scene, comm);
   if (options.validate || options.dry_run)
     for (const auto& w : mesh_warnings(scene, *source)) say << "WARNING: " << w.where << ": " << w.text << ".\n";

@@ -10,20 +10,6 @@
 namespace voussoir {
 namespace {
 
-// Neighbours move at the same time: half of the step to balance is what Jacobi's method bears between two springs.
-constexpr double share_of_step = 0.5;
-// A heavy ball rolls on with so much of its last way: the best share where balance is found a dozen stones away, for
-// which (1 - 1/12)^2 = 0.84.
-constexpr double momentum = 0.85;
-// No balance is found where so many sweeps do not lower what all stones lack together by a thousandth: a push has
-// crossed as many stones by then.
-constexpr int patience = 50;
-constexpr double progress = 0.999;
-// Foundation of a stone that no point touches in some direction, relative to the stiffness of its points.
-constexpr double foundation = 1e-3;
-// Steps of a stone alone: those that stand take a handful, or some dozens where one edge is left to stand on.
-constexpr int most_steps_alone = 200;
-
 /// Solves the symmetric positive definite system a x = b in place of b.
 void solve_plane(std::array<StoneVector, 3>& a, StoneVector& b) {
   for (int k = 0; k < 3; ++k)
@@ -54,6 +40,7 @@ std::vector<long long> block_ids(const Structure<2>& s) {
 
 StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stones, double stiffness)
     : model_(model),
+      numbers_(model.scene().internals.ties),
       stones_(std::move(stones)),
       stiffness_(stiffness),
       exchange_(block_ids(model.structure()), model.structure().owned_blocks(), model.structure().comm()),
@@ -134,7 +121,7 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack, Neighbo
     }
   }
   for (int c = 0; c < 3; ++c) matrix[c][c] += stone.support[c];
-  const double ground = held ? foundation * stiffness_ : 0;
+  const double ground = held ? numbers_.foundation * stiffness_ : 0;
   matrix[0][0] += ground;
   matrix[1][1] += ground;
   matrix[2][2] += ground * stone.radius * stone.radius;
@@ -159,7 +146,7 @@ double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearab
   if (least > bearable) {
     least = begun;
     StoneVector lack = lacks, there{};
-    for (int k = 0; k < most_steps_alone && least > bearable; ++k) {
+    for (int k = 0; k < numbers_.steps_alone && least > bearable; ++k) {
       const auto step = step_of(block, lack, Neighbours::that_stay);
       for (int c = 0; c < 3; ++c) there[c] += step[c];
       lack = lack_at(there);
@@ -178,7 +165,7 @@ std::vector<double> StoneRelaxation::steps(const std::vector<double>& lacks) con
   for (int b = 0; b < static_cast<int>(lack_.size()); ++b) {
     if (lacks[b] <= bearable_[b] || links_[b].empty()) continue;
     const auto step = step_of(b, lack_[b], Neighbours::all);
-    for (int c = 0; c < 3; ++c) steps[3 * b + c] = share_of_step * step[c];
+    for (int c = 0; c < 3; ++c) steps[3 * b + c] = numbers_.share_of_step * step[c];
   }
   return steps;
 }
@@ -194,7 +181,7 @@ void StoneRelaxation::move(std::vector<double> steps) {
       continue;
     }
     for (int c = 0; c < 3; ++c) {
-      way_[b][c] = at[c] + momentum * way_[b][c];
+      way_[b][c] = at[c] + numbers_.momentum * way_[b][c];
       place_[b][c] += way_[b][c];
     }
     moved.push_back(static_cast<int>(b));
@@ -265,11 +252,11 @@ RelaxedStones StoneRelaxation::relax(const std::vector<double>& bearable, int lo
   double least = force;  // [N] that all stones which lack too much have lacked together
   int sweep = 0;
   for (int last_progress = 0;; ++sweep) {
-    if (force < progress * least) {
+    if (force < numbers_.progress * least) {
       least = force;
       last_progress = sweep;
     }
-    if (lacking == 0 || sweep - last_progress == patience) break;
+    if (lacking == 0 || sweep - last_progress == numbers_.patience) break;
     move(steps(lacks));
     const auto all = over_ranks(measure(lacks), 0);
     lacking = all[0];

@@ -96,6 +96,7 @@ class StoneRelaxation {
   void take_up(const std::vector<int>& moved);
 
   const Model<2>& model_;
+  const TieParameters numbers_;
   std::vector<Stone> stones_;
   double stiffness_;
   Exchange exchange_;                     ///< of blocks

@@ -166,9 +166,10 @@ void SystemStudy::add(const SystemCase& given, Scene scene) {
   auto state = AdaptiveStep<2>(model).initial_state();
   state.selected.assign(state.selected.size(), 1);
   const auto stiffness = resistances_by_lot(model, given);
-  ContactProblem<2> problem({model.structure(), model.points(), model.continuum(), model.held(),
-                             model.local_stiffness(), model.initial_gap(), scene.preconditioner, solver},
-                            state, model.law(), load, prescribed);
+  ContactProblem<2> problem(
+      {model.structure(), model.points(), model.continuum(), model.held(), model.local_stiffness(), model.initial_gap(),
+       scene.preconditioner, scene.internals, solver},
+      state, model.law(), load, prescribed);
   const auto x = problem.unknowns(state.displacement);
   const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
   const auto d = Teuchos::rcp(new TpetraVector(problem.map()));

@@ -14,11 +14,6 @@
 namespace voussoir {
 namespace {
 
-// What a block lacks counts as nothing below this multiple of the tolerance to which forces are known.
-constexpr double noise = 10;
-// Loads of a stone that add up to less than this share of their magnitudes are in balance, up to round-off.
-constexpr double balanced = 1e-10;
-
 /// Stiffness of the springs [N/m]: that of the softest point, for all alike. Which stones find a balance is a matter of
 /// places and laws; springs that differ by orders of magnitude would only make them wait for each other. Collective.
 double stiffness_of_springs(const Model<2>& model) {
@@ -209,6 +204,7 @@ std::vector<double> TieCriterion::left_alone(const Demands& demands, double unkn
                                              const std::map<BlockId, BlockSums>& below) {
   const auto& s = model_.structure();
   auto& relaxation = stones_->relaxation;
+  const double bearable = model_.scene().internals.ties.largest_share_alone;
   std::vector<double> share(s.owned_blocks(), 0.0);
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& stone = relaxation.stones()[b];
@@ -223,7 +219,7 @@ std::vector<double> TieCriterion::left_alone(const Demands& demands, double unkn
       }
     }
     const double borne = std::max(demands.own[b], size_of(load, stone.radius));
-    const double left = relaxation.alone(b, lacks, std::max(unknown, largest_share_alone * borne));
+    const double left = relaxation.alone(b, lacks, std::max(unknown, bearable * borne));
     if (left > unknown) share[b] = borne > 0 ? left / borne : std::numeric_limits<double>::infinity();
   }
   return share;
@@ -233,6 +229,7 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
                                const std::vector<double>& borne, const std::vector<double>& load,
                                double largest_normal) {
   const auto& s = model_.structure();
+  const auto& numbers = model_.scene().internals.ties;
   if (!stones_ || stones_->arrangement != model_.arrangement()) arrange(absent_here(model_));
   auto points = springs(model_, law, state, cluster);
   PointField forces;
@@ -251,17 +248,17 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
   const auto below = of_dependants(demands);
   auto& relaxation = stones_->relaxation;
   relaxation.begin(std::move(points), demands.lacks);
-  const double unknown = noise * model_.scene().newton.tolerance * largest_normal;
+  const double unknown = numbers.noise * model_.scene().newton.tolerance * largest_normal;
   std::vector<double> bearable;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     // A stone without load, or whose loads are in balance as those of heat are, is measured by what passes through it.
     double own = size_of(demands.loads[b], relaxation.stones()[b].radius);
-    if (own <= balanced * magnitudes_over(s.blocks()[b], load)) own = relaxation.passing(b);
+    if (own <= numbers.balanced * magnitudes_over(s.blocks()[b], load)) own = relaxation.passing(b);
     demands.own.push_back(own);
-    bearable.push_back(std::max(unknown, largest_tied_share * own));
+    bearable.push_back(std::max(unknown, numbers.largest_share * own));
   }
   const auto alone = left_alone(demands, unknown, below);
-  const auto is_loose_alone = [](double share) { return share > largest_share_alone; };
+  const auto is_loose_alone = [&](double share) { return share > numbers.largest_share_alone; };
   const auto relaxed =
       relaxation.relax(bearable, static_cast<int>(std::count_if(alone.begin(), alone.end(), is_loose_alone)));
   TieBalance balance;

@@ -29,12 +29,6 @@
 
 namespace voussoir {
 
-/// So much of the load of a stone may be left to ties beyond the law of its joint where all stones move [-]: relaxation
-/// leaves no more of own weight on walls up to W(128), so they pay no linear solve for it (src/selection/ties.md).
-constexpr double largest_tied_share = 0.03;
-/// The same of a stone alone between its neighbours, whose balance is found at once [-]: the accuracy of load factors.
-constexpr double largest_share_alone = 1e-3;
-
 /// Which blocks owe more to ties than they may.
 struct TieBalance {
   std::vector<char> loose;  ///< per local block, halo included: 1 where nothing but ties balances it

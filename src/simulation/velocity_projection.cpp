@@ -13,12 +13,6 @@
 namespace voussoir {
 namespace {
 
-// Of the relative velocities there were. More is not needed, less lets runs on 1 and 2 ranks part.
-constexpr double solve_tolerance = 1e-11;
-// Of the largest velocity: what differences of velocities are known to. Forces at a vertex of three blocks are not
-// unique, so the system is singular, and conjugate gradients leave it by what round-off puts beyond its range.
-constexpr double round_off = 1e-14;
-
 template <int dim>
 Teuchos::RCP<const TpetraMap> map_of_points(const ContactPoints<dim>& points,
                                             const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
@@ -155,10 +149,11 @@ double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::
   double fastest = 0;
   for (double v : velocity) fastest = std::max(fastest, std::abs(v));
   const double size = speed->norm2();
-  const double known = round_off * largest_over_ranks(*map->getComm(), fastest) *
+  const auto& numbers = model_.scene().internals.time_step;
+  const double known = numbers.velocity_round_off * largest_over_ranks(*map->getComm(), fastest) *
                        std::sqrt(static_cast<double>(map->getGlobalNumElements()));
   if (size <= known) return 0;
-  const double tolerance = std::max(solve_tolerance, known / size);
+  const double tolerance = std::max(numbers.velocity_accuracy, known / size);
   const auto solved = solver_.solve(impulses_, by_mass_, speed, lambda, tolerance);
   if (!solved.converged) throw SolverFailure("the impulses between stones are not found: " + solved.failure);
   const auto& change = impulses_->change(*lambda);

@@ -14,8 +14,6 @@
 namespace voussoir {
 namespace {
 
-constexpr double solve_tolerance = 1e-10;
-
 /// Components of points whose relative velocities are to vanish: 1 [points x components].
 using Held = std::vector<char>;
 
@@ -27,6 +25,7 @@ std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& stat
                                double resting) {
   const auto& points = model.points().points();
   const auto gap = model.gaps(state.displacement);
+  const double no_force = model.scene().internals.time_step.no_force;
   const double none = no_force * largest_force(model, state), round_off = closed_gap * model.structure().size();
   const auto loaded = [&](std::size_t k) {
     const bool glued = !state.broken[k] && model.law()[k].tension > 0;
@@ -64,7 +63,7 @@ struct VelocityUpdate<dim>::Spread {
       : state(s),
         zero(s.displacement.size(), 0.0),
         problem({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
-                 at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, solver},
+                 at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, at_rest.scene().internals, solver},
                 state, at_rest.law(), zero, zero),
         bodies(at_rest, mass, state.selected) {}
 
@@ -154,8 +153,8 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& 
   for (std::size_t i = 0; i < closed.size(); i += dim)
     if (closed[i] && (!any || std::abs(speed[i]) > resting)) impulse[i] = -lambda[i];
   problem.subtract_contact_forces(impulse, *b);
-  const auto solved =
-      problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d, {solve_tolerance});
+  const auto solved = problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d,
+                                    {at_rest_.scene().internals.time_step.impulse_accuracy});
   if (!solved.converged) throw SolverFailure("how impulses spread is not found: " + solved.failure);
   Way way;
   const auto& space = problem.space();
@@ -213,10 +212,9 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
     const double whole = kinetic_energy(way.velocity);
     if (whole > 0) {
       // Where closed points hold everything there is no way behind them: then they rebound.
-      constexpr double nothing = 1e-12;
       auto behind = within_bodies(way, supports);
       behind.work_of_supports += project(behind.velocity, closed, state.selected, supports);
-      if (kinetic_energy(behind.velocity) > nothing * whole) way = behind;
+      if (kinetic_energy(behind.velocity) > at_rest_.scene().internals.time_step.no_way * whole) way = behind;
       const double slope = product(v, way.velocity) - way.work_of_supports;
       const double change = least_change(kinetic_energy(way.velocity), slope, wanted);
       for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way.velocity[i];

@@ -21,9 +21,6 @@
 
 namespace voussoir {
 
-/// Forces below this share of the largest are none; a stick force closer to its bound than this slips.
-inline constexpr double no_force = 1e-8;
-
 /// Largest normal force of selected points [N]. Collective.
 template <int dim>
 double largest_force(const Model<dim>&, const ContactState&);

@@ -46,6 +46,7 @@ int iterations_at_solution(Scene scene, Stones stones = Stones::rigid) {
                                        model.local_stiffness(),
                                        {},
                                        model.scene().preconditioner,
+                                       model.scene().internals,
                                        solver};
   ContactProblem<2> problem(parts, state, model.law(), experiment.load(), experiment.prescribed());
   auto patternless = experiment.load();

@@ -33,13 +33,13 @@ class Flying : public Patch {
   bool helps_;
 };
 
-double damping_of(bool helps) {
+double damping_of(bool helps, const MethodParameters& methods = {}) {
   Flying problem(helps);
   TpetraVector x(problem.map());
   local_view_to_write(x)[0] = at_rest - 1e-3;  // a newton from rest
   PointField lambda = {weight, friction * weight};
   NewtonReport report;
-  ActiveSet active(problem, ActiveSetUse::at_rest, ActiveSet::usual_patience);
+  ActiveSet active(problem, ActiveSetUse::at_rest, methods, methods.active_set.patience);
   active.solve(x, lambda, 1e-9, 30, nullptr, report);
   return problem.largest_damping;
 }
@@ -50,6 +50,12 @@ TEUCHOS_UNIT_TEST(ActiveSet, DampsNoMoreWhereThatDoesNotHelp) {
   const double damping = damping_of(false);
   TEST_COMPARE(damping, >, 0);
   TEST_COMPARE(damping, <=, 0.01 * (1 + 1e-12));
+}
+
+TEUCHOS_UNIT_TEST(ActiveSet, DampsNothingWhereThatIsSwitchedOff) {
+  MethodParameters methods;
+  methods.active_set.damping = false;
+  TEST_EQUALITY(damping_of(true, methods), 0.0);
 }
 
 // The node of the slider stands on two points, one two nanometres below the other, which bears everything in the end.
@@ -63,7 +69,7 @@ TEUCHOS_UNIT_TEST(ActiveSet, SendsForcesThatCreepToWhereAPointOpens) {
   TpetraVector x(problem.map());
   PointField lambda = {weight / 2, 0, weight / 2, 0};
   NewtonReport report;
-  ActiveSet active(problem, ActiveSetUse::at_rest, ActiveSet::usual_patience);
+  ActiveSet active(problem, ActiveSetUse::at_rest, MethodParameters(), ActiveSetParameters().patience);
   TEST_ASSERT(active.solve(x, lambda, tolerance, 30, nullptr, report) == ActiveSetEnd::arrived);
   TEST_EQUALITY(lambda[0], 0);
   TEST_FLOATING_EQUALITY(lambda[2], weight, 1e-6);

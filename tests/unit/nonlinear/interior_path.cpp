@@ -27,7 +27,7 @@ Walk follow(const std::function<bool(TpetraVector&, PointField&)>& shortcut) {
   TpetraVector x(problem.map());
   PointField lambda(2, 0.0);
   NewtonReport report;
-  InteriorPath path(problem);
+  InteriorPath path(problem, {});
   path.shortcut = shortcut;
   const auto end = path.follow(x, lambda, tolerance, 100, nullptr, report);
   return {end, local_view(x)[0], lambda, report.newton_iterations};

@@ -71,7 +71,7 @@ TEUCHOS_UNIT_TEST(LooseStones, AreLeftWhereTheyWereNearestToRest) {
     auto parts = stone_on_two();
     parts.start = {0.3, 0.1, 0.3, 0.1};
     Patch patch(parts);
-    ActiveSet active(patch, ActiveSetUse::in_patch);
+    ActiveSet active(patch, ActiveSetUse::in_patch, {}, ActiveSetParameters().patience);
     double least = std::numeric_limits<double>::infinity();
     active.narrate = [&](const NewtonProgress& p) { least = std::min(least, std::max(p.residual, p.complementarity)); };
     TpetraVector x(patch.map());

@@ -1,0 +1,69 @@
+// Each way through the contact conditions finds the slider's rest alone, and one that is switched off makes no solve.
+#include "nonlinear/contact_solver.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "linalg/local_view.hpp"
+#include "unit/nonlinear/slider.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+constexpr double friction = 0.3, at_rest = (push - friction * weight) / spring;  // [m]
+
+MethodParameters none() {
+  MethodParameters methods;
+  methods.solver.active_sets = methods.path.used = methods.closing.used = false;
+  return methods;
+}
+
+struct Solved {
+  NewtonReport report;
+  double place = 0;    ///< [m]
+  int fast_waits = 0;  ///< for active sets
+};
+
+Solved solve(const MethodParameters& methods) {
+  Patch problem = slider_on_the_ground(friction);
+  TpetraVector x(problem.map());
+  PointField lambda = {weight, 0};
+  FastWay fast;
+  Solved s;
+  s.report = ContactSolver(problem, {}, methods, fast).solve(x, lambda, 1e-9);
+  s.place = local_view(x)[0];
+  s.fast_waits = fast.next_wait;
+  return s;
+}
+
+TEUCHOS_UNIT_TEST(ContactSolver, MakesNoSolveWhereEveryWayIsSwitchedOff) {
+  const auto s = solve(none());
+  TEST_ASSERT(s.report.outcome == NewtonOutcome::not_converged);
+  TEST_EQUALITY(s.report.newton_iterations, 0);
+  TEST_EQUALITY(s.place, 0.0);
+  TEST_INEQUALITY(s.report.reason.find("switched off"), std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(ContactSolver, FindsRestByEachWayAlone) {
+  for (const int way : {0, 1, 2}) {
+    auto methods = none();
+    (way == 0 ? methods.solver.active_sets : way == 1 ? methods.path.used : methods.closing.used) = true;
+    const auto s = solve(methods);
+    out << "way " << way << ": " << s.report.newton_iterations << " solves\n";
+    TEST_ASSERT(s.report.outcome == NewtonOutcome::converged);
+    TEST_FLOATING_EQUALITY(s.place, at_rest, 1e-6);
+  }
+}
+
+// One solve is not enough for active sets: they fail, and are left out of the next solve.
+TEUCHOS_UNIT_TEST(ContactSolver, BacksOffOnlyWhereThatIsSwitchedOn) {
+  for (const bool back_off : {true, false}) {
+    MethodParameters methods;
+    methods.solver.solves_at_rest = 1;
+    methods.solver.back_off = back_off;
+    TEST_EQUALITY(solve(methods).fast_waits, back_off ? 1 : 0);
+  }
+}
+
+}  // namespace
