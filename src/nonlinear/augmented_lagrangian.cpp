@@ -265,8 +265,9 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
                    ? drifting + 1
                    : 0;
     last_residual = report.residual;
-    const bool far = report.complementarity < numbers_.believable && moved_far(s);
-    if ((drifting > numbers_.drifting_steps || far) && runs_away(s)) {
+    // Stones in flight collide: where forces do not obey the contact law, what moves proves nothing, however far it went.
+    const bool believed = report.complementarity < numbers_.believable;
+    if (believed && (drifting > numbers_.drifting_steps || moved_far(s)) && runs_away(s)) {
       report.outcome = NewtonOutcome::collapse;
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return report;

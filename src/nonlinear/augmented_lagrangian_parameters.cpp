@@ -56,7 +56,7 @@ void AugmentedLagrangianParameters::declare(ParameterSection& section) {
               "share of the imbalance that a motion without end may change. Reason: it would have to go on as far "
               "again");
   section.add("believable", believable, "-", above(0.0),
-              "contact residual, of the largest force, at which a motion that has gone far is believed. Reason: "
+              "contact residual, of the largest force, at which a motion without end is believed. Reason: "
               "stones in flight collide");
   section.add("settled", settled, "-", above(0.0),
               std::string("share of the imbalance below which forces have settled. ") + no_reason);

@@ -30,7 +30,7 @@ struct AugmentedLagrangianParameters {
   double prediction = 1e-3;         ///< accuracy of the solve that moves supports and loads
   double run_away = 0.2;   ///< share of the structure that is no elastic displacement of masonry, on the path too
   double unchanged = 0.5;  ///< share of the imbalance that a motion without end may change
-  /// contact residual, of the largest force, at which a motion that has gone far is believed
+  /// contact residual, of the largest force, at which a motion without end is believed
   double believable = 0.01;
   double settled = 0.1;    ///< share of the imbalance below which forces have settled
   double drifting = 0.5;   ///< share of the last imbalance above which it stays
