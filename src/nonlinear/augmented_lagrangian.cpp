@@ -265,7 +265,7 @@ NewtonReport AugmentedLagrangian::solve(TpetraVector& x, PointField& lambda, dou
                    ? drifting + 1
                    : 0;
     last_residual = report.residual;
-    // Stones in flight collide: where forces do not obey the contact law, what moves proves nothing, however far it went.
+    // Stones in flight collide: where forces do not obey the contact law, a motion proves nothing, however far it went.
     const bool believed = report.complementarity < numbers_.believable;
     if (believed && (drifting > numbers_.drifting_steps || moved_far(s)) && runs_away(s)) {
       report.outcome = NewtonOutcome::collapse;
