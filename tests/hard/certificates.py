@@ -151,6 +151,9 @@ class Random:
         rigid = RigidStones(self.stones, self.held, self.friction)
         weights = [density * centre_and_area(points)[1] for density, points in zip(self.density, self.stones)]
         fixed = [(k, rigid.middle[k], (0.0, -m * scenes.GRAVITY)) for k, m in enumerate(weights)]
+        weight_borne = rigid.largest_factor([], fixed, LARGEST)  # what is pressed may stand where its weight alone does not
+        if weight_borne is None or weight_borne < 1:
+            return None
         share = self.pattern.get("push", 0.0)
         raised = [(k, rigid.middle[k], (share * m * self.push[0], share * m * self.push[1]))
                   for k, m in enumerate(weights) if share]
