@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-from draw_common import GREY, RED, dot_entry, draw_lines, drawing, limits, line_entry, outline_width, save
+from draw_common import GREY, RED, STONE, dot_entry, draw_lines, drawing, limits, line_entry, outline_width, save
 from geometry import force_text, round_number
 from statics import joint_points, resultant, ring_resultants, thrust_line
 
@@ -38,18 +38,34 @@ def draw_stress(mesh, joints, edges, step, rings, folder):
                           cax=figure.add_axes([place.x1 + 0.015, place.y0 + (place.height - height) / 2, 0.014, height]))
     bar.set_label("compression [MPa]")
     bar.outline.set_visible(False)
+    largest = draw_resultants(figure, axes, joints, step, rings)
+    return save(figure, folder, "stress"), top, largest
+
+
+def draw_thrust(mesh, joints, edges, step, rings, folder, name):
+    """Resultants and lines of thrust on the stones alone; returns the path and the largest resultant [N]."""
+    x = mesh.coordinates
+    figure, axes = drawing(limits(x))
+    axes.add_collection(PolyCollection(x[mesh.cells], facecolors=STONE, edgecolors="none", antialiased=False))
+    draw_lines(axes, x[edges], GREY, 0.6 * outline_width(mesh.blocks))
+    largest = draw_resultants(figure, axes, joints, step, rings)
+    return save(figure, folder, name), largest
+
+
+def draw_resultants(figure, axes, joints, step, rings):
+    """Resultants of all joints as dots, the line of thrust of every ring, and their legend; the largest resultant [N]."""
     resultants = all_resultants(joints, step)
     largest = max((r.normal for r in resultants), default=0.0)
     shown = [r for r in resultants if r.normal > 1e-3 * largest]
+    biggest = 36.0 if len(shown) < 300 else 14.0  # points^2, so that dots of a bridge do not hide it
     if shown:
         force = np.array([r.normal for r in shown])
-        biggest = 36.0 if len(shown) < 300 else 14.0  # points^2, so that dots of a bridge do not hide it
         axes.scatter(*np.array([r.place for r in shown]).T, s=biggest * force / largest, color=RED, linewidths=0, zorder=4,
                      alpha=0.9 if len(shown) < 300 else 0.6)
     for ring in rings:
         axes.plot(*thrust_line(ring_resultants(ring, joints, step)).T, "-", color=RED, lw=1.8, zorder=5)
-    draw_force_legend(figure, largest, 36.0 if len(shown) < 300 else 14.0, bool(rings))
-    return save(figure, folder, "stress"), top, largest
+    draw_force_legend(figure, largest, biggest, bool(rings))
+    return largest
 
 
 def draw_force_legend(figure, largest, biggest, with_line):

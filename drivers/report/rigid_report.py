@@ -1,35 +1,13 @@
 """The report of a run that asked rigid limit analysis alone: forces in balance, the limit and its mechanism."""
-from matplotlib.collections import PolyCollection
-
 import tables
-from draw_common import GREY, RED, STONE, draw_lines, drawing, limits, outline_width, save
-from draw_forces import all_resultants, draw_force_legend
+from draw_forces import draw_thrust
 from geometry import force_text
 from read_results import find, is_mechanism, number
-from statics import geometrical_factor, ring_resultants, thrust_line
+from statics import ring_resultants
 
 
 def asked_alone(results):
     return isinstance(results.result.get("rigid"), dict)
-
-
-def draw_thrust(mesh, joints, edges, step, rings, folder, name):
-    """Resultants of joints and lines of thrust on the stones; returns the path and the largest resultant [N]."""
-    x = mesh.coordinates
-    figure, axes = drawing(limits(x))
-    axes.add_collection(PolyCollection(x[mesh.cells], facecolors=STONE, edgecolors="none", antialiased=False))
-    draw_lines(axes, x[edges], GREY, 0.6 * outline_width(mesh.blocks))
-    resultants = all_resultants(joints, step)
-    largest = max((r.normal for r in resultants), default=0.0)
-    shown = [r for r in resultants if r.normal > 1e-3 * largest]
-    biggest = 36.0 if len(shown) < 300 else 14.0  # points^2, so that dots of a bridge do not hide it
-    if shown:
-        sizes = [biggest * r.normal / largest for r in shown]
-        axes.scatter(*zip(*(r.place for r in shown)), s=sizes, color=RED, linewidths=0, zorder=4, alpha=0.8)
-    for ring in rings:
-        axes.plot(*thrust_line(ring_resultants(ring, joints, step)).T, "-", color=RED, lw=1.8, zorder=5)
-    draw_force_legend(figure, largest, biggest, bool(rings))
-    return save(figure, folder, name), largest
 
 
 def add_thrust(page, results, edges, rings, folder):
@@ -47,10 +25,8 @@ def add_thrust(page, results, edges, rings, folder):
         else:
             page.picture(path, "Forces that balance the loads of the scene with the resultants of all joints as near to the middle "
                          f"of their joints as can be. Others exist beside them; rigid stones do not tell which is real. {line}{dots}")
-    for step in standing:
-        for ring in rings:
-            factor = geometrical_factor(ring_resultants(ring, results.joints, step))
-            page.words(f"{ring.name}, factor {step.load_factor:.5g}: the line of thrust fits into a ring {factor:.4g} times thinner.")
+    tables.thrust_table(page, [(f"{ring.name}, factor {step.load_factor:.5g}", ring_resultants(ring, results.joints, step))
+                               for step in standing for ring in rings])
 
 
 def facts(results):

@@ -7,6 +7,7 @@ import headers
 import house
 import layers
 import sizes
+import top_level
 
 
 def include(path, name):
@@ -45,6 +46,12 @@ class IncludesPointDown(unittest.TestCase):
         self.assertEqual(layers.problems_of_libraries([one]), [])
         self.assertEqual(len(layers.problems_of_libraries([one, two])), 1)
         self.assertEqual(len(layers.problems_of_libraries([header])), 1)
+
+
+class TheTopLevel(unittest.TestCase):
+    def test_what_a_test_left_there_is_named(self):
+        self.assertEqual(top_level.problems_of(["README.md", "src/mesh/mesh.hpp", ".gitignore"]), [])
+        self.assertEqual(len(top_level.problems_of(["src/a.cpp", "copy-np1.h5", "fields-np1/fields.h5"])), 2)
 
 
 class FilesAreShort(unittest.TestCase):
