@@ -24,7 +24,7 @@ figcaption { color: var(--soft); font-size: .95rem; max-width: 52rem; margin-top
 table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .22rem .7rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th { vertical-align: bottom; font-weight: 600; white-space: normal; border-bottom: 2px solid var(--ink); }
-/* Words break between words: "anywhere" would let a narrow table shrink them to a letter a line. What is too wide scrolls. */
+/* Words break between words: "anywhere" would let a narrow table shrink them to a letter a line. A wide table scrolls. */
 th.words, td.words { text-align: left; white-space: normal; overflow-wrap: break-word; min-width: 6rem; }
 .remarks { background: #fdf3d8; border-left: 4px solid #e69f00; padding: .6rem 1rem; margin: 1rem 0; }
 .remarks ul { margin: .3rem 0; padding-left: 1.2rem; }
@@ -93,7 +93,11 @@ class Page:
 
     def table(self, columns, rows, words=()):
         """columns: headings; words: numbers of the columns that hold text and are set flush left."""
-        cell = lambda tag, k, value: f"<{tag}{' class=words' if k in words else ''}>{escape(value)}</{tag}>"
+        def cell(tag, k, value):
+            if k not in words:
+                return f"<{tag}>{escape(value)}</{tag}>"
+            return f"<{tag} class=words>{escape(value).replace('_', '_<wbr>')}</{tag}>"  # names without blanks break too
+
         head = "".join(cell("th", k, name) for k, name in enumerate(columns))
         body = "".join("<tr>" + "".join(cell("td", k, value) for k, value in enumerate(row)) + "</tr>" for row in rows)
         self.parts.append(f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>')

@@ -13,6 +13,10 @@ def count_text(value):
     return "not given" if number(value) is None else f"{number(value):,.0f}".replace(",", " ")
 
 
+def ranks_text(value):
+    return "1 rank" if number(value) == 1 else f"{count_text(value)} ranks"
+
+
 def short(value, digits=3):
     value = number(value)
     if value is None:
@@ -94,7 +98,7 @@ def facts_asked_first(results):
         ("Open / slipping / sticking points", " / ".join(count_text(p) for p in points), "of the selected contact points"),
         ("Selected as contact", share, f"{count_text(selected)} of {count_text(candidates)} candidate points"),
         ("Error estimate", "not given" if error is None else f"{100 * error:.2g} %", "energy norm, of what stays bonded"),
-        ("Time", "not given" if seconds is None else f"{seconds:.3g} s", f"{count_text(find(tree, 'ranks'))} ranks"),
+        ("Time", "not given" if seconds is None else f"{seconds:.3g} s", ranks_text(find(tree, "ranks"))),
         ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
         ("Unknowns", count_text(find(tree, "unknowns")), ""),
     ]

@@ -81,7 +81,7 @@ SCENE = """
 
 # What html_page.py writes; anything else came in from outside.
 TAGS = set("html head meta title style body header h1 h2 h3 span div ul li dl dt dd small p figure img figcaption table thead "
-           "tbody tr th td footer".split())
+           "tbody tr th td wbr footer".split())
 ATTRIBUTES = {"lang", "charset", "name", "content", "class", "width", "alt", "src"}
 EMBEDDED = ("data:image/png;base64,", "data:image/gif;base64,")
 UNITS = {"m": 1.0, "mm": 1e-3, "µm": 1e-6}
@@ -101,7 +101,7 @@ class Page(html.parser.HTMLParser):
         self.attributes |= {name for name, _ in attrs}
         if tag == "img":
             self.pictures.append(dict(attrs))
-        elif tag != "meta":
+        elif tag not in ("meta", "wbr"):
             self.open.append(tag)
         if tag == "table":
             self.tables.append([])
@@ -191,6 +191,15 @@ class Report(unittest.TestCase):
         self.assertNotIn("anywhere", rule)
         self.assertNotIn("break-all", rule)
         self.assertIn("min-width", rule)
+
+    def test_names_without_blanks_break_at_underscores(self):
+        sys.path.insert(0, str(ROOT / "drivers/report"))
+        import html_page
+
+        page = html_page.Page("long names")
+        page.table(["stage", "file"], [["the_western_pier", "a_b"]], words=(0,))
+        self.assertIn("the_<wbr>western_<wbr>pier", page.parts[0])
+        self.assertIn("<td>a_b</td>", page.parts[0])
 
     def test_pictures_are_whole_and_captioned(self):
         # Structure, deformed shape, stages, motion, joints, forces, selection, places, energy, history; phases where there
