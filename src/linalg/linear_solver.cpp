@@ -69,9 +69,9 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   const bool symmetric = symmetry == Symmetry::symmetric;
   const auto& method = symmetric ? given.method : given.unsymmetric_method;
   auto& manager = data_->manager[symmetric ? 0 : 1];
-  // On the right GMRES sees the residual itself; its flexible variant knows no other side, and does not apply M once
-  // more to the sum of its vectors, which is one time in five where systems are solved roughly. To conjugate gradients
-  // sides are the same, but on the left Belos applies M once more, to a first residual that nobody reads.
+  // Right preconditioning. GMRES then monitors the true residual, and its flexible variant, which supports this side
+  // only, saves the last application of M: one in five where systems are solved roughly. Conjugate gradients are the
+  // same on both sides, but on the left Belos applies M once more, to a first residual that nobody reads.
   if (m) problem->setRightPrec(Teuchos::rcp(new PreconditionerOperator(m, b->getMap())));
   if (symmetric) problem->setHermitian();
   problem->setProblem();

@@ -33,7 +33,7 @@ struct SparseCholesky::Data {
 namespace {
 
 /// While it lives OpenMP starts no threads. CHOLMOD asks for four in every factorisation, whatever OMP_NUM_THREADS
-/// says: a rank has one core, and W(64) took a fifth longer.
+/// says. A rank has one core, where four threads take a fifth longer than one.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }

@@ -10,8 +10,8 @@ namespace voussoir {
 /// LU factors of a sparse square matrix of one rank. The pattern is ordered once for all matrices that have it.
 class SparseLu {
  public:
-  /// Rows up to which callers ask for it. 157 328 of W(1000) take 0.4 s; with six times as many closed points UMFPACK,
-  /// which counts its memory in 32 bits, found no room.
+  /// Rows up to which callers ask for it: UMFPACK counts its memory in 32 bits, and finds no room for many more rows
+  /// where most points are closed.
   static constexpr int most_rows = 200000;
 
   SparseLu();

@@ -13,9 +13,9 @@
 
 namespace voussoir {
 
-/// The error of a selection follows the root of the decreases that releases would bring, whose ratio to it is known
-/// since it was last computed. The farther the root has travelled since, to and fro, the less is that ratio worth; of a
-/// root that has grown to more than twice what it was then it says nothing.
+/// A bound of the error of a selection between two computations of it. The root of predicted decreases is cheap, and the
+/// ratio error / root is known from the last computation. The more the root has changed since then, to and fro, the
+/// less the ratio is trusted; once the root has doubled it is discarded.
 struct KnownError {
   double ratio = 0;       ///< 0 = not known
   double root_known = 0;  ///< [-] relative to the energy, when the error was computed

@@ -8,6 +8,7 @@ import house
 import layers
 import sizes
 import top_level
+import words
 
 
 def include(path, name):
@@ -65,6 +66,22 @@ class FilesAreShort(unittest.TestCase):
     def test_files_are_found_at_all(self):
         self.assertIn(pathlib.Path("src/mesh/mesh.hpp"), house.code_files(".hpp"))
         self.assertIn(pathlib.Path("drivers/run"), house.scripts())
+
+
+class WordsSayWhatIs(unittest.TestCase):
+    def test_history_is_refused_in_markdown_and_comments_only(self):
+        readme, code = pathlib.Path("src/mesh/README.md"), pathlib.Path("src/mesh/mesh.cpp")
+        self.assertEqual(len(words.problems_of_words(readme, "13 solves (prototype)")), 1)
+        self.assertEqual(len(words.problems_of_words(code, "// 13 when this was written\n")), 1)
+        self.assertEqual(words.problems_of_words(code, "int prototype;\n"), [])
+        self.assertEqual(words.problems_of_words(readme, "the state before the step"), [])
+
+    def test_paths_that_are_named_exist(self):
+        readme = pathlib.Path("src/mesh/README.md")
+        there = "[a](../../README.md), `mesh/border`, tests/house/words.py, `--set mesh/none=1`, https://a.b/src/none"
+        self.assertEqual(words.problems_of_paths(readme, there), [])
+        for missing in ("[a](none.md)", "src/mesh/none.md", "`mesh/no_such_thing`"):
+            self.assertEqual(len(words.problems_of_paths(readme, missing)), 1, missing)
 
 
 class HeadersCompileAlone(unittest.TestCase):
