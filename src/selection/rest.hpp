@@ -13,9 +13,9 @@
 
 namespace voussoir {
 
-/// A bound of the error of a selection between two computations of it. The root of predicted decreases is cheap, and the
-/// ratio error / root is known from the last computation. The more the root has changed since then, to and fro, the
-/// less the ratio is trusted; once the root has doubled it is discarded.
+/// A bound of the error of a selection between two computations of it. The root of the predicted decreases is cheap to
+/// know, and so is the ratio error / root of the last computation. The more the root has changed since then, to and
+/// fro, the less that ratio is trusted; once the root has doubled it is discarded.
 struct KnownError {
   double ratio = 0;       ///< 0 = not known
   double root_known = 0;  ///< [-] relative to the energy, when the error was computed
