@@ -1,10 +1,9 @@
 // The rigid-block operator: what is left of a structure when its stones only move as wholes, and some of them shear.
 //
 // Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D) and, of some blocks,
-// their shear (1, 3). Where nodes are tied the motion is the mean of the blocks'. Z is kept as one lever arm per node
-// copy, and Z^T H Z, which is symmetric, as its upper half: what a point adds to it is found again at every update, not
-// remembered.
-// Every rank holds and factors the whole coarse matrix.
+// their shear (1, 3). Where nodes are tied the motion is the mean of the blocks'. To save memory Z is kept as one lever
+// arm per node copy, Z^T H Z, which is symmetric, as its upper half, and what a point adds to it is computed at every
+// update. Every rank holds and factors the whole coarse matrix.
 #pragma once
 
 #include <memory>

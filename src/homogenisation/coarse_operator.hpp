@@ -39,13 +39,13 @@ class CoarseOperator : public Preconditioner {
   void couple(const SystemMatrix<dim>& h, Symmetry);
   /// Whether H could be factored whole and is not yet: few enough unknowns, some of which a selection has parted.
   bool may_factor_whole() const;
-  /// Factors H as it is, and from now on every one to come, instead of all parts. Returns whether that went, or lacked
-  /// room or anything else; then they stay, and it is not tried again. Collective.
+  /// Factors H, and every H that update takes over from here on, instead of all parts. Returns false where there was
+  /// no room, or MUMPS failed: the parts then stay, and H is not factored whole any more. Collective.
   bool factor_whole();
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
   int motions() const { return motions_ ? motions_->size() : 0; }
-  /// So far, and bytes of now.
+  /// Counts since the beginning; bytes held at present.
   SystemCost cost() const;
 
  private:

@@ -80,6 +80,8 @@ class WordsSayWhatIs(unittest.TestCase):
         readme = pathlib.Path("src/mesh/README.md")
         there = "[a](../../README.md), `mesh/border`, tests/house/words.py, `--set mesh/none=1`, https://a.b/src/none"
         self.assertEqual(words.problems_of_paths(readme, there), [])
+        self.assertEqual(words.problems_of_scenes("| `wall.xml` |", ["wall.xml"]), [])
+        self.assertEqual(len(words.problems_of_scenes("| `wall.xml` |", ["wall.xml", "arch.xml"])), 1)
         for missing in ("[a](none.md)", "src/mesh/none.md", "`mesh/no_such_thing`"):
             self.assertEqual(len(words.problems_of_paths(readme, missing)), 1, missing)
 

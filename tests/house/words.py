@@ -44,6 +44,11 @@ def problems_of_paths(path, text):
     return problems
 
 
+def problems_of_scenes(listing, scenes):
+    """Every scene has its line in the list of scenes."""
+    return [f"xml/README.md: does not list {name}." for name in scenes if f"`{name}`" not in listing]
+
+
 def main():
     problems = []
     for path in house.code_files(".md", ".hpp", ".cpp", ".py", "CMakeLists.txt", ".cmake", ".sh") + house.scripts():
@@ -52,6 +57,7 @@ def main():
     markdown = house.code_files(".md") + [pathlib.Path("xml/README.md"), pathlib.Path("meshes/README.md")]
     for path in markdown:
         problems += problems_of_paths(path, house.read(path))
+    problems += problems_of_scenes(house.read("xml/README.md"), sorted(path.name for path in (house.ROOT / "xml").glob("*.xml")))
     house.finish("Words say what is, and name what exists", problems)
 
 
