@@ -29,10 +29,10 @@ struct CoarseJoint {
   double point_use = 0;   ///< [-] of its strength, at the point that bears most
 };
 
-/// Whether the strength of a joint may be overrated, by one of three signs. With tension strength: an edge stress beyond
-/// that of the points, once it comes to half of the strength. With cohesion alone: an edge that would be open by linear
-/// stress but counts as closed, once the shear comes to half of what the joint bears. With either: a point that has
-/// broken in bending, or, of cohesion alone, in the shear of a beam.
+/// Whether the strength of a joint may be overrated, by one of three signs. With tension strength: an edge stress that
+/// exceeds that of the points, once it comes to half of the strength. With cohesion alone: an edge that would be open
+/// by linear stress but counts as closed, once the shear comes to half of what the joint bears. With either: a point
+/// that has broken in bending, or, of cohesion alone, in the shear of a beam.
 /// @param points   of one straight joint, at least one, in any order
 /// @param tension, cohesion  [Pa] strength, one of them positive; may be infinite
 /// @param friction [-] coefficient
