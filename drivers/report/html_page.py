@@ -26,6 +26,7 @@ th, td { padding: .22rem .7rem; text-align: right; border-bottom: 1px solid var(
 th { vertical-align: bottom; font-weight: 600; white-space: normal; border-bottom: 2px solid var(--ink); }
 /* Words break between words: "anywhere" would let a narrow table shrink them to a letter a line. A wide table scrolls. */
 th.words, td.words { text-align: left; white-space: normal; overflow-wrap: break-word; min-width: 6rem; }
+th.long, td.long { min-width: 14rem; }
 .remarks { background: #fdf3d8; border-left: 4px solid #e69f00; padding: .6rem 1rem; margin: 1rem 0; }
 .remarks ul { margin: .3rem 0; padding-left: 1.2rem; }
 footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .85rem; }
@@ -33,6 +34,9 @@ footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft)
   figure, tr, dl div, .remarks { break-inside: avoid; } h2, h3 { break-after: avoid; } .table { overflow: visible; }
   table { font-size: 7.5pt; } th, td { padding: .1rem .3rem; } * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 """
+
+
+LONG = 20  # letters; what is longer gets a column of 14 rem, so that it takes two or three lines and not one a word
 
 
 def escape(value):
@@ -93,10 +97,13 @@ class Page:
 
     def table(self, columns, rows, words=()):
         """columns: headings; words: numbers of the columns that hold text and are set flush left."""
+        long = [k for k in words if any(len(str(row[k])) > LONG for row in rows)]
+
         def cell(tag, k, value):
             if k not in words:
                 return f"<{tag}>{escape(value)}</{tag}>"
-            return f"<{tag} class=words>{escape(value).replace('_', '_<wbr>')}</{tag}>"  # names without blanks break too
+            kind = '"words long"' if k in long else "words"
+            return f"<{tag} class={kind}>{escape(value).replace('_', '_<wbr>')}</{tag}>"  # names without blanks break too
 
         head = "".join(cell("th", k, name) for k, name in enumerate(columns))
         body = "".join("<tr>" + "".join(cell("td", k, value) for k, value in enumerate(row)) + "</tr>" for row in rows)

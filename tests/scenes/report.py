@@ -201,6 +201,15 @@ class Report(unittest.TestCase):
         self.assertIn("the_<wbr>western_<wbr>pier", page.parts[0])
         self.assertIn("<td>a_b</td>", page.parts[0])
 
+    def test_a_column_of_long_names_is_wide(self):
+        sys.path.insert(0, str(ROOT / "drivers/report"))
+        import html_page
+
+        page = html_page.Page("long names")
+        page.table(["stage", "set"], [["western pier settles and tilts", "ring"], ["push", "pier"]], words=(0, 1))
+        self.assertEqual(page.parts[0].count('class="words long"'), 3)  # its heading and two rows
+        self.assertIn(".long { min-width", html_page.STYLE)
+
     def test_pictures_are_whole_and_captioned(self):
         # Structure, deformed shape, stages, motion, joints, forces, selection, places, energy, history; phases where there
         # is time to show.
