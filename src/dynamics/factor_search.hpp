@@ -3,7 +3,11 @@
 // The factor is doubled while the structure stands; then the bracket between the largest factor that stands (an
 // equilibrium was found) and the smallest that collapses (a mechanism was found) is halved. A factor at which neither
 // was found proves nothing: nearer ones are tried first, then it is tried again from the equilibrium nearest to it,
-// then larger ones are, in growing steps, until one collapses. What is undecided in the end leaves a wider bracket.
+// then larger ones are, in growing steps, until one collapses; where none does, the nearest ones are. What is undecided
+// in the end leaves a wider bracket.
+//
+// With friction that does not dilate what a factor comes to depends on the way there, and far steps miss ways that near
+// ones find. So a mechanism that was found from afar ends the search only when it is found again from near.
 //
 // Where a theorem tells a factor above which no equilibrium exists, none above it is tried, and it ends the bracket
 // until a mechanism is found below. A guess is tried from just below and just above when doubling comes to it; where
@@ -46,11 +50,15 @@ class FactorSearch {
     }
     // A structure that bears nothing of the pattern would be asked for ever smaller shares of it.
     if (edge - lower_ > p_.accuracy * edge && edge > p_.accuracy * p_.first) return (lower_ + edge) / 2;
-    if (edge == upper() || probes_ == largest_probes) return {};
-    if (tried_from_ < lower_) return undecided_;
+    if (edge == upper_ && lower_ - collapse_from_ > afar * p_.accuracy * upper_) return upper_;
+    if (edge == upper()) return {};
     const double probe = undecided_ + p_.accuracy * undecided_ * static_cast<double>(1 << probes_);
-    if (probe >= std::min(upper(), p_.largest)) return {};
-    return probe;
+    const bool farther = probes_ < largest_probes && probe < std::min(upper(), p_.largest);
+    const bool wide = upper() - lower_ > p_.accuracy * upper();
+    if (!farther && wide && edge - lower_ > nearest * p_.accuracy * edge) return (lower_ + edge) / 2;
+    if (tried_from_ < lower_) return undecided_;
+    if (farther) return probe;
+    return {};
   }
 
   /// What became of the factor that next() gave.
@@ -62,15 +70,18 @@ class FactorSearch {
     if (verdict == Verdict::equilibrium) {
       lower_ = factor;
       if (undecided_ <= lower_) forget_undecided();
+      if (upper_ <= lower_) upper_ = none;
     } else if (verdict == Verdict::collapse) {
       upper_ = factor;
+      collapse_from_ = lower_;
       if (undecided_ >= upper_) undecided_ = none;
+    } else if (factor == upper_) {  // what was found from afar stays
+      collapse_from_ = lower_;
     } else if (factor > undecided_) {
       ++probes_;
     } else {
       undecided_ = factor;
       tried_from_ = lower_;
-      probes_ = 0;
     }
   }
 
@@ -106,6 +117,7 @@ class FactorSearch {
     archive.within("load_factor.upper", upper_, 0, none);
     archive.within("load_factor.certified", certified_, 0, none);
     archive.within("load_factor.guess", guess_, 0, none);
+    archive.within("load_factor.collapse_from", collapse_from_, 0, none);
     archive.within("load_factor.undecided", undecided_, 0, none);
     archive.within("load_factor.tried_from", tried_from_, 0, none);
     archive.within("load_factor.probes", probes_, 0, largest_probes);
@@ -127,12 +139,17 @@ class FactorSearch {
   static constexpr double none = std::numeric_limits<double>::infinity();
   // Growing steps beyond an undecided factor: with 0.5 % the last lies a third above it.
   static constexpr int largest_probes = 6;
+  // What is undecided is approached at last to this share of the accuracy, so that it widens the bracket by no more.
+  static constexpr double nearest = 0.25;
+  // A mechanism is found from afar when the structure stands so many accuracies nearer to it than where it was tried from.
+  static constexpr double afar = 4;
   static constexpr int most_attempts = 10000;  ///< a checkpoint can hold; some twenty are made
 
   LoadFactorParameters p_;
   double lower_ = 0, upper_ = none;
   double certified_ = none;  ///< no equilibrium exists above it
   double guess_ = none;
+  double collapse_from_ = 0;  ///< equilibrium from which upper_ was tried
   double undecided_ = none;  ///< smallest undecided factor above the lower end
   double tried_from_ = 0;    ///< equilibrium from which that one was tried
   int probes_ = 0;           ///< undecided factors above that one

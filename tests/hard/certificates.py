@@ -3,9 +3,12 @@
 Asked of every structure:
 - the certified limit is that of a linear programme of this test's own, from the corners as drawn;
 - no elastic equilibrium is found above it, neither by the search nor by a load step just beyond it;
-- where friction is large and no stone has another beside it, so that nothing slides, elastic stones stand up to it
-  within the accuracy asked for. (In a wall a stone that turns may slip up along its neighbour and leave it at once,
-  which friction that dilates forbids however large it is: what it bears there is a matter of the flow.)
+- what is called a collapse below it is one: in the mechanism stones move as wholes, none into another, and loads gain
+  more along it than friction takes;
+- and it has a point that slides or parts more aslant than friction that dilates would let it: hinges alone cannot do
+  without the limit. (That is why large friction is not enough for the two to meet. A joint that opens bears no shear,
+  however large friction is, and a stone that turns leaves its neighbour or its springing aslant.)
+- where friction is large and no stone has another beside it the search narrows its bracket down;
 - what no forces balance under its own weight is refused.
 
     certificates.py PROGRAM [--count N] [--first SEED] [--keep FOLDER]
@@ -20,6 +23,9 @@ import subprocess
 import sys
 import tempfile
 
+import h5py
+import numpy
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "ground"))
 
 import scenes  # noqa: E402  (modules of the folder above)
@@ -32,7 +38,9 @@ SAME = 1e-6  # of two programmes of the same structure, relative
 BEYOND = 0.003  # above the limit, where no step may find an equilibrium
 PARTS = 12  # of the length of a wall, on whose ends stones end
 PATIENCE = 500  # linear solves of an attempt
-ROUGH = 50.0  # friction at which joints do not slide; at 8 a stone that is nearly lifted does
+ROUGH = 50.0  # friction that is as good as without end
+NOTICEABLE = 0.01  # of the largest motion of a mechanism: stones vibrate as they fall, and are elastic
+ASLANT = 1e-3  # the same of what a point moves beyond the dual of its friction cone; solves leave 1e-6
 
 
 def rounded(point):
@@ -146,22 +154,28 @@ class Random:
             sides = [cut(rounded(a), rounded(b)) for a, b in getattr(self, name)]
             setattr(self, name, [side for way in sides for side in zip(way, way[1:])])
 
-    def limit(self):
-        """Of the pattern, by the test's own programme; None where the weight cannot be borne."""
-        rigid = RigidStones(self.stones, self.held, self.friction)
-        weights = [density * centre_and_area(points)[1] for density, points in zip(self.density, self.stones)]
-        fixed = [(k, rigid.middle[k], (0.0, -m * scenes.GRAVITY)) for k, m in enumerate(weights)]
-        weight_borne = rigid.largest_factor([], fixed, LARGEST)  # what is pressed may stand where its weight alone does not
-        if weight_borne is None or weight_borne < 1:
-            return None
+    def masses(self):
+        return [density * centre_and_area(points)[1] for density, points in zip(self.density, self.stones)]
+
+    def raised(self):
+        """Forces of the pattern: stone, place, force."""
         share = self.pattern.get("push", 0.0)
-        raised = [(k, rigid.middle[k], (share * m * self.push[0], share * m * self.push[1]))
-                  for k, m in enumerate(weights) if share]
+        forces = [(k, centre_and_area(self.stones[k])[0], (share * m * self.push[0], share * m * self.push[1]))
+                  for k, m in enumerate(self.masses()) if share]
         for a, b in self.loaded if "press" in self.pattern else ():
             stone = next(k for k, s in enumerate(self.stones) if {a, b} in ({*p} for p in zip(s, s[1:] + s[:1])))
             length = math.dist(a, b)
-            raised.append((stone, ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2), tuple(length * t for t in self.traction)))
-        return rigid.largest_factor(fixed, raised, LARGEST)
+            forces.append((stone, ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2), tuple(length * t for t in self.traction)))
+        return forces
+
+    def limit(self):
+        """Of the pattern, by the test's own programme; None where the weight cannot be borne."""
+        rigid = RigidStones(self.stones, self.held, self.friction)
+        fixed = [(k, rigid.middle[k], (0.0, -m * scenes.GRAVITY)) for k, m in enumerate(self.masses())]
+        weight_borne = rigid.largest_factor([], fixed, LARGEST)  # what is pressed may stand where its weight alone does not
+        if weight_borne is None or weight_borne < 1:
+            return None
+        return rigid.largest_factor(fixed, self.raised(), LARGEST)
 
     def scene(self, factor=None):
         """The search; or a load step at a factor, all of whose joints may open: ties that adaptive selection has left
@@ -198,6 +212,41 @@ def run(program, folder, content):
     return json.loads(results.read_text())
 
 
+def no_mechanism(folder, structure, factor, limit):
+    """What the mechanism that a run has drawn lacks to prove a collapse at a factor below the limit; empty: nothing."""
+    with h5py.File(folder / "out" / "fields.h5") as fields:
+        last = fields["steps"][sorted(fields["steps"])[-1]]
+        if last.attrs["stage"] != b"load factor: mechanism":
+            return "no mechanism is drawn"
+        motion, gap, slip, shear = (last[name][()] for name in (
+            "displacement", "joint_gap_m", "joint_slip_m", "joint_tangential_force_N"))
+        place, stone_of = fields["mesh/coordinates"][()], fields["mesh/block_of_node"][()]
+    speeds = []
+    for k, points in enumerate(structure.stones):
+        x, y = (place[stone_of == k] - centre_and_area(points)[0]).T
+        ones, none = numpy.ones_like(x), numpy.zeros_like(x)
+        along = numpy.vstack([numpy.column_stack([ones, none, -y]), numpy.column_stack([none, ones, x])])
+        moved = motion[stone_of == k].T.ravel()
+        speeds.append(numpy.linalg.lstsq(along, moved, rcond=None)[0])
+        if abs(along @ speeds[-1] - moved).max() > NOTICEABLE:
+            return f"stone {k} deforms in the mechanism"
+
+    def power(stone, place, force):
+        across, up = (p - m for p, m in zip(place, centre_and_area(structure.stones[stone])[0]))
+        x, y, turn = speeds[stone]
+        return force[0] * (x - turn * up) + force[1] * (y + turn * across)
+
+    weighs = [-m * scenes.GRAVITY * v[1] for m, v in zip(structure.masses(), speeds)]
+    gains = sum(weighs) + factor * sum(power(*force) for force in structure.raised())
+    if gains < abs(shear * slip).sum() - NOTICEABLE * numpy.abs(weighs).sum():
+        return "loads do not gain enough along the mechanism"
+    if gap.min() < -NOTICEABLE:
+        return "stones move into each other in the mechanism"
+    if factor < (1 - 1.5 * ACCURACY) * limit and (structure.friction * abs(slip) - gap).max() < ASLANT:
+        return "a mechanism of hinges alone below the limit"
+    return ""
+
+
 def judged(program, folder, structure):
     """What is wrong, and what came out."""
     limit = structure.limit()
@@ -219,8 +268,12 @@ def judged(program, folder, structure):
         return "another limit", told
     if highest > certified * (1 + SAME) + SAME:
         return "an equilibrium above the limit", told
-    if structure.rough and structure.kind != "wall" and lower < (1 - 1.5 * ACCURACY) * certified - SAME:
-        return "the brackets' ends do not meet where nothing slides", told
+    if found["upper"] < certified:
+        lacking = no_mechanism(folder / "search", structure, found["upper"], limit)
+        if lacking:
+            return lacking, told
+    if structure.rough and structure.kind != "wall" and lower < (1 - 1.5 * ACCURACY) * found["upper"] - SAME:
+        return "the bracket is wide", told
     beyond = run(program, folder / "beyond", structure.scene(certified * (1 + BEYOND) + BEYOND / 10))
     if beyond["outcome"] not in ("collapse", "not_converged"):
         return f"an equilibrium beyond the limit: {beyond['outcome']}", told

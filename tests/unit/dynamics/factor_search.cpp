@@ -104,6 +104,31 @@ TEUCHOS_UNIT_TEST(FactorSearch, NearerAttemptsDecideWhatFarOnesCouldNot) {
   TEST_COMPARE(search.upper() - search.lower(), <=, 0.005 * search.upper());
 }
 
+/// Falls from afar from 0.37 on, from near from 0.5 on.
+Verdict falls_from_afar(double factor, double last) {
+  const bool near = factor - last < 0.05;
+  return factor < (near ? 0.5 : 0.37) ? Verdict::equilibrium : Verdict::collapse;
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, AMechanismFoundFromAfarIsNoEndUntilItIsFoundFromNear) {
+  const auto search = searched(falls_from_afar);
+  TEST_ASSERT(search.found() && search.sharp());
+  TEST_COMPARE(search.lower(), >=, 0.5 * (1 - 0.005));
+  TEST_COMPARE(search.upper(), <=, 0.5 * (1 + 0.01));
+  TEST_COMPARE(search.attempts().size(), <=, 30u);
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, AMechanismFoundFromAfarStaysWhereNearAttemptsDecideNothing) {
+  // 0.4 falls from 0.2; what is nearer stands, and 0.4 is undecided from there.
+  const auto search = searched([](double factor, double last) {
+    if (factor < 0.4) return Verdict::equilibrium;
+    return factor - last > 0.1 ? Verdict::collapse : Verdict::undecided;
+  });
+  TEST_ASSERT(search.finished() && search.found() && search.sharp());
+  TEST_EQUALITY(search.upper(), 0.4);
+  TEST_COMPARE(search.lower(), >=, 0.4 * (1 - 0.005));
+}
+
 FactorSearch with_certificate(double certified, double guess) {
   FactorSearch search(wanted());
   search.certify(certified);
@@ -138,6 +163,17 @@ TEUCHOS_UNIT_TEST(FactorSearch, UndecidedBelowATheoremTheBracketIsWideButClosed)
   }, with_certificate(0.37, 0.31));
   TEST_ASSERT(search.finished() && search.found() && !search.sharp() && !search.has_mechanism());
   TEST_EQUALITY(search.upper(), 0.37);
+}
+
+TEUCHOS_UNIT_TEST(FactorSearch, WhatIsUndecidedIsApproachedMoreCloselyThanTheBracketAsked) {
+  // From nearer than half the accuracy what was undecided is decided.
+  const auto search = searched([](double factor, double last) {
+    if (factor < 0.36) return Verdict::equilibrium;
+    return factor - last > 0.4 * 0.005 * factor ? Verdict::undecided : Verdict::collapse;
+  }, with_certificate(0.365, 0.365));
+  TEST_ASSERT(search.found() && search.sharp());
+  TEST_COMPARE(search.upper() - search.lower(), <=, 0.005 * search.upper());
+  TEST_COMPARE(search.lower(), <, 0.36);
 }
 
 TEUCHOS_UNIT_TEST(FactorSearch, WhatBearsNothingOfThePatternIsNotTried) {
