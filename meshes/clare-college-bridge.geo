@@ -548,20 +548,45 @@ Macro Edge
   e *= sign;
 Return
 
-// Append the points cp of a border with qa <= cx <= qb to the walk around a stone.
-Macro Walk
-  For i In {0:#cx() - 1}
-    If (cx(i) > qa - eps && cx(i) < qb + eps)
-      walk() += cp(i);
+// The points of a border with qa <= cx <= qb, by halving: cx ascends. They are from..to of cp(), none when from > to.
+Macro FirstAbove
+  first = 0; beyond = #cx();
+  For halving In {1:Ceil(Log(#cx() + 1) / Log(2))}
+    If (first < beyond)
+      middle = Floor((first + beyond) / 2);
+      If (cx(middle) > q)
+        beyond = middle;
+      Else
+        first = middle + 1;
+      EndIf
     EndIf
   EndFor
 Return
-Macro WalkBack
-  For i In {#cx() - 1:0:-1}
-    If (cx(i) > qa - eps && cx(i) < qb + eps)
-      walk() += cp(i);
+Macro Between
+  q = qa - eps;
+  Call FirstAbove;
+  lowest = first; highest = first - 1;
+  If (first < #cx())
+    If (cx(first) < qb + eps)
+      q = qb + eps;
+      Call FirstAbove;
+      highest = first - 1;
     EndIf
-  EndFor
+  EndIf
+Return
+
+// Append them to the walk around a stone.
+Macro Walk
+  Call Between;
+  If (lowest <= highest)
+    walk() += cp({lowest:highest});
+  EndIf
+Return
+Macro WalkBack
+  Call Between;
+  If (lowest <= highest)
+    walk() += cp({highest:lowest});
+  EndIf
 Return
 
 // The stone around which walk() goes counter-clockwise, as a surface of group g.
