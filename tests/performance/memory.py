@@ -12,9 +12,9 @@ import pathlib
 import subprocess
 import sys
 
-# kB per block: 12.7 and 13.5 when this was written; 14.8 and 15.5 when each block had a stiffness of its own, 30 and 39
-# before systems were kept once.
-# The adaptive one holds what the local criterion of ties keeps of stones and points from step to step, 1 kB.
+# kB per block, a twelfth above what is measured, 12.7 and 13.5: a page more or less of the allocator passes, a list per
+# node (16 bytes each on 6 nodes) with its reserve does not. The adaptive one holds what the local criterion of ties keeps
+# of stones and points from step to step, 1 kB.
 MOST = {"bonded": 13.7, "adaptive": 15.0}
 
 
