@@ -1,10 +1,12 @@
 // Contracts. A broken contract is a mistake of the program, never of the user
 // (those are InputErrors), so the message is for developers.
 //
-//   VOUSSOIR_EXPECT   before: what the caller owes      | in debug and audit
-//   VOUSSOIR_ASSERT   between: what the algorithm keeps  | builds only
-//   VOUSSOIR_ENSURE   after: what the function promises  |
-//   VOUSSOIR_CHECK    always on, for what must never be skipped
+//   VOUSSOIR_EXPECT   before: what the caller owes
+//   VOUSSOIR_ASSERT   between: what the algorithm keeps
+//   VOUSSOIR_ENSURE   after: what the function promises
+//   VOUSSOIR_CHECK    what the data hold, wherever they come from
+//
+// They hold in every build: a comparison costs nothing beside the work of the function it guards.
 #pragma once
 
 #include <stdexcept>
@@ -23,12 +25,6 @@ namespace voussoir::detail {
 
 #define VOUSSOIR_CHECK(condition) VOUSSOIR_CONTRACT("check", condition)
 
-#ifdef VOUSSOIR_CONTRACTS
 #define VOUSSOIR_EXPECT(condition) VOUSSOIR_CONTRACT("precondition", condition)
 #define VOUSSOIR_ASSERT(condition) VOUSSOIR_CONTRACT("assertion", condition)
 #define VOUSSOIR_ENSURE(condition) VOUSSOIR_CONTRACT("postcondition", condition)
-#else
-#define VOUSSOIR_EXPECT(condition) void(0)
-#define VOUSSOIR_ASSERT(condition) void(0)
-#define VOUSSOIR_ENSURE(condition) void(0)
-#endif
