@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
@@ -242,6 +243,7 @@ int run_program(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  begin_child_processes();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
@@ -59,6 +60,7 @@ inline void draw_picture(const std::string& script, const std::string& folder) {
 inline int run_study(int argc, char** argv,
                      const std::function<void(const std::vector<std::string>&,
                                               const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&)>& study) {
+  begin_child_processes();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
@@ -208,6 +209,7 @@ int run_program(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  begin_child_processes();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();

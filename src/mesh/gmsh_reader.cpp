@@ -17,6 +17,7 @@
 #include "base/sort_unique.hpp"
 #include "mesh/divisions.hpp"
 #include "mesh/gmsh_numbers.hpp"
+#include "mesh/gmsh_request.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/msh_format.hpp"
 #include "mesh/on_rank_zero.hpp"
@@ -343,21 +344,24 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
   return mesh;
 }
 
+/// What the child process does.
+std::string mesh_of(const std::string& request) {
+  const GmshParameters parameters = gmsh_parameters_of(request);
+  Gmsh gmsh_itself;
+  open_file(gmsh_itself, parameters);
+  return bytes_of(read_surfaces(parameters));
+}
+
 }  // namespace
 
 std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, const Teuchos::Comm<int>& comm) {
   BlockList<2> list;
   on_rank_zero(comm, [&] {
-    const auto work = [&] {
-      Gmsh gmsh_itself;
-      open_file(gmsh_itself, parameters);
-      return bytes_of(read_surfaces(parameters));
-    };
     const auto died = [&](const std::string& signal) {
       refuse_file(parameters.file, "made gmsh crash (" + signal + ").",
                   "Open the file in gmsh itself; where it is damaged, save it anew in format 4.1.");
     };
-    const SurfaceMesh mesh = surface_mesh_of(in_child_process(work, died));
+    const SurfaceMesh mesh = surface_mesh_of(in_child_process(mesh_of, bytes_of(parameters), died));
     list = blocks_of_surfaces(mesh);
     if (is_mesh(parameters.file)) list.warnings = warnings_of_format(parameters.file, mesh);
   });

@@ -1,58 +1,9 @@
 // A mesh as bytes. They come from a process in which gmsh worked on a file of a stranger, so what is read is looked at.
-#include <algorithm>
-#include <type_traits>
-
-#include "base/error.hpp"
+#include "mesh/bytes.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace voussoir {
 namespace {
-
-[[noreturn]] void refuse(const std::string& why) {
-  throw InputError("mesh > gmsh: what gmsh made of the file is no mesh\n  (" + why +
-                   ").\n  Open the file in gmsh itself; where it is damaged, save it anew in format 4.1.");
-}
-
-/// Values one after the other; the same functions write and read, so that the two cannot drift apart.
-struct ByteWriter {
-  std::string bytes;
-  template <class T>
-  void plain(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  /// @param bytes_each  of a member, at the least
-  template <class T>
-  std::size_t size(const T& list, std::size_t) {
-    plain(list.size());
-    return list.size();
-  }
-};
-struct ByteReader {
-  const char* at;
-  const char* end;
-  std::size_t left() const { return static_cast<std::size_t>(end - at); }
-  template <class T>
-  void plain(T& value) {
-    if (left() < sizeof value) refuse("it ends too early");
-    std::copy(at, at + sizeof value, reinterpret_cast<char*>(&value));
-    at += sizeof value;
-  }
-  template <class T>
-  std::size_t size(T& list, std::size_t bytes_each) {
-    std::size_t count = 0;
-    plain(count);
-    if (count > left() / bytes_each) refuse("it ends too early");
-    list.resize(count);
-    return count;
-  }
-};
-
-template <class Bytes, class List>
-void plain_list(Bytes& bytes, List& list) {
-  const std::size_t count = bytes.size(list, sizeof list[0]);
-  for (std::size_t k = 0; k < count; ++k) bytes.plain(list[k]);
-}
 
 /// @param mesh  const when it is written
 template <class Bytes, class Mesh>
@@ -74,7 +25,7 @@ void exchange(Bytes& bytes, Mesh& mesh) {
 /// Every number that is an index points somewhere.
 void check_indices(const SurfaceMesh& mesh) {
   const auto require_index = [](int index, std::size_t size, const char* of) {
-    if (index < 0 || static_cast<std::size_t>(index) >= size) refuse(std::string("a number of ") + of + " is none");
+    if (index < 0 || static_cast<std::size_t>(index) >= size) refuse_bytes(std::string("a number of ") + of + " is none");
   };
   for (const SurfaceMesh::Line& line : mesh.lines) {
     for (const int node : line.node) require_index(node, mesh.position.size(), "a node");
@@ -83,7 +34,7 @@ void check_indices(const SurfaceMesh& mesh) {
   for (const SurfaceMesh::Surface& surface : mesh.surfaces) {
     for (const int set : surface.sets) require_index(set, mesh.block_sets.size(), "a set of surfaces");
     for (const Cell& cell : surface.cells) {
-      if (cell.count != 3 && cell.count != 4) refuse("a cell is neither triangle nor quadrilateral");
+      if (cell.count != 3 && cell.count != 4) refuse_bytes("a cell is neither triangle nor quadrilateral");
       for (int k = 0; k < cell.count; ++k) require_index(cell.node[k], mesh.position.size(), "a node");
     }
   }
@@ -99,9 +50,9 @@ std::string bytes_of(const SurfaceMesh& mesh) {
 
 SurfaceMesh surface_mesh_of(const std::string& bytes) {
   SurfaceMesh mesh;
-  ByteReader reader{bytes.data(), bytes.data() + bytes.size()};
+  ByteReader reader(bytes);
   exchange(reader, mesh);
-  if (reader.left() > 0) refuse("it goes on behind its end");
+  if (reader.left() > 0) refuse_bytes("it goes on behind its end");
   check_indices(mesh);
   return mesh;
 }
