@@ -29,6 +29,34 @@ bool Construction<dim>::present(const Block<dim>& block, std::size_t stage) cons
   return true;
 }
 
+/// A side of the point is not there: it stands as far open as the structure is large, and bears nothing.
+template <int dim>
+void Construction<dim>::part(int k, ContactState& state) const {
+  state.initial_gap[k] = apart();
+  state.selected[k] = 1;
+  std::fill_n(state.lambda.begin() + static_cast<long>(dim) * k, dim, 0.0);
+}
+
+/// A side of the point appears where the mesh draws it: gap and slip count from where its neighbour has moved to.
+template <int dim>
+void Construction<dim>::give_birth(int k, const Vector<dim>& between, ContactState& state) const {
+  state.initial_gap[k] = drawn(k) - between[0];
+  for (int a = 1; a < dim && !state.slip_origin.empty(); ++a) state.slip_origin[dim * k + a] = between[a];
+  // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
+  const bool moved = std::any_of(between.begin(), between.end(), [](double motion) { return motion != 0; });
+  state.selected[k] = moved || drawn(k) > 0 || scene_.selection.mode == SelectionMode::all;
+  state.broken[k] = 0;
+}
+
+/// The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would be a
+/// force of some percent of the largest, which creeps in or out.
+template <int dim>
+void Construction<dim>::close(int k, const Vector<dim>& between, ContactState& state) const {
+  const double gap = state.initial_gap[k] + between[0];
+  if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
+  if (scene_.selection.mode == SelectionMode::all) state.selected[k] = 1;
+}
+
 template <int dim>
 void Construction<dim>::begin(const std::string& stage, Model<dim>& model, ContactState& state) {
   if (absent_.empty()) return;
@@ -36,41 +64,18 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
   while (scene_.stages[number].name != stage) ++number;
   for (std::size_t b = 0; b < absent_.size(); ++b) absent_[b] = !present(structure_.blocks()[b].mesh, number);
 
-  // Nothing moves as far as the structure is large.
-  const double apart = structure_.size();
   const auto& points = model.points().points();
-  const bool all = scene_.selection.mode == SelectionMode::all;
-  const auto drawn = [this](std::size_t k) { return drawn_gap_.empty() ? 0.0 : drawn_gap_[k]; };
-  if (state.initial_gap.empty())
-    for (std::size_t k = 0; k < points.size(); ++k) state.initial_gap.push_back(drawn(k));
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  const int count = static_cast<int>(points.size());
+  for (int k = static_cast<int>(state.initial_gap.size()); k < count; ++k) state.initial_gap.push_back(drawn(k));
+  for (int k = 0; k < count; ++k) {
     const auto& p = points[k];
-    const bool missing = absent_[structure_.block_of_node()[p.node_i]] || absent_[structure_.block_of_node()[p.node_j]];
-    const bool was_missing = state.initial_gap[k] == apart;
     const auto between = relative_motion(p, state.displacement);
-    if (missing) {
-      state.initial_gap[k] = apart;
-      state.selected[k] = 1;
-      std::fill_n(state.lambda.begin() + static_cast<long>(dim * k), dim, 0.0);
-    } else if (was_missing) {
-      bool moved = false;
-      for (int a = 0; a < dim; ++a) {
-        moved |= between[a] != 0;
-        if (a == 0)
-          state.initial_gap[k] = drawn(k) - between[a];
-        else if (!state.slip_origin.empty())
-          state.slip_origin[dim * k + a] = between[a];
-      }
-      // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
-      state.selected[k] = moved || all || drawn(k) > 0;
-      state.broken[k] = 0;
-    } else {
-      // The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would
-      // be a force of some percent of the largest, which creeps in or out.
-      const double gap = state.initial_gap[k] + between[0];
-      if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
-      if (all) state.selected[k] = 1;
-    }
+    if (absent_[structure_.block_of_node()[p.node_i]] || absent_[structure_.block_of_node()[p.node_j]])
+      part(k, state);
+    else if (state.initial_gap[k] == apart())
+      give_birth(k, between, state);
+    else
+      close(k, between, state);
   }
   model.set_initial_gap(state.initial_gap);
   model.set_absent(absent_);

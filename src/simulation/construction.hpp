@@ -27,6 +27,13 @@ class Construction {
 
  private:
   bool present(const Block<dim>&, std::size_t stage) const;
+  /// Of points with a side that is not there [m]: nothing moves as far as the structure is large.
+  double apart() const { return structure_.size(); }
+  double drawn(int k) const { return drawn_gap_.empty() ? 0.0 : drawn_gap_[k]; }
+  void part(int k, ContactState&) const;
+  /// @param between  relative motion of the two sides so far [m]
+  void give_birth(int k, const Vector<dim>& between, ContactState&) const;
+  void close(int k, const Vector<dim>& between, ContactState&) const;
 
   const Scene& scene_;
   const BlockSource<dim>& source_;

@@ -225,72 +225,78 @@ std::vector<typename LocalCorrection<dim>::Point> LocalCorrection<dim>::points(
   return list;
 }
 
-/// Solves the patches that are this rank's.
+/// The patches that are this rank's, put together from what all ranks have sent of them.
 template <int dim>
-typename LocalCorrection<dim>::Outcome LocalCorrection<dim>::solve(const LocalRequest& request,
-                                                                   const std::vector<Unknown>& unknown,
-                                                                   const std::vector<Entry>& entry,
-                                                                   const std::vector<Point>& point,
-                                                                   double bearable) const {
+std::vector<typename LocalCorrection<dim>::Mine> LocalCorrection<dim>::put_together(
+    const LocalRequest& request, const std::vector<Unknown>& unknown, const std::vector<Entry>& entry,
+    const std::vector<Point>& point) const {
   const auto& comm = *parts_.structure.comm();
-  const auto is_mine = [&](int patch) { return patch % comm.getSize() == comm.getRank(); };
-  std::vector<PatchParts> parts(patches_);
-  std::vector<std::vector<GlobalOrdinal>> ids(patches_);
+  std::vector<Mine> mine;
+  for (int patch = comm.getRank(); patch < patches_; patch += comm.getSize()) {
+    mine.emplace_back();
+    mine.back().patch = patch;
+    mine.back().parts.force_scale = request.scale;
+    mine.back().parts.length_scale = parts_.structure.size();
+  }
+  const auto at = [&](int patch) {
+    return patch % comm.getSize() == comm.getRank() ? &mine[patch / comm.getSize()] : nullptr;
+  };
   std::unordered_map<GlobalOrdinal, std::pair<int, int>> place;  // patch, number there
   for (const auto& u : unknown) {
-    if (!is_mine(u.patch)) continue;
-    auto& p = parts[u.patch];
-    place[u.id] = {u.patch, static_cast<int>(ids[u.patch].size())};
-    ids[u.patch].push_back(u.id);
-    p.imbalance.push_back(u.imbalance);
-    p.component.push_back(static_cast<char>(u.component));
-    p.start.push_back(u.start);
-    p.proximal_weight.push_back(u.proximal);
+    auto* const m = at(u.patch);
+    if (!m) continue;
+    place[u.id] = {u.patch, static_cast<int>(m->unknowns.size())};
+    m->unknowns.push_back(u.id);
+    m->parts.imbalance.push_back(u.imbalance);
+    m->parts.component.push_back(static_cast<char>(u.component));
+    m->parts.start.push_back(u.start);
+    m->parts.proximal_weight.push_back(u.proximal);
   }
+  const auto number = [&](GlobalOrdinal id, int patch) {  // -1 outside of the patch
+    const auto found = place.find(id);
+    return found == place.end() || found->second.first != patch ? -1 : found->second.second;
+  };
   for (const auto& e : entry) {
-    const auto row = place.find(e.row), column = place.find(e.column);
-    if (row == place.end() || column == place.end() || row->second.first != column->second.first) continue;
-    parts[row->second.first].stiffness.push_back({row->second.second, column->second.second, e.value});
+    const auto row = place.find(e.row);
+    if (row == place.end()) continue;
+    const int patch = row->second.first, column = number(e.column, patch);
+    if (column >= 0) at(patch)->parts.stiffness.push_back({row->second.second, column, e.value});
   }
-  std::vector<std::vector<PointId>> law_ids(patches_), border_ids(patches_);
   for (const auto& p : point) {
-    if (!is_mine(p.patch)) continue;
+    auto* const m = at(p.patch);
+    if (!m) continue;
     PatchPoint local = p.point;
-    for (int i = 0; i < 2 * dim; ++i) {
-      const auto found = place.find(p.unknown[i]);
-      local.unknown[i] = found == place.end() || found->second.first != p.patch ? -1 : found->second.second;
-    }
-    (p.border ? parts[p.patch].border : parts[p.patch].points).push_back(local);
-    (p.border ? border_ids : law_ids)[p.patch].push_back(p.id);
+    for (int i = 0; i < 2 * dim; ++i) local.unknown[i] = number(p.unknown[i], p.patch);
+    (p.border ? m->parts.border : m->parts.points).push_back(local);
+    (p.border ? m->border : m->points).push_back(p.id);
   }
-  Outcome out;
-  NewtonReport report;
-  for (int i = 0; i < patches_; ++i) {
-    if (!is_mine(i) || parts[i].points.empty()) continue;
-    parts[i].force_scale = request.scale;
-    parts[i].length_scale = parts_.structure.size();
-    const auto points_before = parts[i].points, border_before = parts[i].border;
-    Patch patch(std::move(parts[i]), parts_.methods);
-    if (ids[i].size() > SparseLu::most_rows || !patch.solve(request.tolerance, report)) {
-      ++out.failed;
-      continue;
-    }
-    if (patch.passed_on() > bearable) {
-      out.too_narrow.push_back(i);
-      continue;
-    }
-    for (std::size_t u = 0; u < ids[i].size(); ++u) out.motion.push_back({ids[i][u], patch.displacement()[u]});
-    const auto tell = [&](const auto& id, const auto& before, const auto& after) {
-      for (std::size_t k = 0; k < id.size(); ++k) {
-        out.force.push_back({id[k], {}});
-        for (int c = 0; c < dim; ++c) out.force.back().change[c] = after[k].force[c] - before[k].force[c];
-      }
-    };
-    tell(law_ids[i], points_before, patch.solved_points());
-    tell(border_ids[i], border_before, patch.solved_border());
+  return mine;
+}
+
+/// Solves one patch and tells what moved and which forces changed, unless that passes on too much.
+template <int dim>
+void LocalCorrection<dim>::solve(Mine mine, double tolerance, double bearable, NewtonReport& report,
+                                 Outcome& out) const {
+  const auto points_before = mine.parts.points, border_before = mine.parts.border;
+  Patch patch(std::move(mine.parts), parts_.methods);
+  if (mine.unknowns.size() > SparseLu::most_rows || !patch.solve(tolerance, report)) {
+    ++out.failed;
+    return;
   }
-  out.solves = report.newton_iterations;
-  return out;
+  if (patch.passed_on() > bearable) {
+    out.too_narrow.push_back(mine.patch);
+    return;
+  }
+  for (std::size_t u = 0; u < mine.unknowns.size(); ++u)
+    out.motion.push_back({mine.unknowns[u], patch.displacement()[u]});
+  const auto tell = [&](const auto& id, const auto& before, const auto& after) {
+    for (std::size_t k = 0; k < id.size(); ++k) {
+      out.force.push_back({id[k], {}});
+      for (int c = 0; c < dim; ++c) out.force.back().change[c] = after[k].force[c] - before[k].force[c];
+    }
+  };
+  tell(mine.points, points_before, patch.solved_points());
+  tell(mine.border, border_before, patch.solved_border());
 }
 
 template <int dim>
@@ -318,8 +324,12 @@ typename LocalCorrection<dim>::Result LocalCorrection<dim>::solve_patches(Tpetra
                                                                           double bearable) {
   const auto& comm = *parts_.structure.comm();
   cluster_patch_ = patch_of_clusters();
-  const auto out = solve(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
-                         all_gather(points(lambda, request.resistance), comm), bearable);
+  Outcome out;
+  NewtonReport report;
+  for (auto& mine : put_together(request, all_gather(unknowns(x, request.start), comm), all_gather(entries(), comm),
+                                 all_gather(points(lambda, request.resistance), comm)))
+    if (!mine.parts.points.empty()) solve(std::move(mine), request.tolerance, bearable, report, out);
+  out.solves = report.newton_iterations;
   put_back(all_gather(out.motion, comm), all_gather(out.force, comm), x, lambda);
   return {static_cast<int>(total_over_ranks(comm, out.solves)), total_over_ranks(comm, out.failed) == 0,
           blocks_of(all_gather(out.too_narrow, comm))};

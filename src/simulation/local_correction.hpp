@@ -38,6 +38,13 @@ class LocalCorrection {
   using Motion = typename PatchMessages<dim>::Motion;
   using Force = typename PatchMessages<dim>::Force;
   using Outcome = typename PatchMessages<dim>::Outcome;
+  /// A patch that this rank solves: what it is made of, and as what the structure knows that.
+  struct Mine {
+    int patch = 0;
+    PatchParts parts;
+    std::vector<GlobalOrdinal> unknowns;
+    std::vector<PointId> points, border;
+  };
   /// What became of the patches of all ranks.
   struct Result {
     int solves;
@@ -55,8 +62,9 @@ class LocalCorrection {
   std::vector<Unknown> unknowns(const TpetraVector& x, const TpetraVector& start) const;
   std::vector<Entry> entries() const;
   std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
-  Outcome solve(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&,
-                const std::vector<Point>&, double bearable) const;
+  std::vector<Mine> put_together(const LocalRequest&, const std::vector<Unknown>&, const std::vector<Entry>&,
+                                 const std::vector<Point>&) const;
+  void solve(Mine, double tolerance, double bearable, NewtonReport&, Outcome&) const;
   Result solve_patches(TpetraVector& x, PointField& lambda, const LocalRequest&, double bearable);
   void put_back(const std::vector<Motion>&, const std::vector<Force>&, TpetraVector& x, PointField& lambda) const;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "blocks/stresses.hpp"
+#include "linalg/reduce.hpp"
 #include "simulation/phase.hpp"
 
 namespace voussoir {
@@ -168,33 +169,32 @@ void Recorder<dim>::record(const ContactState& before, const ContactState& after
   finish(before, after, report.step, stage, stage_share, time, write_fields, seconds);
 }
 
-/// Counts, the row of the history and the sums of the run.
+/// Points by status, of all ranks.
 template <int dim>
-void Recorder<dim>::finish(const ContactState& before, const ContactState& after, const StepReport& report,
-                           const std::string& stage, double load_factor, std::optional<double> time,
-                           bool write_fields, double seconds) {
-  const auto& comm = *model_.structure().comm();
-  const auto gap = step_.stone_gaps(after);
-  const auto status = statuses(after, gap, before.slip_origin);
+void Recorder<dim>::count(const std::vector<int>& status) {
   long long mine[4] = {0, 0, 0, 0}, all[4];
   for (int s : status) ++mine[s];
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 4, mine, all);
-  auto& count = record_.count;
-  count = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
-  double largest = 0, largest_all = 0;
+  Teuchos::reduceAll(*model_.structure().comm(), Teuchos::REDUCE_SUM, 4, mine, all);
+  record_.count = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
+}
+
+/// Of a node [m], over all ranks.
+template <int dim>
+double Recorder<dim>::largest_displacement(const std::vector<double>& displacement) const {
+  double largest = 0;
   for (int i = 0; i < model_.structure().owned_nodes(); ++i) {
     double square = 0;
-    for (int c = 0; c < dim; ++c) square += after.displacement[dim * i + c] * after.displacement[dim * i + c];
+    for (int c = 0; c < dim; ++c) square += displacement[dim * i + c] * displacement[dim * i + c];
     largest = std::max(largest, std::sqrt(square));
   }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(largest_all));
+  return largest_over_ranks(*model_.structure().comm(), largest);
+}
 
+template <int dim>
+HistoryRow Recorder<dim>::row_of(const StepReport& report) const {
   const auto& energy = record_.energy;
+  const auto& count = record_.count;
   HistoryRow row;
-  row.step = ++record_.summary.steps;
-  row.stage = stage;
-  row.load_factor = load_factor;
-  if (time) row.time = *time;
   row.selected_points = count.selected;
   row.open_points = count.open;
   row.stick_points = count.stick;
@@ -216,11 +216,14 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   row.damping = energy.damping();
   row.imbalance = energy.imbalance();
   row.imbalance_in_time = energy.imbalance_in_time();
-  row.largest_displacement = largest_all;
-  row.seconds = seconds;
-  row.observed = observations_.values(after.displacement, after.velocity, time.has_value());
-  history_->append(row);
+  return row;
+}
 
+/// The sums of the run.
+template <int dim>
+void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, double largest_displacement) {
+  const auto& energy = record_.energy;
+  const auto& count = record_.count;
   auto& sum = record_.summary;
   sum.selected_points = count.selected;
   sum.open_points = count.open;
@@ -228,24 +231,43 @@ void Recorder<dim>::finish(const ContactState& before, const ContactState& after
   sum.slip_points = count.slip;
   sum.selection_rounds += report.selection_rounds;
   sum.newton_iterations += report.newton.newton_iterations;
-  sum.linear_solves += row.linear_solves;
-  sum.failed_linear_solves += row.failed_linear_solves;
+  sum.linear_solves += report.newton.newton_iterations + report.estimate_solves;
+  sum.failed_linear_solves += report.newton.failed_solves;
   sum.krylov_iterations += report.newton.krylov_iterations;
-  sum.patch_solves += row.patch_solves;
+  sum.patch_solves += report.newton.local_solves;
   sum.factorised += report.cost.factorised;
   sum.factorised_whole += report.cost.whole;
   sum.factors_reused += report.cost.reused;
   sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);
-  sum.largest_displacement = largest_all;
+  sum.largest_displacement = largest_displacement;
   sum.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
                 energy.friction(), energy.fracture(), energy.imbalance(),
                 energy.damping(),  energy.imbalance_in_time()};
   sum.load_factor = load_factor;
-  if (!write_fields) return;
+}
+
+/// Counts, the row of the history, the sums of the run, and the fields.
+template <int dim>
+void Recorder<dim>::finish(const ContactState& before, const ContactState& after, const StepReport& report,
+                           const std::string& stage, double load_factor, std::optional<double> time,
+                           bool write_fields, double seconds) {
+  const auto status = statuses(after, step_.stone_gaps(after), before.slip_origin);
+  count(status);
   const auto& u = after.displacement;
-  write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);
+  const double largest = largest_displacement(u);
+  auto row = row_of(report);
+  row.step = ++record_.summary.steps;
+  row.stage = stage;
+  row.load_factor = load_factor;
+  if (time) row.time = *time;
+  row.largest_displacement = largest;
+  row.seconds = seconds;
+  row.observed = observations_.values(u, after.velocity, time.has_value());
+  history_->append(row);
+  add_to_sums(report, load_factor, largest);
+  if (write_fields) write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);
 }
 
 template <int dim>

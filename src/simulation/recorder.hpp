@@ -74,6 +74,10 @@ class Recorder {
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
                   const std::vector<int>& status, const std::string& stage, double load_factor,
                   std::optional<double> time);
+  void count(const std::vector<int>& status);
+  double largest_displacement(const std::vector<double>& displacement) const;
+  HistoryRow row_of(const StepReport&) const;
+  void add_to_sums(const StepReport&, double load_factor, double largest_displacement);
   void finish(const ContactState& before, const ContactState& after, const StepReport&, const std::string& stage,
               double load_factor, std::optional<double> time, bool write_fields, double seconds);
 

@@ -136,6 +136,68 @@ void time_motions(const ContactProblem<2>& problem, const Model<2>& model, const
   row.motions_solve_seconds = solve.seconds() / repetitions;
 }
 
+/// Makes the stones that lots mark harder than the others.
+void harden(Scene& scene, double contrast) {
+  if (contrast == 1) return;
+  auto hard = scene.materials.back();
+  hard.name = hard.parameters.blocks = hard_stones;
+  hard.parameters.young_modulus *= contrast;
+  scene.materials.push_back(hard);
+}
+
+/// A model with all points selected, under the loads at the end of all its stages.
+struct WholeSystem {
+  WholeSystem(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+      : model(scene, source, comm), solver(scene.solver), state(AdaptiveStep<2>(model).initial_state()) {
+    LoadSteps steps(scene.stages, scene.load_steps);
+    while (!steps.finished()) steps.accept();
+    model.loads(steps.last_factors(), 0.0, load, prescribed);
+    state.selected.assign(state.selected.size(), 1);
+    problem = std::make_unique<ContactProblem<2>>(
+        ContactProblem<2>::Parts{model.structure(), model.points(), model.continuum(), model.held(),
+                                 model.local_stiffness(), model.initial_gap(), scene.preconditioner, scene.internals,
+                                 solver},
+        state, model.law(), load, prescribed);
+  }
+
+  /// f - K u of the state [N].
+  Teuchos::RCP<TpetraVector> right_side() const {
+    const auto x = problem->unknowns(state.displacement);
+    const auto b = Teuchos::rcp(new TpetraVector(problem->map()));
+    PointField gap;
+    problem->evaluate(*x, *b, gap);
+    b->scale(-1);
+    return b;
+  }
+
+  const Model<2> model;
+  LinearSolver solver;
+  ContactState state;
+  std::vector<double> load, prescribed;
+  std::unique_ptr<ContactProblem<2>> problem;
+};
+
+/// Solves the system once: iterations, seconds, traffic, and how far the solution is off.
+void time_solution(WholeSystem& system, const std::vector<PointStiffness>& stiffness, SystemRow& row) {
+  auto& problem = *system.problem;
+  const auto& comm = *system.model.structure().comm();
+  const auto b = system.right_side();
+  const auto d = Teuchos::rcp(new TpetraVector(problem.map()));
+  const auto before = traffic_so_far();
+  const ProcessorClock clock(comm);
+  row.iterations = problem.solve(stiffness, 1.0, b, d, {tolerance}).iterations;  // the residual below says how far
+  const auto since = traffic_since(before);
+  row.solve_seconds = clock.seconds();
+  for (int k = 0; k < traffic_kinds; ++k) {
+    row.total[k] = total_traffic(since[k], comm);
+    row.largest[k] = largest_traffic(since[k], comm);
+  }
+  const auto product = Teuchos::rcp(new TpetraVector(problem.map()));
+  problem.system().matrix()->apply(*d, *product);
+  product->update(1.0, *b, -1.0);
+  row.residual = product->norm2() / b->norm2();
+}
+
 }  // namespace
 
 SystemStudy::SystemStudy(const std::string& folder, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
@@ -149,62 +211,26 @@ void SystemStudy::add(const SystemCase& given, Scene scene) {
   scene.preconditioner.factored_up_to = 0;  // iterations are what is counted
   const auto source = checked_blocks(scene, comm_);
   const StonesByLot stones(*source);
-  if (given.contrast != 1) {
-    auto hard = scene.materials.back();
-    hard.name = hard.parameters.blocks = hard_stones;
-    hard.parameters.young_modulus *= given.contrast;
-    scene.materials.push_back(hard);
-  }
-  const ProcessorClock setup(*comm_);
-  const Model<2> model(scene, stones, comm_);
-  std::vector<double> load, prescribed;
-  LoadSteps steps(scene.stages, scene.load_steps);
-  while (!steps.finished()) steps.accept();
-  model.loads(steps.last_factors(), 0.0, load, prescribed);
-
-  LinearSolver solver(scene.solver);
-  auto state = AdaptiveStep<2>(model).initial_state();
-  state.selected.assign(state.selected.size(), 1);
-  const auto stiffness = resistances_by_lot(model, given);
-  ContactProblem<2> problem(
-      {model.structure(), model.points(), model.continuum(), model.held(), model.local_stiffness(), model.initial_gap(),
-       scene.preconditioner, scene.internals, solver},
-      state, model.law(), load, prescribed);
-  const auto x = problem.unknowns(state.displacement);
-  const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
-  const auto d = Teuchos::rcp(new TpetraVector(problem.map()));
-  PointField gap;
-  problem.evaluate(*x, *b, gap);
-  b->scale(-1);
-
+  harden(scene, given.contrast);
   SystemRow row;
   row.given = given;
+  const ProcessorClock setup(*comm_);
+  WholeSystem system(scene, stones, comm_);
+  const auto stiffness = resistances_by_lot(system.model, given);
   row.setup_seconds = setup.seconds();
-  const auto before = traffic_so_far();
-  const ProcessorClock solve(*comm_);
-  row.iterations = problem.solve(stiffness, 1.0, b, d, {tolerance}).iterations;  // the residual below says how far
-  const auto since = traffic_since(before);
-  row.solve_seconds = solve.seconds();
-  const double size = b->norm2();
-  const auto product = Teuchos::rcp(new TpetraVector(problem.map()));
-  problem.system().matrix()->apply(*d, *product);
-  product->update(1.0, *b, -1.0);
-  row.residual = product->norm2() / size;
+  time_solution(system, stiffness, row);
+  const auto& problem = *system.problem;
   row.ranks = comm_->getSize();
   row.blocks = source->block_count();
   row.unknowns = static_cast<long long>(problem.map()->getGlobalNumElements());
-  row.candidate_points = model.points().total();
+  row.candidate_points = system.model.points().total();
   row.entries = static_cast<long long>(problem.system().matrix()->getGlobalNumEntries());
   row.coarse_unknowns = problem.preconditioner().motions();
   row.motions_bytes = static_cast<long long>(largest_over_ranks(*comm_, double(problem.cost().motion_bytes)));
-  row.partition = partition_quality(model);
-  row.points_imbalance = imbalance_of_selected(model, state);
-  time_motions(problem, model, state, stiffness, row);
-  row.levels = model.continuum().levels();
-  for (int k = 0; k < traffic_kinds; ++k) {
-    row.total[k] = total_traffic(since[k], *comm_);
-    row.largest[k] = largest_traffic(since[k], *comm_);
-  }
+  row.partition = partition_quality(system.model);
+  row.points_imbalance = imbalance_of_selected(system.model, system.state);
+  time_motions(problem, system.model, system.state, stiffness, row);
+  row.levels = system.model.continuum().levels();
   const auto memory = peak_memory_per_rank(*comm_);
   row.peak_memory_MB = *std::max_element(memory.begin(), memory.end());
   rows_.push_back(row);

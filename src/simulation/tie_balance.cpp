@@ -137,6 +137,29 @@ std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks
   return loose;
 }
 
+/// The stones that lack more than they may, with the largest share of them all and where it is.
+TieBalance balance_of(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<double>& bearable,
+                      const std::vector<double>& own) {
+  TieBalance balance;
+  balance.any = true;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (lacks[b] <= bearable[b]) continue;
+    const double share = own[b] > 0 ? lacks[b] / own[b] : std::numeric_limits<double>::infinity();
+    if (share <= balance.largest) continue;
+    balance.largest = share;
+    balance.where = s.blocks()[b].mesh.id;
+  }
+  balance.loose = marked(s, lacks, bearable);
+  const double mine = balance.largest;
+  balance.largest = largest_over_ranks(*s.comm(), mine);
+  // The lowest number of those that share it, so that all ranks name the same.
+  const int none = std::numeric_limits<int>::max();
+  const int here = balance.where >= 0 && mine == balance.largest ? balance.where : none;
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(balance.where));
+  if (balance.where == none) balance.where = -1;
+  return balance;
+}
+
 }  // namespace
 
 /// What depends on nothing but where stones are, what holds them and which are there.
@@ -199,6 +222,7 @@ std::map<BlockId, BlockSums> TieCriterion::of_dependants(const Demands& demands)
     return stones_->dependent.sums(std::move(sums));
   }
 }
+
 /// Per owned block the share of its load, with that of its dependants, that it lacks alone between its neighbours [-].
 std::vector<double> TieCriterion::left_alone(const Demands& demands, double unknown,
                                              const std::map<BlockId, BlockSums>& below) {
@@ -225,13 +249,10 @@ std::vector<double> TieCriterion::left_alone(const Demands& demands, double unkn
   return share;
 }
 
-TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, const std::vector<int>& cluster,
-                               const std::vector<double>& borne, const std::vector<double>& load,
-                               double largest_normal) {
+/// What stones lack where every point gives no more than its law admits, and their loads.
+TieCriterion::Demands TieCriterion::demands_of(const std::vector<StonePoint>& points, const std::vector<double>& borne,
+                                               const std::vector<double>& load) const {
   const auto& s = model_.structure();
-  const auto& numbers = model_.scene().internals.ties;
-  if (!stones_ || stones_->arrangement != model_.arrangement()) arrange(absent_here(model_));
-  auto points = springs(model_, law, state, cluster);
   PointField forces;
   for (const auto& p : points) forces.insert(forces.end(), p.force.begin(), p.force.end());
   auto lacking = borne;
@@ -245,47 +266,50 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
     demands.lacks.push_back(sum_over(s, s.blocks()[b], stone.middle, lacking));
     for (double& l : demands.lacks[b]) l = -l;
   }
+  return demands;
+}
+
+/// Per owned block what shares refer to [N]: its load. A stone without load, or whose loads are in balance as those of
+/// heat are, is measured by what passes through it.
+std::vector<double> TieCriterion::measures(const Demands& demands, const std::vector<double>& load) const {
+  const auto& s = model_.structure();
+  const auto& relaxation = stones_->relaxation;
+  const double balanced = model_.scene().internals.ties.balanced;
+  std::vector<double> own;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    own.push_back(size_of(demands.loads[b], relaxation.stones()[b].radius));
+    if (own[b] <= balanced * magnitudes_over(s.blocks()[b], load)) own[b] = relaxation.passing(b);
+  }
+  return own;
+}
+
+TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, const std::vector<int>& cluster,
+                               const std::vector<double>& borne, const std::vector<double>& load,
+                               double largest_normal) {
+  const auto& s = model_.structure();
+  const auto& numbers = model_.scene().internals.ties;
+  if (!stones_ || stones_->arrangement != model_.arrangement()) arrange(absent_here(model_));
+  auto points = springs(model_, law, state, cluster);
+  auto demands = demands_of(points, borne, load);
   const auto below = of_dependants(demands);
   auto& relaxation = stones_->relaxation;
   relaxation.begin(std::move(points), demands.lacks);
+  demands.own = measures(demands, load);
   const double unknown = numbers.noise * model_.scene().newton.tolerance * largest_normal;
   std::vector<double> bearable;
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    // A stone without load, or whose loads are in balance as those of heat are, is measured by what passes through it.
-    double own = size_of(demands.loads[b], relaxation.stones()[b].radius);
-    if (own <= numbers.balanced * magnitudes_over(s.blocks()[b], load)) own = relaxation.passing(b);
-    demands.own.push_back(own);
-    bearable.push_back(std::max(unknown, numbers.largest_share * own));
-  }
+  for (const double own : demands.own) bearable.push_back(std::max(unknown, numbers.largest_share * own));
   const auto alone = left_alone(demands, unknown, below);
   const auto is_loose_alone = [&](double share) { return share > numbers.largest_share_alone; };
   const auto relaxed =
       relaxation.relax(bearable, static_cast<int>(std::count_if(alone.begin(), alone.end(), is_loose_alone)));
-  TieBalance balance;
-  balance.any = relaxed.any_loose;
-  if (!balance.any) return balance;
+  if (!relaxed.any_loose) return {};
   auto lacks = relaxed.lacks;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!is_loose_alone(alone[b])) continue;
     lacks[b] = std::max(lacks[b], alone[b] * demands.own[b]);
     bearable[b] = 0;
   }
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    if (lacks[b] <= bearable[b]) continue;
-    const double share = demands.own[b] > 0 ? lacks[b] / demands.own[b] : std::numeric_limits<double>::infinity();
-    if (share <= balance.largest) continue;
-    balance.largest = share;
-    balance.where = s.blocks()[b].mesh.id;
-  }
-  balance.loose = marked(s, lacks, bearable);
-  const double mine = balance.largest;
-  balance.largest = largest_over_ranks(*s.comm(), mine);
-  // The lowest number of those that share it, so that all ranks name the same.
-  const int none = std::numeric_limits<int>::max();
-  const int here = balance.where >= 0 && mine == balance.largest ? balance.where : none;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(balance.where));
-  if (balance.where == none) balance.where = -1;
-  return balance;
+  return balance_of(s, lacks, bearable, demands.own);
 }
 
 Warnings held_by_ties(double share, int block, const std::string& when) {

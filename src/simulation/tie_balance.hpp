@@ -60,6 +60,9 @@ class TieCriterion {
     std::vector<double> own;  ///< [N] that shares refer to
   };
   void arrange(std::vector<char> absent);
+  Demands demands_of(const std::vector<StonePoint>&, const std::vector<double>& borne,
+                     const std::vector<double>& load) const;
+  std::vector<double> measures(const Demands&, const std::vector<double>& load) const;
   std::map<BlockId, BlockSums> of_dependants(const Demands&);
   std::vector<double> left_alone(const Demands&, double unknown, const std::map<BlockId, BlockSums>& below);
 

@@ -141,6 +141,15 @@ struct Network {
     return it != stones.end() && it->block == block ? static_cast<int>(it - stones.begin()) : -1;
   }
 
+  /// Per joint: what bears nothing does not stand.
+  std::vector<char> touching() const {
+    double largest = 0;
+    for (const auto& r : joints) largest = std::max(largest, r.presses);
+    std::vector<char> touches;
+    for (const auto& r : joints) touches.push_back(r.presses > negligible * largest);
+    return touches;
+  }
+
   /// In time forces come and go with every knock: what joints bear is taken from the loads, joints as springs as long
   /// as they are.
   void bear_loads() {
@@ -214,38 +223,37 @@ bool small_motion(const Model<2>& model, const StepEnd& end, double smallest_hal
   return largest_over_ranks(comm, turn) <= worth_telling * friction;
 }
 
+/// Which of the two stones of a joint has turned more, how far, and what that is of what the joint can bear.
+std::string what_turned(const Model<2>& model, const Network& network, std::size_t joint, double share) {
+  const auto turn = [&](BlockId b) { return network.stones[network.stone_of(b)].turn; };
+  const auto& r = network.joints[joint];
+  const BlockId more = std::abs(turn(r.block_i)) > std::abs(turn(r.block_j)) ? r.block_i : r.block_j;
+  return model.source().block(more).name + " has turned by " + three_digits(turn(more)) + " rad, " +
+         three_digits(100 * share) + " % of what joint " + names_of(model, r.block_i, r.block_j) +
+         " can bear before what stands on it topples or slides";
+}
+
 }  // namespace
 
 RangeFindings look_at_turns(const Model<2>& model, const StepEnd& end, double smallest_half_joint) {
   const bool followed = !end.in_time && model.scene().model.rotations == Rotations::finite;
   if (followed || model.points().total() == 0 || small_motion(model, end, smallest_half_joint)) return {};
   Network network(model, end);
-  const auto& joints = network.joints;
-  std::vector<char> touches;  // what bears nothing now does not stand
-  double largest = 0;
-  for (const auto& r : joints) largest = std::max(largest, r.presses);
-  for (const auto& r : joints) touches.push_back(r.presses > negligible * largest);
+  const auto touches = network.touching();
   if (end.in_time) network.bear_loads();
   const auto share = network.shares();
-  std::size_t worst = 0, others = 0;
-  for (std::size_t k = 0; k < share.size(); ++k) {
-    if (share[k] > share[worst]) worst = k;
-    others += share[k] > worth_telling;
-  }
+  const auto worst = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
   if (share.empty() || !(share[worst] > worth_telling)) return {};
-  const auto turn = [&](BlockId b) { return network.stones[network.stone_of(b)].turn; };
-  const auto& r = joints[worst];
-  const BlockId more = std::abs(turn(r.block_i)) > std::abs(turn(r.block_j)) ? r.block_i : r.block_j;
-  const auto where = names_of(model, r.block_i, r.block_j);
-  const std::string what = model.source().block(more).name + " has turned by " + three_digits(turn(more)) +
-                           " rad, " + three_digits(100 * share[worst]) + " % of what joint " + where +
-                           " can bear before what stands on it topples or slides";
+  const auto others = std::count_if(share.begin(), share.end(), [](double s) { return s > worth_telling; }) - 1;
+  const std::string what = what_turned(model, network, worst, share[worst]);
   const std::string advice = end.in_time ? "" : "; model > rotations = finite follows the stones";
+  const auto& joint = network.joints[worst];
   RangeFindings found;
-  found.warnings.push_back({"turn_beyond_first_order", where, end.when, share[worst],
+  found.warnings.push_back({"turn_beyond_first_order", names_of(model, joint.block_i, joint.block_j), end.when,
+                            share[worst],
                             what + ": small rotations, which are all that is computed" +
                                 (end.in_time ? " in time" : "") + ", overrate what holds it by that share" + advice +
-                                and_in_others(others - 1)});
+                                and_in_others(static_cast<std::size_t>(others))});
   for (std::size_t k = 0; k < share.size(); ++k)
     if (share[k] >= past_balance && touches[k]) {
       found.out_of_range = what + ": it is past its point of balance, and small rotations would let it stand" + advice;

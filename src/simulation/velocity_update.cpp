@@ -17,39 +17,59 @@ namespace {
 /// Components of points whose relative velocities are to vanish: 1 [points x components].
 using Held = std::vector<char>;
 
-/// Points that rest on each other, and these with those that stick: 1 for every component that is held. Forces at a
-/// vertex of three blocks are not unique, so a point without one rests there as well when it touches and does not part.
+/// Which points bear something: per point.
+template <int dim>
+std::vector<char> loaded_points(const Model<dim>& model, const ContactState& state) {
+  const double none = model.scene().internals.time_step.no_force * largest_force(model, state);
+  std::vector<char> loaded(state.selected.size());
+  for (std::size_t k = 0; k < loaded.size(); ++k) {
+    const bool glued = !state.broken[k] && model.law()[k].tension > 0;
+    loaded[k] = state.selected[k] && (state.lambda[dim * k] > none || glued);
+  }
+  return loaded;
+}
+
+/// Points that rest on each other: 1 for their normal components. Forces at a vertex of three blocks are not unique, so
+/// a point without one rests there as well when it touches and does not part.
 /// @param speed  relative velocities [m/s]
 template <int dim>
-std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& state, const PointField& speed,
-                               double resting) {
+Held closed_points(const Model<dim>& model, const ContactState& state, const std::vector<char>& loaded,
+                   const PointField& speed, double resting) {
   const auto& points = model.points().points();
   const auto gap = model.gaps(state.displacement);
-  const double no_force = model.scene().internals.time_step.no_force;
-  const double none = no_force * largest_force(model, state), round_off = closed_gap * model.structure().size();
-  const auto loaded = [&](std::size_t k) {
-    const bool glued = !state.broken[k] && model.law()[k].tension > 0;
-    return state.selected[k] && (state.lambda[dim * k] > none || glued);
-  };
+  const double round_off = closed_gap * model.structure().size();
   std::vector<char> carries(state.velocity.size() / dim, 0);  // per node
   for (std::size_t k = 0; k < points.size(); ++k)
-    if (loaded(k)) carries[points[k].node_i] = carries[points[k].node_j] = 1;
+    if (loaded[k]) carries[points[k].node_i] = carries[points[k].node_j] = 1;
   Held closed(speed.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool between = state.selected[k] && carries[points[k].node_i] && carries[points[k].node_j];
     const bool rests = std::abs(gap[dim * k]) < round_off && std::abs(speed[dim * k]) <= resting;
-    closed[dim * k] = loaded(k) || (between && rests);
+    closed[dim * k] = loaded[k] || (between && rests);
   }
+  return closed;
+}
+
+/// Whether friction holds a point that bears something, with a margin for what the solver leaves.
+template <int dim>
+bool sticks(const Model<dim>& model, const ContactState& state, std::size_t k) {
+  auto law = model.law()[k];
+  if (state.broken[k]) law.cohesion = law.tension = 0;
+  double q = 0;
+  for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
+  const double margin = model.scene().internals.time_step.no_force;
+  return std::sqrt(q) < (1 - margin) * friction_bound(law, state.lambda[dim * k]);
+}
+
+/// Points that rest on each other, and these with those that stick: 1 for every component that is held.
+template <int dim>
+std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& state, const PointField& speed,
+                               double resting) {
+  const auto loaded = loaded_points(model, state);
+  const auto closed = closed_points(model, state, loaded, speed, resting);
   auto sticking = closed;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!loaded(k)) continue;
-    auto law = model.law()[k];
-    if (state.broken[k]) law.cohesion = law.tension = 0;
-    double q = 0;
-    for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
-    const bool sticks = std::sqrt(q) < (1 - no_force) * friction_bound(law, state.lambda[dim * k]);
-    for (int c = 1; c < dim; ++c) sticking[dim * k + c] = sticks;
-  }
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    for (int c = 1; c < dim && loaded[k]; ++c) sticking[dim * k + c] = sticks(model, state, k);
   return {closed, sticking};
 }
 
