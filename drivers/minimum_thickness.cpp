@@ -148,7 +148,7 @@ NewtonOutcome settled(const Arguments& a, double thickness) {
   Weighed weighed(a, thickness);
   AdaptiveStep<2> step(weighed.model);
   auto state = step.initial_state();
-  const auto solved = step.solve(state, weighed.load, weighed.prescribed).newton;
+  const auto solved = advance(step, state, {weighed.load, weighed.prescribed}).newton;
   const bool found = solved.outcome == NewtonOutcome::converged, falls = solved.outcome == NewtonOutcome::collapse;
   report(thickness,
          found   ? "stands"

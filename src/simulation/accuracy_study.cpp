@@ -37,7 +37,7 @@ ContactState solve(const Model<dim>& model, AccuracyRow& row, std::ostream& say)
     const auto before = state;
     std::vector<double> load, prescribed;
     model.loads(steps.factors(), 0.0, load, prescribed);
-    const auto report = step.solve(state, load, prescribed);
+    const auto report = advance(step, state, {load, prescribed});
     row.linear_solves += report.newton.newton_iterations + report.estimate_solves;
     row.krylov_iterations += report.newton.krylov_iterations;
     if (report.newton.outcome == NewtonOutcome::converged) {

@@ -1,41 +1,15 @@
-// One load step with one selection, as the nonlinear solver sees it; and the state it works on.
+// One load step with one selection, as the nonlinear solver sees it.
 #pragma once
 
 #include <memory>
 
 #include "homogenisation/coarse_operator.hpp"
 #include "linalg/linear_solver.hpp"
-#include "linalg/reduce.hpp"
-#include "nonlinear/fast_way.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "scene/internals.hpp"
-#include "selection/rest.hpp"
+#include "simulation/contact_state.hpp"
 
 namespace voussoir {
-
-/// Gaps below this share of the structure's size are those of closed points: round-off, not a way to fall.
-inline constexpr double closed_gap = 1e-13;
-
-/// The state of a structure between load steps, on this rank's node copies and points (ghosts included).
-struct ContactState {
-  std::vector<double> displacement;  ///< [m, dim x local node copies]
-  PointField lambda;                 ///< [N]
-  PointField slip_origin;            ///< [m] slip at the end of the last load step, normal 0; empty where nothing rubs
-  std::vector<char> selected;        ///< per point
-  std::vector<char> broken;          ///< per point: cohesion and tension strength lost
-  std::vector<double> initial_gap;   ///< [m] per point: what construction adds to its gap; empty without construction
-  std::vector<double> velocity;      ///< [m/s] like displacement; empty before time begins
-  std::vector<double> acceleration;  ///< [m/s2] mean of the last time step, for errors; empty likewise
-  std::vector<double> acceleration_before;  ///< [m/s2] of the time step before it
-  double largest_energy = 0;         ///< [J] of the structure since time began, what that error is relative to
-  FastWay fast_way;                  ///< what the nonlinear solver remembers
-  Rest rest;                         ///< of points in time steps
-};
-
-/// Whether the state has velocities on any rank: those without blocks never have. Collective.
-inline bool in_motion(const Teuchos::Comm<int>& comm, const ContactState& state) {
-  return largest_over_ranks(comm, !state.velocity.empty()) > 0;
-}
 
 template <int dim>
 class ContactProblem : public NonlinearProblem {

@@ -59,8 +59,11 @@ double wave_speed(const Material& material, const ModelParameters& model) {
 }  // namespace
 
 template <int dim>
-DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest)
-    : at_rest_(at_rest), mass_(structure_of_mass(at_rest)), velocities_(at_rest, mass_) {
+DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progress> progress)
+    : at_rest_(at_rest),
+      mass_(structure_of_mass(at_rest)),
+      velocities_(at_rest, mass_),
+      progress_(std::move(progress)) {
   rule_.mass_damping = at_rest.scene().time.mass_damping;
   rule_.stiffness_damping = at_rest.scene().time.stiffness_damping;
   std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
@@ -140,8 +143,7 @@ void DynamicStep<dim>::set_time_step(double time_step) {
   step_.reset();
   velocities_.forget();
   model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
-  step_ = std::make_unique<AdaptiveStep<dim>>(*model_);
-  step_->in_time = true;
+  step_ = std::make_unique<AdaptiveStep<dim>>(*model_, progress_);
 }
 
 /// The gaps that the points of the time step have at w = 0: none where points are closed, which is so up to round-off,
@@ -285,76 +287,95 @@ void untie_what_moved(const Model<dim>& model, ContactState& state) {
 }
 
 template <int dim>
-TimeStepReport DynamicStep<dim>::solve(ContactState& state, const std::vector<double>& load,
-                                       const std::vector<double>& prescribed) {
+typename DynamicStep<dim>::Midpoint DynamicStep<dim>::midpoint(const ContactState& before,
+                                                               const StepInput& input) const {
   const auto& s = at_rest_.structure();
-  const auto velocity_before = state.velocity;
-  TimeStepReport report;
-  offset_gaps(at_rest_.gaps(state.displacement), state.lambda);
-  std::vector<double> half(load.size(), 0.0), effective, mv;
-  s.apply_stiffness(state.displacement, effective);
-  mass_.apply_stiffness(state.velocity, mv);
+  Midpoint mid;
+  std::vector<double> mv;
+  s.apply_stiffness(before.displacement, mid.load);
+  mass_.apply_stiffness(before.velocity, mv);
   double elastic = 0, kinetic = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
-    elastic += state.displacement[i] * effective[i] / 2;
-    kinetic += state.velocity[i] * mv[i] / 2;
+    elastic += before.displacement[i] * mid.load[i] / 2;
+    kinetic += before.velocity[i] * mv[i] / 2;
   }
-  for (std::size_t i = 0; i < load.size(); ++i) {
-    effective[i] = load[i] - effective[i] + 2 / rule_.time_step * mv[i];
-    if (at_rest_.held()[i]) half[i] = (prescribed[i] - state.displacement[i]) / 2;
+  mid.energy = total(elastic) + total(kinetic);
+  mid.half.assign(mid.load.size(), 0.0);
+  for (std::size_t i = 0; i < mid.load.size(); ++i) {
+    mid.load[i] = input.load[i] - mid.load[i] + 2 / rule_.time_step * mv[i];
+    if (at_rest_.held()[i]) mid.half[i] = (input.prescribed[i] - before.displacement[i]) / 2;
   }
-  ContactState mid;
-  mid.displacement.assign(load.size(), 0.0);
-  mid.lambda = state.lambda;
-  mid.selected = state.selected;
-  mid.broken = state.broken;
-  mid.fast_way = state.fast_way;
-  mid.rest.error = state.rest.error;
-  step_->own_load = &load;
-  step_->narrate = narrate;
-  step_->narrate_round = narrate_round;
-  step_->known_energy = total(elastic) + total(kinetic);
-  report.step = step_->solve(mid, effective, half);
-  report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
-  if (report.step.newton.outcome != NewtonOutcome::converged) return report;
+  return mid;
+}
 
-  const double closing = std::max(0.0, book(mid, state.broken, load, effective, report));
-  for (std::size_t i = 0; i < load.size(); ++i) {
-    state.displacement[i] = rule_.displacement_at_end(state.displacement[i], mid.displacement[i]);
-    state.velocity[i] = rule_.velocity_at_end(state.velocity[i], mid.displacement[i]);
+/// The state at the end of a step, but for what joints that closed do to velocities. All that is no motion is as the
+/// middle of the step has left it.
+template <int dim>
+ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState mid) const {
+  auto after = std::move(mid);
+  for (std::size_t i = 0; i < after.displacement.size(); ++i) {
+    const double w = after.displacement[i];
+    after.displacement[i] = rule_.displacement_at_end(before.displacement[i], w);
+    after.velocity[i] = rule_.velocity_at_end(before.velocity[i], w);
   }
-  state.lambda = mid.lambda;
-  state.selected = mid.selected;
-  state.broken = mid.broken;
-  state.fast_way = mid.fast_way;
-  state.rest.error = mid.rest.error;
-  const auto gap = at_rest_.gaps(state.displacement);
-  for (std::size_t k = 0; k < state.slip_origin.size() / dim; ++k)
-    for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
-  move_supports(state, half, report);
+  after.slip_origin = before.slip_origin;
+  if (after.slip_origin.empty()) return after;
+  const auto gap = at_rest_.gaps(after.displacement);
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    if (i % dim != 0) after.slip_origin[i] = gap[i];
+  return after;
+}
 
-  s.apply_stiffness(state.displacement, mv);
-  elastic = 0;
-  for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += state.displacement[i] * mv[i] / 2;
+/// What joints that closed do to velocities, what rests is tied, and the energies after it. False where that fails.
+template <int dim>
+bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<double>& velocity_before,
+                                         double closing, TimeStepReport& report) {
+  const auto& s = at_rest_.structure();
+  std::vector<double> ku;
+  s.apply_stiffness(after.displacement, ku);
+  double elastic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += after.displacement[i] * ku[i] / 2;
   report.elastic = total(elastic);
-  const double energy = report.elastic + velocities_.kinetic_energy(state.velocity);
-  const double resting = resting_speed(state, energy);
+  const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
+  const double resting = resting_speed(after, energy);
   try {
-    const auto jump = velocities_.apply(*model_, state, closing, resting);
-    const auto tied = bond_what_rests(state, gap, energy, resting);
+    const auto jump = velocities_.apply(*model_, after, closing, resting);
+    const auto tied = bond_what_rests(after, at_rest_.gaps(after.displacement), energy, resting);
     report.friction += jump.friction + tied.friction;
     report.external_work += jump.work_of_supports + tied.work_of_supports;
   } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
     report.step.newton.fail(failure.what());
-    return report;
+    return false;
   }
-  report.kinetic = velocities_.kinetic_energy(state.velocity);
-  report.error = error(state, velocity_before, energy);
-  if (!std::isfinite(report.elastic + report.kinetic)) {
-    report.step.newton.outcome = NewtonOutcome::not_converged;
-    report.step.newton.reason = "the energy after the step is no number";
+  report.kinetic = velocities_.kinetic_energy(after.velocity);
+  report.error = error(after, velocity_before, energy);
+  return true;
+}
+
+template <int dim>
+TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInput& input) {
+  offset_gaps(at_rest_.gaps(before.displacement), before.lambda);
+  const auto midpoint = this->midpoint(before, input);
+  const InTime in_time{midpoint.energy, input.load};
+  ContactState start = before;  // of the load step: w = 0, and slips count from there
+  start.displacement.assign(start.displacement.size(), 0.0);
+  start.slip_origin.clear();
+  auto [mid, step] = step_->take(start, {midpoint.load, midpoint.half, &in_time});
+  TimeStepResult result;
+  auto& [after, report] = result;
+  report.step = std::move(step);
+  report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
+  if (!report.step.converged()) {
+    after = std::move(mid);
+    return result;
   }
-  return report;
+  const double closing = std::max(0.0, book(mid, before.broken, input.load, midpoint.load, report));
+  after = at_end(before, std::move(mid));
+  move_supports(after, midpoint.half, report);
+  if (!update_velocities(after, before.velocity, closing, report)) return result;
+  if (!std::isfinite(report.elastic + report.kinetic))
+    report.step.newton.fail("the energy after the step is no number");
+  return result;
 }
 
 template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&, std::vector<double>&);

@@ -21,14 +21,21 @@ struct TimeStepReport {
   double error = 0;  ///< [-] of the time step, relative, energy norm
 };
 
+/// On anything but convergence the state after is that of the last attempt.
+struct TimeStepResult {
+  ContactState after;
+  TimeStepReport report;
+};
+
 template <int dim>
 class DynamicStep {
  public:
   /// Builds mass matrices; at_rest must outlive it.
-  explicit DynamicStep(const Model<dim>& at_rest);
+  /// @param progress  of its steps
+  explicit DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progress> progress = std::make_shared<Progress>());
 
-  std::function<void(const NewtonProgress&)> narrate;
-  std::function<void(int round, long long selected, double error_estimate)> narrate_round;
+  /// What happens within its steps.
+  const std::shared_ptr<Progress>& progress() const { return progress_; }
 
   /// Passage of a wave through the smallest cell of the structure [s]. Collective.
   double courant_time() const;
@@ -43,16 +50,24 @@ class DynamicStep {
   /// Builds what depends on the time step, when it changed. Collective.
   void set_time_step(double);
 
-  /// Carries the state through one time step. On anything but convergence the state is meaningless; keep a copy.
-  /// @param load        nodal forces at the middle of the step [N]
-  /// @param prescribed  displacement of held components at its end [m]
-  TimeStepReport solve(ContactState&, const std::vector<double>& load, const std::vector<double>& prescribed);
+  /// One time step, with the loads at its middle and the displacements of held components at its end. Collective.
+  TimeStepResult take(const ContactState& before, const StepInput&);
 
   const std::vector<double>& mechanism() const { return step_->mechanism(); }
   const Model<dim>& step_model() const { return *model_; }
 
  private:
+  /// The load step that a time step is, but for its matrix and its gaps.
+  struct Midpoint {
+    std::vector<double> load;  ///< [N] with inertia and the forces at the start
+    std::vector<double> half;  ///< [m] half the way of held components
+    double energy = 0;         ///< [J] at the start
+  };
+
   void offset_gaps(const PointField& gap, const PointField& lambda);
+  Midpoint midpoint(const ContactState& before, const StepInput&) const;
+  ContactState at_end(const ContactState& before, ContactState mid) const;
+  bool update_velocities(ContactState&, const std::vector<double>& velocity_before, double closing, TimeStepReport&);
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
   double book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
               const std::vector<double>& effective, TimeStepReport&) const;
@@ -66,11 +81,12 @@ class DynamicStep {
   VelocityUpdate<dim> velocities_;
   MidpointRule rule_;
   double total_mass_ = 0;
+  std::shared_ptr<Progress> progress_;
   std::unique_ptr<Model<dim>> model_;  ///< of the time step
   std::unique_ptr<AdaptiveStep<dim>> step_;
 };
 
-/// What DynamicStep::solve takes, for the next step of a stage with a duration.
+/// What a time step takes, for the next step of a stage with a duration.
 template <int dim>
 void loads_of_time_step(const Model<dim>&, const LoadSteps&, std::vector<double>& load,
                         std::vector<double>& prescribed);

@@ -7,13 +7,13 @@ namespace voussoir {
 template <int dim>
 StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactState& state,
                            const std::vector<double>& load, const std::vector<double>& prescribed) {
-  if (model.scene().model.rotations == Rotations::small) return step.solve(state, load, prescribed);
+  if (model.scene().model.rotations == Rotations::small) return advance(step, state, {load, prescribed});
   const auto& numbers = model.scene().internals.step;
   const auto start = state.displacement;
   const auto slip_origin = state.slip_origin;  // one step: slip counts from its start, whatever the rounds were
   model.follow(start);
-  StepReport report = step.solve(state, load, prescribed);
-  for (int round = 1; report.newton.outcome == NewtonOutcome::converged; ++round) {
+  StepReport report = advance(step, state, {load, prescribed});
+  for (int round = 1; report.converged(); ++round) {
     const double turned = model.follow(state.displacement);
     if (turned <= numbers.negligible_turn) return report;
     if (round == numbers.rounds_of_rotations) {
@@ -23,7 +23,7 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
       break;
     }
     state.slip_origin = slip_origin;
-    report.add(step.solve(state, load, prescribed));
+    report.add(advance(step, state, {load, prescribed}));
   }
   model.follow(start);
   return report;

@@ -8,8 +8,8 @@
 
 namespace voussoir {
 
-/// One load step of a model, as AdaptiveStep solves it, with small or finite rotations as the scene asks. Without an
-/// equilibrium the stones are back where the state before has them. Collective.
+/// Moves a state by one load step of a model, as AdaptiveStep takes it, with small or finite rotations as the scene
+/// asks. Without an equilibrium the stones are back where the state before has them. Collective.
 template <int dim>
 StepReport solve_load_step(Model<dim>&, AdaptiveStep<dim>&, ContactState&, const std::vector<double>& load,
                            const std::vector<double>& prescribed);

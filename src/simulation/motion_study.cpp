@@ -96,7 +96,7 @@ void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
   for (; !steps.finished() && row.outcome == "done"; steps.accept()) {
     if (!steps.dynamic()) {
       model.loads(steps.factors(), 0.0, load, prescribed);
-      if (at_rest.solve(state, load, prescribed).newton.outcome != NewtonOutcome::converged)
+      if (!advance(at_rest, state, {load, prescribed}).converged())
         row.outcome = "not converged";
       continue;
     }
@@ -109,7 +109,7 @@ void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
     in_time.set_time_step(time_step);
     loads_of_time_step(model, steps, load, prescribed);
     const ProcessorClock clock(*comm_);
-    const auto report = in_time.solve(state, load, prescribed);
+    const auto report = advance(in_time, state, {load, prescribed});
     row.seconds += clock.seconds();
     if (report.step.newton.outcome != NewtonOutcome::converged) row.outcome = "not converged";
     ++row.steps;

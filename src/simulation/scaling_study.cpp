@@ -185,7 +185,7 @@ void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
     row.stage = steps.stage();
     const ProcessorClock clock(*comm_);
     const auto traffic_before = traffic_so_far();
-    const auto report = step.solve(state, load, prescribed);
+    const auto report = advance(step, state, {load, prescribed});
     const auto traffic = traffic_since(traffic_before);
     row.seconds = clock.seconds();
     row.linear_solves = report.newton.newton_iterations + report.estimate_solves;

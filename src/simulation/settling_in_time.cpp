@@ -82,10 +82,9 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
   settled.state = equilibrium;
   settled.state.velocity.clear();
   auto& state = settled.state;
-  DynamicStep<2> dynamics(model);
+  DynamicStep<2> dynamics(model, step.progress());
   const double crossing = dynamics.crossing_time(), period = passages_in_period * crossing;
   dynamics.set_stiffness_damping(period / pi);  // critical at that period
-  dynamics.narrate = step.narrate;
   dynamics.begin(state);
   const double acceleration = size_of(s, increment.load) / dynamics.total_mass();
   const double deforms = acceleration * std::pow(period / (2 * pi), 2);
@@ -101,7 +100,7 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
       SolveBudget budget(dynamics, most_solves - settled.solves);
       TimeStepReport report;
       try {
-        report = dynamics.solve(state, load, increment.prescribed);
+        report = advance(dynamics, state, {load, increment.prescribed});
       } catch (const OutOfSolves&) {
         report.step.newton.outcome = NewtonOutcome::not_converged;
       }

@@ -40,24 +40,19 @@ Settled settle_in_time(Model<2>&, AdaptiveStep<2>&, const ContactState& equilibr
 struct OutOfSolves {};
 
 /// Gives a step no more than so many linear solves while it lives, and counts them.
-template <class Step>
 class SolveBudget {
  public:
-  SolveBudget(Step& step, int most) : step_(step), narrate_(step.narrate) {
-    step_.narrate = [this, most](const NewtonProgress& p) {
-      if (narrate_) narrate_(p);
-      if (++solves_ >= most) throw OutOfSolves{};
-    };
-  }
-  ~SolveBudget() { step_.narrate = narrate_; }
-  SolveBudget(const SolveBudget&) = delete;
-  SolveBudget& operator=(const SolveBudget&) = delete;
-  int solves() const { return solves_; }
+  template <class Step>
+  SolveBudget(const Step& step, int most)
+      : progress_(*step.progress()), before_(progress_.solves()), judging_(progress_, [this, most] {
+          if (solves() >= most) throw OutOfSolves{};
+        }) {}
+  int solves() const { return progress_.solves() - before_; }
 
  private:
-  Step& step_;
-  std::function<void(const NewtonProgress&)> narrate_;
-  int solves_ = 0;
+  Progress& progress_;
+  int before_;
+  Progress::Judging judging_;
 };
 
 }  // namespace voussoir

@@ -36,7 +36,7 @@ class Motion {
     while (!steps.finished()) {
       if (!steps.dynamic()) {
         model_.loads(steps.factors(), 0.0, load, prescribed);
-        if (load_step_.solve(state_, load, prescribed).newton.outcome != NewtonOutcome::converged) return false;
+        if (!advance(load_step_, state_, {load, prescribed}).converged()) return false;
         book_static();
         steps.accept();
         continue;
@@ -46,7 +46,7 @@ class Motion {
       steps.set_time_step(time_step);
       in_time.set_time_step(time_step);
       loads_of_time_step(model_, steps, load, prescribed);
-      report = in_time.solve(state_, load, prescribed);
+      report = advance(in_time, state_, {load, prescribed});
       if (report.step.newton.outcome != NewtonOutcome::converged) return false;
       steps.accept();
       time = steps.time();

@@ -59,7 +59,7 @@ class StaticCase {
   const StepReport& step(const std::map<std::string, double>& factors) {
     std::vector<double> load, prescribed;
     model_.loads(factors, 0.0, load, prescribed);
-    report_ = step_.solve(state_, load, prescribed);
+    report_ = advance(step_, state_, {load, prescribed});
     return report_;
   }
 

@@ -169,7 +169,7 @@ bool Experiment::advance(const std::map<std::string, double>& factors) {
   model_->loads(factors, 0.0, load_, prescribed_);
   construction_->restrict(state_, load_, prescribed_);
   slip_before_ = state_.slip_origin;
-  last_ = step_->solve(state_, load_, prescribed_);
+  last_ = voussoir::advance(*step_, state_, {load_, prescribed_});
   sum_.add(last_.newton);
   rounds_ += last_.selection_rounds;
   return last_.newton.outcome == NewtonOutcome::converged;

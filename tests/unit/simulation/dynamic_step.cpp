@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(DynamicStep, StonesThatPressAreClosedWhateverALoadStepHasLeftB
   DynamicStep<2> in_time(model);
   in_time.begin(state);
   in_time.set_time_step(time_step);
-  const auto report = in_time.solve(state, wall.load(), wall.prescribed());
+  const auto report = advance(in_time, state, {wall.load(), wall.prescribed()});
   TEST_ASSERT(report.step.newton.outcome == NewtonOutcome::converged);
   double fastest = 0;
   for (const double v : state.velocity) fastest = std::max(fastest, std::abs(v));
