@@ -63,6 +63,23 @@ class FilesAreShort(unittest.TestCase):
         self.assertEqual(sizes.problems_of(path, "x" * 120), [])
         self.assertEqual(len(sizes.problems_of(path, "x" * 121)), 1)
 
+    def test_a_function_is_short_and_branches_little(self):
+        path = pathlib.Path("src/nonlinear/some.cpp")
+
+        def problems(lines):
+            text = "namespace {\n\ntemplate <int dim>\nint Some<dim>::sum(int n,\n    int m) {\n"
+            return sizes.problems_of_functions(path, text + lines + "}\n\n}  // namespace\n")
+
+        self.assertEqual(problems("  n += m;\n" * 56), [])
+        self.assertIn("Some::sum has 61 lines", problems("  n += m;\n" * 57)[0])
+        self.assertEqual(problems("  if (n > m && m > 0) ++n;  // if\n" * 7), [])
+        self.assertIn("16 branches", problems("  if (n > m && m > 0) ++n;  // if\n" * 8)[0])
+
+    def test_functions_that_may_be_long_are_there(self):
+        names = {(path.name, sizes.name_of(signature)) for path in house.code_files(".cpp") if path.parts[0] == "src"
+                 for _, signature, _ in sizes.functions_of(house.read(path))}
+        self.assertLessEqual(sizes.LONG_FUNCTIONS, names)
+
     def test_files_are_found_at_all(self):
         self.assertIn(pathlib.Path("src/mesh/mesh.hpp"), house.code_files(".hpp"))
         self.assertIn(pathlib.Path("drivers/run"), house.scripts())
