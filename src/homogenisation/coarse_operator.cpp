@@ -76,7 +76,9 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   cost_.matrix_bytes = h.bytes();
   if (!parted()) return;
   const bool others = !whole_ && choose_motions(stiffness, shear);
-  if (!others && !changed(stiffness, proximal)) {
+  const bool stays = !others && !changed(stiffness, proximal);
+  begins_ = false;
+  if (stays) {
     ++cost_.reused;
     return;
   }
@@ -90,6 +92,13 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   factored_stiffness_ = stiffness;
   factored_proximal_ = proximal;
   factored_ = true;
+}
+
+template <int dim>
+bool CoarseOperator<dim>::begin_step() {
+  cost_ = {};
+  begins_ = true;
+  return !whole_ && !whole_fails_ && sheared_.empty();
 }
 
 template <int dim>
@@ -115,7 +124,7 @@ bool CoarseOperator<dim>::parted() const {
 
 template <int dim>
 bool CoarseOperator<dim>::may_factor_whole() const {
-  return numbers_.whole_factorisation && !whole_ && parted() &&
+  return numbers_.whole_factorisation && !whole_ && !whole_fails_ && parted() &&
          space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
 }
 
@@ -129,7 +138,7 @@ bool CoarseOperator<dim>::factor_whole() {
   } catch (const SolverFailure&) {  // the parts are another way
   }
   if (!factored) {
-    factored_up_to_ = 0;
+    whole_fails_ = true;
     return false;
   }
   cost_ = cost();
@@ -180,11 +189,13 @@ bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stif
 }
 
 template <int dim>
+bool CoarseOperator<dim>::differ(double a, double b) const {
+  return begins_ ? a != b : std::abs(a - b) > numbers_.same * std::min(std::abs(a), std::abs(b));
+}
+
+template <int dim>
 bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
                                   const std::vector<double>& proximal) const {
-  const auto differ = [this](double a, double b) {
-    return std::abs(a - b) > numbers_.same * std::min(std::abs(a), std::abs(b));
-  };
   bool here = !factored_;
   for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
     if (!selected_[k]) continue;

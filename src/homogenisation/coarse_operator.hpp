@@ -35,6 +35,10 @@ class CoarseOperator : public Preconditioner {
   /// @param shear  stones that many points let go shear: where closed points resist far more than stones
   void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal,
               bool shear = false);
+  /// A step begins, with H of the same pattern. What the step before has learnt is forgotten, so that this one does not
+  /// depend on whether there was one; factors stay where no resistance changes at all. Whether that goes: not where H
+  /// was factored whole or stones were let shear.
+  bool begin_step();
   /// Takes over the couplings that H has got since, and the symmetry of the method that will apply this. Collective.
   void couple(const SystemMatrix<dim>& h, Symmetry);
   /// Whether H could be factored whole and is not yet: few enough unknowns, some of which a selection has parted.
@@ -51,6 +55,7 @@ class CoarseOperator : public Preconditioner {
  private:
   bool parted() const;
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
+  bool differ(double a, double b) const;
   std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
   bool choose_motions(const std::vector<PointStiffness>&, bool shear);
   void leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const;
@@ -62,6 +67,7 @@ class CoarseOperator : public Preconditioner {
   const ContactPoints<dim>& points_;
   const MergedSpace<dim>& space_;
   int factored_up_to_;  ///< unknowns
+  bool whole_fails_ = false;
   std::vector<int> active_, sheared_;  ///< per block of the whole structure; empty where none is
   std::unique_ptr<BlockMotions<dim>> motions_;
   std::unique_ptr<BlockSolves<dim>> blocks_;
@@ -70,6 +76,7 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<DistributedLu> whole_;         ///< instead of all of them
   bool factored_ = false;                        ///< motions and blocks are, as the members below say
   bool stale_ = true;                            ///< statuses have changed since region or whole were factored
+  bool begins_ = false;                          ///< the step has solved no system yet
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;
   const std::vector<char>& selected_;

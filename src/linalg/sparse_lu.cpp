@@ -49,8 +49,8 @@ bool SparseLu::factor(const LocalCsr& a) {
   auto& d = *data_;
   if (!d.order) {
     d.rows = a.rows();
-    regular(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), a.value.data(), &d.order, nullptr,
-                                nullptr),
+    // By the pattern alone, so that factors are the same whichever values came first.
+    regular(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), nullptr, &d.order, nullptr, nullptr),
             "order a matrix");
   }
   VOUSSOIR_EXPECT(a.rows() == d.rows);

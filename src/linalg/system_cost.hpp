@@ -8,7 +8,7 @@ namespace voussoir {
 struct SystemCost {
   int factorised = 0;  ///< linear solves whose preconditioner was factored for them
   int whole = 0;       ///< systems that were factored whole
-  int reused = 0;      ///< linear solves that took the factors of the solve before
+  int reused = 0;      ///< linear solves that took the factors of the solve before, of the step before too
   /// Largest of all selections, this rank [byte].
   long long matrix_bytes = 0, block_bytes = 0, motion_bytes = 0, whole_bytes = 0;
 

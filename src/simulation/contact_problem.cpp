@@ -16,20 +16,45 @@
 namespace voussoir {
 
 template <int dim>
-ContactProblem<dim>::ContactProblem(const Parts& parts, const ContactState& state, const PointLaws& law,
-                                    const std::vector<double>& load, const std::vector<double>& prescribed)
-    : parts_(parts), state_(state), law_(law), load_(load), prescribed_(prescribed) {
-  const auto& s = parts.structure;
-  space_ = std::make_unique<MergedSpace<dim>>(s, parts.points, state.selected, parts.held);
-  matrix_ = std::make_unique<SystemMatrix<dim>>(s, parts.points, state.selected, *space_);
-  coarse_ = std::make_shared<CoarseOperator<dim>>(s, parts.points, state.selected, *space_, parts.continuum,
-                                                  parts.preconditioner, parts.internals.preconditioner);
+ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>& selected, const Asked& asked)
+    : parts_(parts), selection_(selected) {
+  space_ = std::make_unique<MergedSpace<dim>>(parts.structure, parts.points, selection_, parts.held);
+  matrix_ = std::make_unique<SystemMatrix<dim>>(parts.structure, parts.points, selection_, *space_);
+  make_preconditioner();
+  begin(asked);
+}
+
+template <int dim>
+void ContactProblem<dim>::make_preconditioner() {
+  coarse_.reset();  // its room first
+  coarse_ = std::make_shared<CoarseOperator<dim>>(parts_.structure, parts_.points, selection_, *space_,
+                                                  parts_.continuum, parts_.preconditioner,
+                                                  parts_.internals.preconditioner);
+}
+
+template <int dim>
+void ContactProblem<dim>::begin(const Asked& asked) {
+  if (!coarse_->begin_step()) make_preconditioner();
+  asked_.emplace(asked);
+  carried_ = Teuchos::null;
+  rigid_.clear();
+  rigid_gap_.clear();
+  deformed_.clear();
+  internal_scale_ = 0;
+  patch_together_ = true;
+  shear_ = false;
   set_proximal_weights();
   set_movable();
-  double mine = 0;
-  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine = std::max(mine, std::abs(load[i]));
-  double largest[2] = {mine, 0}, all[2];
-  for (double k : parts.local_stiffness) largest[1] = std::max(largest[1], k);
+  set_scales();
+}
+
+/// The largest load, and the stiffest point.
+template <int dim>
+void ContactProblem<dim>::set_scales() {
+  const auto& s = parts_.structure;
+  double largest[2] = {0, 0}, all[2];
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
+  for (double k : parts_.local_stiffness) largest[1] = std::max(largest[1], k);
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, 2, largest, all);
   force_scale_ = all[0];
   stiffest_ = all[1];
@@ -41,7 +66,7 @@ template <int dim>
 double ContactProblem<dim>::stiffest_that_counts(double volume) const {
   const auto& s = parts_.structure;
   double mine[2] = {0, volume}, all[2];
-  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(load_[i]);
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(asked_->load[i]);
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
   return all[0] > 0 ? parts_.internals.step.next_to_rigid * all[0] * s.size() / all[1]
                     : std::numeric_limits<double>::infinity();
@@ -51,7 +76,7 @@ template <int dim>
 void ContactProblem<dim>::set_proximal_weights() {
   const auto& s = parts_.structure;
   proximal_weight_.assign(static_cast<std::size_t>(dim) * space_->owned_clusters(), 0.0);
-  const int mine = std::find(state_.selected.begin(), state_.selected.end(), 1) != state_.selected.end();
+  const int mine = std::find(selection_.begin(), selection_.end(), 1) != selection_.end();
   int any = 0;
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (!any) return;  // the bonded continuum cannot run away
@@ -74,7 +99,7 @@ void ContactProblem<dim>::set_proximal_weights() {
 
 template <int dim>
 void ContactProblem<dim>::set_movable() {
-  movable_ = state_.selected;
+  movable_ = selection_;
   const auto held = [&](int node, int c) { return space_->held()[dim * space_->cluster()[node] + c]; };
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points.points()[k];
@@ -90,7 +115,7 @@ template <int dim>
 Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<double>& displacement) const {
   auto u = displacement;
   for (std::size_t i = 0; i < u.size(); ++i)
-    if (parts_.held[i]) u[i] = prescribed_[i];
+    if (parts_.held[i]) u[i] = asked_->prescribed[i];
   auto x = Teuchos::rcp(new TpetraVector(space_->map()));
   space_->average(u, *x);
   return x;
@@ -120,7 +145,7 @@ void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, Point
     parts_.structure.apply_stiffness(copies_, forces_);
   internal_scale_ = 0;
   for (double f : forces_) internal_scale_ = std::max(internal_scale_, std::abs(f));
-  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= load_[i];
+  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= asked_->load[i];
   space_->sum(forces_, r);
   gaps(gap, true);
 }

@@ -1,7 +1,9 @@
-// One load step with one selection, as the nonlinear solver sees it.
+// The equilibrium of one step with one selection, as the nonlinear solver sees it. It lives as long as its selection:
+// unknowns, pattern, orders and factors serve all steps in between.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "homogenisation/coarse_operator.hpp"
 #include "linalg/linear_solver.hpp"
@@ -31,10 +33,22 @@ class ContactProblem : public NonlinearProblem {
     bool inertia = false;  ///< in the matrices of blocks: then motions as wholes make forces too
   };
 
-  /// @param load        nodal forces [N, dim x local node copies]
-  /// @param prescribed  displacement of held components [m], the same shape
-  ContactProblem(const Parts&, const ContactState&, const PointLaws&, const std::vector<double>& load,
-                 const std::vector<double>& prescribed);
+  /// What one step asks of it; must outlive the step.
+  struct Asked {
+    const PointLaws& law;
+    const PointField& slip_origin;
+    const std::vector<double>& load;        ///< nodal forces [N, dim x local node copies]
+    const std::vector<double>& prescribed;  ///< displacement of held components [m], the same shape
+  };
+
+  /// Unknowns, matrix and preconditioner of a selection. Collective.
+  ContactProblem(const Parts&, const std::vector<char>& selected, const Asked&);
+  /// Goes on with another step, which is solved as by a new problem: what stays is what would be made alike again.
+  /// Collective.
+  void begin(const Asked&);
+
+  /// 1 where a point is selected, as it was made for.
+  const std::vector<char>& selection() const { return selection_; }
 
   const MergedSpace<dim>& space() const { return *space_; }
   /// Unknowns from a displacement, held ones at their prescribed values.
@@ -49,10 +63,10 @@ class ContactProblem : public NonlinearProblem {
   /// Without points whose force nothing determines, as supports hold both sides or other joints tie them, and those not
   /// built yet.
   const std::vector<char>& selected() const override { return movable_; }
-  const PointLaws& law() const override { return law_; }
+  const PointLaws& law() const override { return asked_->law; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
   const std::vector<PointCompliance>& compliance() const override { return parts_.compliance; }
-  const PointField& slip_origin() const override { return state_.slip_origin; }
+  const PointField& slip_origin() const override { return asked_->slip_origin; }
   void evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) override;
   void evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) override;
   double rigid_gaps(const TpetraVector& d, PointField& gap) override;
@@ -76,15 +90,15 @@ class ContactProblem : public NonlinearProblem {
   void gaps(PointField& gap, bool initial) const;
   void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const;
   Symmetry set_up(const std::vector<PointStiffness>&, double proximal_scale, bool shear);
+  void make_preconditioner();
+  void set_scales();
   void set_proximal_weights();
   double stiffest_that_counts(double volume) const;
   void set_movable();
 
   Parts parts_;
-  const ContactState& state_;
-  const PointLaws& law_;
-  const std::vector<double>& load_;
-  const std::vector<double>& prescribed_;
+  const std::vector<char> selection_;
+  std::optional<Asked> asked_;
   std::unique_ptr<MergedSpace<dim>> space_;
   std::unique_ptr<SystemMatrix<dim>> matrix_;
   std::shared_ptr<CoarseOperator<dim>> coarse_;

@@ -93,11 +93,9 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
                    const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations,
                    const std::vector<double>& load, const std::vector<double>& prescribed) {
   if (violations.largest == 0) return {};
-  ContactState released;
-  released.selected = state.selected;
-  released.slip_origin = state.slip_origin;
-  release_violating(parts.points, cluster, violations, released.selected);
-  ContactProblem<dim> problem(parts, released, law, load, prescribed);
+  auto released = state.selected;
+  release_violating(parts.points, cluster, violations, released);
+  ContactProblem<dim> problem(parts, released, {law, state.slip_origin, load, prescribed});
   const auto x = problem.unknowns(state.displacement);
   const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
   const auto e = Teuchos::rcp(new TpetraVector(problem.map()));

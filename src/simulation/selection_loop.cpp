@@ -5,6 +5,7 @@
 
 #include "dynamics/load_steps.hpp"
 #include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
 #include "simulation/phase.hpp"
 #include "simulation/release.hpp"
 
@@ -22,14 +23,6 @@ PointLaws law_without_lost_bonds(const Model<dim>& model, const ContactState& st
   for (std::size_t k = 0; k < law.size(); ++k)
     if (state.broken[k]) law.lose_bond(k);
   return law;
-}
-
-template <int dim>
-typename ContactProblem<dim>::Parts parts_of(const Model<dim>& model, LinearSolver& solver) {
-  const auto& scene = model.scene();
-  return {model.structure(),      model.points(),          model.continuum(), model.held(), model.local_stiffness(),
-          model.initial_gap(),    scene.preconditioner,    scene.internals,   solver,       model.compliance(),
-          model.softest_mortar(), scene.newton.has_inertia};
 }
 
 /// Error of ties that may stay [-]: what many steps add up to must stay within what a scene asks for.
@@ -50,16 +43,38 @@ std::vector<double> borne_by_joints(const Structure<dim>& structure, const std::
 }
 
 template <int dim>
+typename ContactProblem<dim>::Parts SelectionTools<dim>::parts() {
+  const auto& scene = model_.scene();
+  return {model_.structure(),      model_.points(),         model_.continuum(), model_.held(), model_.local_stiffness(),
+          model_.initial_gap(),    scene.preconditioner,    scene.internals,    solver_,       model_.compliance(),
+          model_.softest_mortar(), scene.newton.has_inertia};
+}
+
+template <int dim>
+ContactProblem<dim>& SelectionTools<dim>::problem(const std::vector<char>& selected,
+                                                  const typename ContactProblem<dim>::Asked& asked) {
+  const bool other = !problem_ || arrangement_ != model_.arrangement() || problem_->selection() != selected;
+  // A selection that changed on one rank changed for all.
+  if (largest_over_ranks(*model_.structure().comm(), other) == 0) {
+    problem_->begin(asked);
+    return *problem_;
+  }
+  problem_.reset();  // its room first
+  arrangement_ = model_.arrangement();
+  problem_ = std::make_unique<ContactProblem<dim>>(parts(), selected, asked);
+  return *problem_;
+}
+
+template <int dim>
 SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& state, const StepInput& input,
                                   Progress& progress)
     : tools_(tools),
-      model_(tools.model),
+      model_(tools.model()),
       selection_(model_.scene().selection),
       numbers_(model_.scene().internals.step),
       input_(input),
       progress_(progress),
       law_(law_without_lost_bonds(model_, state)),
-      parts_(parts_of(model_, tools.solver)),
       tolerance_(model_.scene().newton.tolerance),
       allowed_(allowed_error(model_.scene(), in_time())),
       before_(state),
@@ -132,7 +147,7 @@ NewtonParameters SelectionLoop<dim>::way_of_solving() const {
 /// @param known_gap  [m] of the state, where that is an equilibrium under other loads; else null
 template <int dim>
 bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
-  ContactProblem<dim> problem(parts_, state_, law_, input_.load, input_.prescribed);
+  auto& problem = tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed});
   ContactSolver newton(problem, way_of_solving(), model_.scene().internals.methods, state_.fast_way);
   newton.narrate = [this](const NewtonProgress& solve) { progress_.solved(solve); };
   const auto x = problem.unknowns(state_.displacement);
@@ -235,8 +250,9 @@ void SelectionLoop<dim>::estimate() {
 
 template <int dim>
 void SelectionLoop<dim>::solve_for_error() {
-  const auto error =
-      tie_error<dim>(parts_, law_, state_, seen_.cluster, seen_.violations, input_.load, input_.prescribed);
+  if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
+  const auto error = tie_error<dim>(tools_.parts(), law_, state_, seen_.cluster, seen_.violations, input_.load,
+                                    input_.prescribed);
   report_.estimate_solves += error.linear_solves;
   report_.newton.krylov_iterations += error.krylov_iterations;
   report_.newton.failed_solves += !error.known;
@@ -328,7 +344,7 @@ long long SelectionLoop<dim>::release_loose() {
   if (selection_.mode == SelectionMode::bonded || all_selected()) return 0;
   const auto& own = in_time() ? input_.in_time->own_load : input_.load;
   const auto balance =
-      tools_.ties.judge(law_, state_, seen_.cluster, seen_.borne, own, seen_.violations.largest_normal);
+      tools_.ties().judge(law_, state_, seen_.cluster, seen_.borne, own, seen_.violations.largest_normal);
   if (!balance.any) return 0;
   const auto released = may_release() ? release_blocks(model_, law_, balance.loose, state_) : 0;
   if (released > 0) return released;
@@ -339,6 +355,7 @@ long long SelectionLoop<dim>::release_loose() {
 
 template std::vector<double> borne_by_joints<2>(const Structure<2>&, const std::vector<double>&,
                                                 const std::vector<double>&);
+template class SelectionTools<2>;
 template class SelectionLoop<2>;
 
 }  // namespace voussoir

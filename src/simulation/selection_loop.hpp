@@ -10,6 +10,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "nonlinear/contact_solver.hpp"
@@ -29,12 +30,25 @@ std::vector<double> borne_by_joints(const Structure<dim>&, const std::vector<dou
 
 /// What the steps of a model share.
 template <int dim>
-struct SelectionTools {
-  explicit SelectionTools(const Model<dim>& m) : model(m), solver(m.scene().solver), ties(m) {}
+class SelectionTools {
+ public:
+  explicit SelectionTools(const Model<dim>& model) : model_(model), solver_(model.scene().solver), ties_(model) {}
 
-  const Model<dim>& model;
-  LinearSolver solver;
-  TieCriterion ties;
+  const Model<dim>& model() const { return model_; }
+  TieCriterion& ties() { return ties_; }
+  typename ContactProblem<dim>::Parts parts();
+  /// The problem of a selection: that of the last one where it is the same, and stones stand where they stood.
+  /// Collective.
+  ContactProblem<dim>& problem(const std::vector<char>& selected, const typename ContactProblem<dim>::Asked&);
+  /// Makes room.
+  void forget_problem() { problem_.reset(); }
+
+ private:
+  const Model<dim>& model_;
+  LinearSolver solver_;
+  TieCriterion ties_;
+  std::unique_ptr<ContactProblem<dim>> problem_;
+  int arrangement_ = 0;  ///< of the stones, when it was made
 };
 
 template <int dim>
@@ -100,7 +114,6 @@ class SelectionLoop {
   const StepInput& input_;
   Progress& progress_;
   const PointLaws law_;  ///< with the bonds that are left
-  const typename ContactProblem<dim>::Parts parts_;
   const double tolerance_, allowed_;  ///< [-] of equilibria; error of ties
   const ContactState before_;
   const long long selected_before_;
@@ -116,6 +129,7 @@ class SelectionLoop {
 
 extern template std::vector<double> borne_by_joints<2>(const Structure<2>&, const std::vector<double>&,
                                                        const std::vector<double>&);
+extern template class SelectionTools<2>;
 extern template class SelectionLoop<2>;
 
 }  // namespace voussoir

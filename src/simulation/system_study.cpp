@@ -157,7 +157,7 @@ struct WholeSystem {
         ContactProblem<2>::Parts{model.structure(), model.points(), model.continuum(), model.held(),
                                  model.local_stiffness(), model.initial_gap(), scene.preconditioner, scene.internals,
                                  solver},
-        state, model.law(), load, prescribed);
+        state.selected, ContactProblem<2>::Asked{model.law(), state.slip_origin, load, prescribed});
   }
 
   /// f - K u of the state [N].

@@ -84,7 +84,7 @@ struct VelocityUpdate<dim>::Spread {
         zero(s.displacement.size(), 0.0),
         problem({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
                  at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, at_rest.scene().internals, solver},
-                state, at_rest.law(), zero, zero),
+                state.selected, {at_rest.law(), state.slip_origin, zero, zero}),
         bodies(at_rest, mass, state.selected) {}
 
   ContactState state;

@@ -48,7 +48,8 @@ int iterations_at_solution(Scene scene, Stones stones = Stones::rigid) {
                                        model.scene().preconditioner,
                                        model.scene().internals,
                                        solver};
-  ContactProblem<2> problem(parts, state, model.law(), experiment.load(), experiment.prescribed());
+  ContactProblem<2> problem(parts, state.selected,
+                            {model.law(), state.slip_origin, experiment.load(), experiment.prescribed()});
   auto patternless = experiment.load();
   for (std::size_t i = 0; i < patternless.size(); ++i) patternless[i] = std::sin(1 + 1.7 * static_cast<double>(i));
   int most = 0;

@@ -19,8 +19,9 @@ SCENE = ROOT / "xml" / "wall.xml"
 STEPS = 17
 SETTINGS = ["mesh/wall/courses=6", "mesh/wall/blocks per course=6", "steps/stages/push/increments=16",
             "joints/dry/cohesion=2e3", "loads/sideways/ax=2.2", "output/checkpoint every=1"]
-# Counts and results of result.json; the others are seconds, memory and how the run was started.
-TIMED = {"seconds", "effects", "peak_memory_MB", "peak_memory_MB_per_rank", "scene", "ranks"}
+# Counts and results of result.json; the others are seconds, memory, factors, which a run that goes on makes anew, and how
+# the run was started.
+TIMED = {"seconds", "effects", "factorisations", "peak_memory_MB", "peak_memory_MB_per_rank", "scene", "ranks"}
 
 
 class Program:

@@ -98,4 +98,39 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, IsFactoredAgainWhenPointsSlipTheOtherWay) {
   TEST_COMPARE(m.cost().block_bytes, >, 0);
 }
 
+// What a step has learnt is forgotten when the next begins, but factors that would be made alike again are kept: those
+// of resistances that are the same to the last bit.
+TEUCHOS_UNIT_TEST(ReleasedRegion, ANewStepTakesFactorsOnlyWhereNothingHasChanged) {
+  for (const auto selected : {Selected::few, Selected::all}) {
+    const SelectedWall w(selected);
+    const Continuum<2> continuum(w.structure, w.points, w.held, {});
+    SystemMatrix<2> h(w.structure, w.points, w.selected, w.space);
+    CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
+    const auto stiffness = slipping(w, 1);
+    const auto update = [&](double factor) {
+      auto more = stiffness;
+      for (auto& k : more) k.normal *= factor;
+      h.update(more, w.proximal());
+      m.update(h, more, w.proximal());
+      m.couple(h, h.couple(more) ? Symmetry::none : Symmetry::symmetric);
+    };
+    constexpr double a_little = 1.01;  // less than a tenth
+    update(1);
+    update(a_little);
+    TEST_EQUALITY(m.cost().factorised, 1);
+    TEST_EQUALITY(m.cost().reused, 1);
+    TEST_ASSERT(m.begin_step());
+    TEST_EQUALITY(m.cost().factorised + m.cost().reused, 0);
+    update(1);
+    update(a_little);
+    TEST_EQUALITY(m.cost().factorised, 0);
+    TEST_EQUALITY(m.cost().reused, 2);
+    TEST_ASSERT(m.begin_step());
+    update(a_little);
+    TEST_EQUALITY(m.cost().factorised, 1);
+    TEST_ASSERT(m.factor_whole());
+    TEST_ASSERT(!m.begin_step());
+  }
+}
+
 }  // namespace
