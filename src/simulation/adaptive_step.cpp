@@ -5,6 +5,7 @@
 
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "simulation/point_status.hpp"
 
 namespace voussoir {
 
@@ -25,6 +26,7 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   for (std::size_t k = 0; k < gap.size(); ++k)
     state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
   state.broken.assign(points, 0);
+  state.status.assign(points, static_cast<char>(PointStatus::stick));
   return state;
 }
 
@@ -80,8 +82,10 @@ StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& 
   auto& [state, report] = result;
   report = find_equilibrium(state, input);
   while (report.converged() && model_.brittle() && break_points(state)) report.add(find_equilibrium(state, input));
-  if (!report.converged() || state.slip_origin.empty()) return result;
+  if (!report.converged()) return result;
   const auto gap = stone_gaps(state);
+  state.status = point_statuses(model_, state, gap, before.slip_origin);
+  if (state.slip_origin.empty()) return result;
   for (int k = 0; k < model_.points().size(); ++k)
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
   return result;

@@ -12,6 +12,7 @@
 #include "linalg/solver_failure.hpp"
 #include "simulation/error_estimate.hpp"
 #include "simulation/phase.hpp"
+#include "simulation/point_status.hpp"
 #include "simulation/release.hpp"
 #include "simulation/scene_fit.hpp"
 
@@ -373,6 +374,7 @@ TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInpu
   after = at_end(before, std::move(mid));
   move_supports(after, midpoint.half, report);
   if (!update_velocities(after, before.velocity, closing, report)) return result;
+  after.status = point_statuses(at_rest_, after, at_rest_.gaps(after.displacement, after.lambda), before.slip_origin);
   if (!std::isfinite(report.elastic + report.kinetic))
     report.step.newton.fail("the energy after the step is no number");
   return result;

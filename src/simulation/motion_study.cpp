@@ -37,18 +37,10 @@ nlohmann::ordered_json entry_of(const MotionRow& r) {
           {"outcome", r.outcome}};
 }
 
-enum Status : char { tied, open, sticks, slips };
-
 /// Of every point a rank owns.
-std::vector<char> statuses(const Model<2>& model, const ContactState& state) {
-  const double no_force = model.scene().internals.time_step.no_force;
-  const double none = no_force * largest_force(model, state);
-  std::vector<char> status(model.points().owned(), tied);
-  for (int k = 0; k < model.points().owned(); ++k) {
-    if (!state.selected[k]) continue;
-    const double p = state.lambda[2 * k], q = std::abs(state.lambda[2 * k + 1]);
-    status[k] = p <= none ? open : q < (1 - no_force) * friction_bound(model.law()[k], p) ? sticks : slips;
-  }
+std::vector<PointStatus> statuses(const Model<2>& model, const ContactState& state) {
+  std::vector<PointStatus> status;
+  for (int k = 0; k < model.points().owned(); ++k) status.push_back(status_of(state, k));
   return status;
 }
 
@@ -92,7 +84,7 @@ void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
   auto state = at_rest.initial_state();
   row.outcome = "done";
   std::vector<double> load, prescribed;
-  std::vector<char> status;
+  std::vector<PointStatus> status;
   for (; !steps.finished() && row.outcome == "done"; steps.accept()) {
     if (!steps.dynamic()) {
       model.loads(steps.factors(), 0.0, load, prescribed);

@@ -14,7 +14,9 @@ namespace {
 // Less than a thousandth of the largest motion cannot be seen where a mechanism is drawn.
 constexpr double seen = 1e-3;
 
-enum Status { open = 0, stick = 1, slip = 2, bonded = 3 };
+// As the numbers of fields.h5.
+constexpr int open = static_cast<int>(PointStatus::open), stick = static_cast<int>(PointStatus::stick),
+              slip = static_cast<int>(PointStatus::slip), bonded = static_cast<int>(PointStatus::bonded);
 
 double tangential(const PointField& f, int k, int dim) {
   if (dim == 2) return f[2 * k + 1];  // signed: along the one tangent
@@ -101,28 +103,6 @@ void Recorder<dim>::write_tables() {
 }
 
 template <int dim>
-std::vector<int> Recorder<dim>::statuses(const ContactState& state, const PointField& gap,
-                                         const PointField& slip_before) const {
-  std::vector<int> status(model_.points().owned(), bonded);
-  for (int k = 0; k < model_.points().owned(); ++k) {
-    if (!state.selected[k]) continue;
-    auto law = model_.law()[k];
-    if (state.broken[k]) law.cohesion = law.tension = 0;
-    const double sigma = model_.local_stiffness()[k];
-    const double normal = state.lambda[dim * k] - sigma * gap[dim * k];
-    double q = 0;
-    for (int c = 1; c < dim; ++c) {
-      const double slipped = gap[dim * k + c] - (slip_before.empty() ? 0.0 : slip_before[dim * k + c]);
-      const double trial = state.lambda[dim * k + c] - sigma * slipped;
-      q += trial * trial;
-    }
-    const bool sticks = std::sqrt(q) < friction_bound(law, state.lambda[dim * k]);
-    status[k] = normal <= -law.tension ? open : sticks ? stick : slip;
-  }
-  return status;
-}
-
-template <int dim>
 void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
                                const std::vector<double>& deformation, const std::vector<int>& status,
                                const std::string& stage, double load_factor, std::optional<double> time) {
@@ -155,18 +135,17 @@ void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& af
                            double seconds) {
   Phase phase("output");
   record_.energy.advance(book.close(after, load));
-  finish(book.before(), after, report, stage, load_factor, {}, write_fields, seconds);
+  finish(after, report, stage, load_factor, {}, write_fields, seconds);
 }
 
 template <int dim>
-void Recorder<dim>::record(const ContactState& before, const ContactState& after, const TimeStepReport& report,
-                           const std::string& stage, double stage_share, double time, bool write_fields,
-                           double seconds) {
+void Recorder<dim>::record(const ContactState& after, const TimeStepReport& report, const std::string& stage,
+                           double stage_share, double time, bool write_fields, double seconds) {
   Phase phase("output");
   record_.energy.advance({report.elastic, report.kinetic, report.external_work, report.friction, report.fracture,
                    report.damping}, true);
   record_.summary.time = time;
-  finish(before, after, report.step, stage, stage_share, time, write_fields, seconds);
+  finish(after, report.step, stage, stage_share, time, write_fields, seconds);
 }
 
 /// Points by status, of all ranks.
@@ -250,10 +229,11 @@ void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, do
 
 /// Counts, the row of the history, the sums of the run, and the fields.
 template <int dim>
-void Recorder<dim>::finish(const ContactState& before, const ContactState& after, const StepReport& report,
-                           const std::string& stage, double load_factor, std::optional<double> time,
+void Recorder<dim>::finish(const ContactState& after, const StepReport& report, const std::string& stage,
+                           double load_factor, std::optional<double> time,
                            bool write_fields, double seconds) {
-  const auto status = statuses(after, step_.stone_gaps(after), before.slip_origin);
+  std::vector<int> status;
+  for (int k = 0; k < model_.points().owned(); ++k) status.push_back(static_cast<int>(status_of(after, k)));
   count(status);
   const auto& u = after.displacement;
   const double largest = largest_displacement(u);

@@ -46,8 +46,8 @@ class Recorder {
   void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
   /// Books and writes a time step that was solved.
   /// @param stage_share  of the stage reached;  @param time [s]
-  void record(const ContactState& before, const ContactState& after, const TimeStepReport&, const std::string& stage,
-              double stage_share, double time, bool write_fields, double seconds);
+  void record(const ContactState& after, const TimeStepReport&, const std::string& stage, double stage_share,
+              double time, bool write_fields, double seconds);
   /// Books the energy of the velocities that a structure is given. [J]
   void give(double kinetic) { record_.energy.give(kinetic); }
   /// Writes forces that balance loads, of stones that do not move, as a step.
@@ -68,7 +68,6 @@ class Recorder {
 
  private:
   void write_tables();
-  std::vector<int> statuses(const ContactState&, const PointField& gap, const PointField& slip_before) const;
   std::vector<int> statuses_of_motion(const PointField& opening) const;
   /// @param deformation  what of the displacement strains the stones
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
@@ -78,8 +77,8 @@ class Recorder {
   double largest_displacement(const std::vector<double>& displacement) const;
   HistoryRow row_of(const StepReport&) const;
   void add_to_sums(const StepReport&, double load_factor, double largest_displacement);
-  void finish(const ContactState& before, const ContactState& after, const StepReport&, const std::string& stage,
-              double load_factor, std::optional<double> time, bool write_fields, double seconds);
+  void finish(const ContactState& after, const StepReport&, const std::string& stage, double load_factor,
+              std::optional<double> time, bool write_fields, double seconds);
 
   const Model<dim>& model_;
   const AdaptiveStep<dim>& step_;

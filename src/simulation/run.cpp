@@ -195,7 +195,7 @@ bool Run::time_step(const ContactState& before) {
   steps_.accept();
   model_.loads(steps_.last_factors(), time, load_, prescribed);
   const bool write = writes();
-  recorder_->record(before, state_, report, stage, target, time, write, seconds);
+  recorder_->record(state_, report, stage, target, time, write, seconds);
   narrator_->end(report.step, recorder_->status(), seconds, recorder_->summary(), write);
   control_->accept(report.error, target * duration);
   if (steps_.stage_reached()) {

@@ -21,7 +21,7 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 8;  // of the file; raised when a value changes its meaning
+constexpr int format = 9;  // of the file; raised when a value changes its meaning
 
 long long number_of(const std::string& text) { return static_cast<long long>(digest(text.data(), text.size())); }
 
@@ -71,6 +71,7 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);
   checkpoint.rows("selected", points, 1, state.selected);
   checkpoint.rows("broken", points, 1, state.broken);
+  checkpoint.rows("status", points, 1, state.status);
   checkpoint.value("rest.error.ratio", state.rest.error.ratio);
   checkpoint.value("rest.error.root_known", state.rest.error.root_known);
   checkpoint.value("rest.error.root", state.rest.error.root);

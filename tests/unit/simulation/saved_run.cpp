@@ -48,7 +48,8 @@ TEUCHOS_UNIT_TEST(SavedRun, WithoutATableThatEveryRunHasIsRefused) {
   Run run;
   TEST_ASSERT(run.experiment.advance({{"weight", 1.0}}));
   run.saved(whole).save(run.state());
-  const std::vector<std::string> tables = {"displacement", "load", "lambda", "slip_origin", "selected", "broken"};
+  const std::vector<std::string> tables = {"displacement", "load",   "lambda", "slip_origin",
+                                           "selected",     "broken", "status"};
   for (const auto& table : tables) {
     copy_without(table, tables, whole, forged);
     Run other;
@@ -59,6 +60,7 @@ TEUCHOS_UNIT_TEST(SavedRun, WithoutATableThatEveryRunHasIsRefused) {
   other.saved(forged).restore(other.state());
   TEST_COMPARE_ARRAYS(other.experiment.state().displacement, run.experiment.state().displacement);
   TEST_COMPARE_ARRAYS(other.experiment.state().lambda, run.experiment.state().lambda);
+  TEST_COMPARE_ARRAYS(other.experiment.state().status, run.experiment.state().status);
 }
 
 /// A file that says that a collapse was found, and notes how many values are there before each table is read.

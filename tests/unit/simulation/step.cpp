@@ -1,10 +1,14 @@
 // A step is a value in and a value out: it leaves the state before it alone, and does not depend on the steps that were
 // taken before it. A judge may end it, a printer may not.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include "linalg/reduce.hpp"
 #include "simulation/dynamic_step.hpp"
 #include "support/scenes.hpp"
 
@@ -15,7 +19,7 @@ using namespace voussoir::test;
 
 bool same(const ContactState& a, const ContactState& b) {
   return a.displacement == b.displacement && a.lambda == b.lambda && a.slip_origin == b.slip_origin &&
-         a.selected == b.selected && a.broken == b.broken && a.velocity == b.velocity;
+         a.selected == b.selected && a.status == b.status && a.broken == b.broken && a.velocity == b.velocity;
 }
 
 bool same(const StepReport& a, const StepReport& b) {
@@ -82,6 +86,59 @@ TEUCHOS_UNIT_TEST(Step, InTimeIsTheSameWhateverStepsWereTakenBefore) {
     TEST_ASSERT(same(again.after, anew.after));
     TEST_ASSERT(same(again.report.step, anew.report.step));
     TEST_EQUALITY(again.report.kinetic, anew.report.kinetic);
+  }
+}
+
+/// Points by status; at rest each must bear and stand as that says. In time forces are those of the middle of the step.
+std::array<int, 4> count_statuses(const Loaded& scene, const ContactState& state, Teuchos::FancyOStream& out,
+                                  bool& success) {
+  const auto& model = scene.model();
+  const auto gap = model.gaps(state.displacement);
+  double largest = 0;
+  for (int k = 0; k < model.points().size(); ++k) largest = std::max(largest, state.lambda[2 * k]);
+  std::array<int, 4> count{};
+  for (int k = 0; k < model.points().size(); ++k) {
+    const auto status = status_of(state, k);
+    ++count[static_cast<int>(status)];
+    TEST_EQUALITY(status == PointStatus::bonded, !state.selected[k]);
+    if (!state.selected[k] || !state.velocity.empty()) continue;
+    const double p = state.lambda[2 * k], q = std::abs(state.lambda[2 * k + 1]), small = 1e-6 * largest;
+    const double bound = friction_bound(model.law()[k], p);
+    if (status == PointStatus::open) TEST_COMPARE(p + q, <=, small);
+    if (status != PointStatus::open) TEST_COMPARE(std::abs(gap[2 * k]) * model.local_stiffness()[k], <=, small);
+    if (status == PointStatus::slip) TEST_COMPARE(q, >=, bound - small);
+    if (status == PointStatus::stick) TEST_COMPARE(q, <=, bound);
+  }
+  out << count[0] << " open, " << count[1] << " stick, " << count[2] << " slip, " << count[3] << " bonded\n";
+  return count;
+}
+
+TEUCHOS_UNIT_TEST(Step, KeepsWhatPointsDoAsForcesAndGapsHaveIt) {
+  Scene slippery = wall_scene(6);
+  for (auto& joint : slippery.joints) joint.parameters.friction_coefficient = 0.14;
+  for (const auto mode : {SelectionMode::all, SelectionMode::adaptive}) {
+    Loaded wall(slippery, mode);
+    TEST_ASSERT(wall.stands());
+    AdaptiveStep<2> step(wall.model());
+    const auto [after, report] = step.take(wall.state(), wall.much());
+    TEST_ASSERT(report.converged());
+    auto all = count_statuses(wall, after, out, success);
+    for (int& n : all) n = total_over_ranks(*wall.model().structure().comm(), n);
+    TEST_COMPARE(all[0], >, 0);
+    TEST_COMPARE(all[1], >, 0);
+    TEST_COMPARE(all[2], >, 0);
+    TEST_ASSERT(all[3] == 0 || mode == SelectionMode::adaptive);
+
+    DynamicStep<2> in_time(wall.model());
+    auto state = wall.state();
+    in_time.begin(state);
+    in_time.set_time_step(1e-3);
+    for (int k = 0; k < 3; ++k) TEST_ASSERT(advance(in_time, state, wall.little()).step.converged());
+    all = count_statuses(wall, state, out, success);
+    for (int& n : all) n = total_over_ranks(*wall.model().structure().comm(), n);
+    TEST_COMPARE(all[0], >, 0);
+    TEST_COMPARE(all[1] + all[2], >, 0);
+    TEST_ASSERT(all[3] == 0 || mode == SelectionMode::adaptive);
   }
 }
 
