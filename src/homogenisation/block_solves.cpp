@@ -5,6 +5,7 @@
 
 #include "base/sort_unique.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 
@@ -64,7 +65,7 @@ template <int dim>
 void BlockSolves<dim>::add(const TpetraVector& r, TpetraVector& z, double factor) const {
   const double* right = local_view(r);
   for (std::size_t k = 0; k < unknown_.size(); ++k) work_[k] = weight_[k] * right[unknown_[k]];
-  factor_->solve(work_.data(), work_.data());
+  solve_or_not_a_number(work_, [&] { factor_->solve(work_.data(), work_.data()); });
   double* value = local_view_to_write(z);
   for (std::size_t k = 0; k < unknown_.size(); ++k) value[unknown_[k]] += factor * weight_[k] * work_[k];
 }

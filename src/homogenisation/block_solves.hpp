@@ -17,6 +17,7 @@ class BlockSolves {
   /// Factors the blocks' parts of H.
   void update(const OwnedRows& h);
   /// z += factor * sum over blocks of E_b W (H_bb)^-1 W E_b^T r, the weights W sharing unknowns of several blocks.
+  /// Not a number on a rank whose blocks cannot be solved.
   void add(const TpetraVector& r, TpetraVector& z, double factor) const;
   long long bytes() const;
 

@@ -3,6 +3,7 @@
 #include <BelosLinearProblem.hpp>
 #include <BelosSolverFactory.hpp>
 #include <BelosTpetraAdapter.hpp>
+#include <cmath>
 #include <utility>
 
 #include "base/check.hpp"
@@ -96,6 +97,7 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   }
   manager->setProblem(problem);
   LinearSolveResult result;
+  const TpetraVector start(*x, Teuchos::Copy);
   try {
     result.converged = manager->solve() == Belos::Converged;
   } catch (const std::exception& error) {
@@ -107,6 +109,12 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   if (!result.converged && result.failure.empty())
     result.failure = method + " did not reach " + number_text(relative_tolerance) + " in " +
                      std::to_string(result.iterations) + " iterations";
+  // A part of one rank that failed is not a number, and so is this norm, on all ranks.
+  if (!result.converged && !std::isfinite(x->norm2())) {
+    Tpetra::deep_copy(*x, start);
+    result.nothing = true;
+    result.failure = method + " met a number that is none: a part of the preconditioner failed";
+  }
   // The manager stays, the matrix and its factors must not: the next system is built when this one is gone.
   manager->setProblem(Teuchos::rcp(new Data::Problem));
   return result;

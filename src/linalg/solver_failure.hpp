@@ -1,7 +1,10 @@
 // What happens where a library cannot solve a system: whoever knows another way takes it, a step without one fails.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "linalg/reduce.hpp"
@@ -38,6 +41,18 @@ void all_or_none(const Teuchos::Comm<int>& comm, const Work& work) {
   failure.resize(static_cast<std::size_t>(size));
   Teuchos::broadcast(comm, static_cast<int>(first), size, failure.data());
   throw SolverFailure(failure);
+}
+
+/// Does a solve of this rank alone inside an iteration of all ranks. Where that fails the solution is not a number: an
+/// error would take this rank away from the next collective call, where the others wait, while the next norm that is not
+/// a number ends the iteration on all of them (LinearSolver::solve).
+template <class Solve>
+void solve_or_not_a_number(std::vector<double>& solution, const Solve& solve) {
+  try {
+    solve();
+  } catch (const SolverFailure&) {
+    std::fill(solution.begin(), solution.end(), std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 }  // namespace voussoir

@@ -2,6 +2,7 @@
 #include "linalg/linear_solver.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 
 #include "linalg/solver_failure.hpp"
 #include "unit/linalg/systems.hpp"
@@ -118,6 +119,43 @@ TEUCHOS_UNIT_TEST(LinearSolver, WhatThePreconditionerFailsAtIsNamed) {
     TEST_ASSERT(!result.converged);
     TEST_EQUALITY(result.failure, (symmetry == Symmetry::symmetric ? "CG" : "FLEXIBLE GMRES") +
                                       std::string(" stopped: LIBRARY could not solve (its status: -7)"));
+  }
+}
+
+/// As where the blocks of the last rank cannot be solved in the second iteration.
+class FailingOnTheLastRank final : public Preconditioner {
+ public:
+  void apply(const TpetraVector& r, TpetraVector& z) const override {
+    const auto comm = r.getMap()->getComm();
+    const bool fails = ++applied_ == 2 && comm->getRank() == comm->getSize() - 1;
+    std::vector<double> part(local_view(r), local_view(r) + r.getLocalLength());
+    solve_or_not_a_number(part, [&] {
+      if (fails) throw solver_failure("LIBRARY", "solve", -7);
+    });
+    largest_over_ranks(*comm, 0);  // what follows it in a preconditioner may be collective
+    std::copy(part.begin(), part.end(), local_view_to_write(z));
+  }
+
+ private:
+  mutable int applied_ = 0;
+};
+
+TEUCHOS_UNIT_TEST(LinearSolver, WhatFailsOnOneRankEndsTheIterationOfAllAndLeavesNumbers) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  for (const auto symmetry : {Symmetry::symmetric, Symmetry::none}) {
+    const auto x = noise_vector(a->getRowMap());
+    const TpetraVector start(*x, Teuchos::Copy);
+    const auto result = solver.solve(a, std::make_shared<FailingOnTheLastRank>(), b, x, 1e-10, symmetry);
+    out << result.failure << "\n";
+    TEST_ASSERT(!result.converged && !result.failure.empty());
+    // What was reached before, or what was there.
+    TEST_ASSERT(std::isfinite(x->norm2()));
+    x->update(-1.0, start, 1.0);
+    TEST_ASSERT(!result.nothing || x->norm2() == 0);
+    // The next system is solved.
+    TEST_ASSERT(solver.solve(a, nullptr, b, x, 1e-6, symmetry).converged);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <string>
 
 #include "linalg/solver_failure.hpp"
@@ -165,6 +166,26 @@ TEUCHOS_UNIT_TEST(SparseCholesky, AnIndefiniteMatrixIsAFailureThatNamesTheLibrar
   factor.solve(x.data(), x.data());
   TEST_FLOATING_EQUALITY(x[0], 1.0, round_off);
   TEST_FLOATING_EQUALITY(x[1], 2.0, round_off);
+}
+
+// Small matrices are factored row by row, large ones by blocks of LAPACK.
+TEUCHOS_UNIT_TEST(SparseCholesky, AnEntryThatIsNotFiniteIsAFailureWhereverItIs) {
+  const auto nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const int size : {3, 31, 400}) {
+    const auto good = upper(local(size, scattered(size)));
+    SparseCholesky factor(good);
+    const int entries = good.start.back();
+    for (const int entry : {0, 1, entries / 2, entries - 2, entries - 1})
+      for (const double wrong : {nan, infinite, -infinite}) {
+        auto a = good;
+        a.value[entry] = wrong;
+        TEST_THROW(factor.refactor(a), SolverFailure);
+      }
+    factor.refactor(good);
+    auto x = noise_values(size);
+    factor.solve(x.data(), x.data());
+    TEST_COMPARE(residual(local(size, scattered(size)), x, noise_values(size)), <=, round_off);
+  }
 }
 
 // Each rank has blocks of its own: where one fails the others must not wait for it.
