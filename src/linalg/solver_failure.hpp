@@ -44,8 +44,8 @@ void all_or_none(const Teuchos::Comm<int>& comm, const Work& work) {
 }
 
 /// Does a solve of this rank alone inside an iteration of all ranks. Where that fails the solution is not a number: an
-/// error would take this rank away from the next collective call, where the others wait, while the next norm that is not
-/// a number ends the iteration on all of them (LinearSolver::solve).
+/// error would take this rank away from the next collective call, where the others wait, while the next norm that is
+/// not a number ends the iteration on all of them (LinearSolver::solve).
 template <class Solve>
 void solve_or_not_a_number(std::vector<double>& solution, const Solve& solve) {
   try {

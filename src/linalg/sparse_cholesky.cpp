@@ -94,8 +94,8 @@ void SparseCholesky::refactor(const LocalCsr& a) {
   if (d.common.status == CHOLMOD_NOT_POSDEF)
     throw solver_failure("CHOLMOD", "factor a matrix that is not positive definite", d.common.status);
   if (d.common.status != CHOLMOD_OK) throw solver_failure("CHOLMOD", "factor a matrix", d.common.status);
-  // A number off the diagonal that is none passes CHOLMOD by where blocks are small; it makes the pivot of its row none,
-  // which the ratio of the pivots shows: 0.
+  // A number off the diagonal that is none passes CHOLMOD by where blocks are small; it makes the pivot of its row
+  // none, which the ratio of the pivots shows: 0.
   if (cholmod_rcond(d.factor, &d.common) <= 0)
     throw solver_failure("CHOLMOD", "factor a matrix with entries that are not finite", d.common.status);
 }

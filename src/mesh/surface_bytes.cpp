@@ -25,7 +25,8 @@ void exchange(Bytes& bytes, Mesh& mesh) {
 /// Every number that is an index points somewhere.
 void check_indices(const SurfaceMesh& mesh) {
   const auto require_index = [](int index, std::size_t size, const char* of) {
-    if (index < 0 || static_cast<std::size_t>(index) >= size) refuse_bytes(std::string("a number of ") + of + " is none");
+    if (index < 0 || static_cast<std::size_t>(index) >= size)
+      refuse_bytes(std::string("a number of ") + of + " is none");
   };
   for (const SurfaceMesh::Line& line : mesh.lines) {
     for (const int node : line.node) require_index(node, mesh.position.size(), "a node");

@@ -19,7 +19,7 @@ struct Counts {
 };
 
 /// A count that is off by more than a tenth of what is kept, and by more than one: where a point stands on the edge of
-/// its law, the rounding of another machine takes a solve more or less to settle its status.
+/// its law, the rounding of a processor takes a solve more or less to settle its status.
 enum class Change { none, more, fewer };
 Change change_of(long long kept, long long counted);
 /// More where any count is more; fewer where none is more and one is fewer.

@@ -43,7 +43,8 @@ TEUCHOS_UNIT_TEST(CountTable, RowsAreReadWholeOrNotAtAll) {
   const auto rows = read_counts(head + "W(8) pushed,1,2,3,4\nA(9),5,6,7,8\n");
   TEST_EQUALITY(rows.size(), 2);
   TEST_EQUALITY(rows.at("W(8) pushed").text(), "1,2,3,4");
-  for (const char* wrong : {"A(9),5,6,7", "A(9),5,6,7,8,9", "A(9),five,6,7,8", ",5,6,7,8", "A(9),1,2,3,4\nA(9),1,2,3,4"})
+  for (const char* wrong :
+       {"A(9),5,6,7", "A(9),5,6,7,8,9", "A(9),five,6,7,8", ",5,6,7,8", "A(9),1,2,3,4\nA(9),1,2,3,4"})
     TEST_THROW(read_counts(head + wrong), std::runtime_error);
   TEST_THROW(read_counts("A(9),5,6,7,8\n"), std::runtime_error);
 }
