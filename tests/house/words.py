@@ -15,7 +15,8 @@ COMMENT = re.compile(r"//.*|^\s*#.*|\"\"\".*", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 PATH = re.compile(r"(?<![\w./<>*-])((?:\.\./)*[A-Za-z_]\w*(?:/[\w.-]+)+)")
 # Web addresses, longer pieces of code, and settings of a scene, which look like paths.
-NO_PATHS = re.compile(r"https?://\S+|```.*?```|`[^`\n]*=[^`\n]*`|\"[^\"\n]*=[^\"\n]*\"|--set \S+", re.DOTALL)
+NO_PATHS = re.compile(r"https?://\S+|```.*?```|\"[^\"\n]*=[^\"\n]*\"|--set \S+", re.DOTALL)
+CODE = re.compile(r"`([^`\n]*)`")
 TOP = ("src", "drivers", "tests", "xml", "meshes", "cmake")
 
 
@@ -37,7 +38,8 @@ def problems_of_paths(path, text):
     modules = {folder.name for folder in (house.ROOT / "src").iterdir() if folder.is_dir()}
     problems = [f"{path}: link to {name}, which does not exist." for name in LINK.findall(text)
                 if "://" not in name and not exists(name, [path.parent])]
-    for name in PATH.findall(NO_PATHS.sub("", text)):
+    named = CODE.sub(lambda span: " " if "=" in span.group(1) else span.group(0), NO_PATHS.sub(" ", text))
+    for name in PATH.findall(named):
         known = name.split("/")[0] in modules.union(TOP)
         if known and not exists(name.rstrip("."), ["", "src", path.parent]):
             problems.append(f"{path}: names {name}, which does not exist.")
