@@ -20,7 +20,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   std::function<void(const NewtonProgress&)> print;
-  /// The estimate is no number where none was needed to go on.
+  /// The error estimate is NaN where it was not computed.
   std::function<void(int round, long long selected, double error_estimate)> print_round;
 
   /// Has a judge asked as long as this lives.
