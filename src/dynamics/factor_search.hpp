@@ -10,8 +10,8 @@
 // ones find. So a mechanism that was found from afar ends the search only when it is found again from near.
 //
 // Where a theorem tells a factor above which no equilibrium exists, none above it is tried, and it ends the bracket
-// until a mechanism is found below. A guess is tried from just below and just above when doubling comes to it; what falls
-// by hinges alone stands up to what the theorem tells, and that is tried from just below.
+// until a mechanism is found below. A guess is tried from just below and just above when doubling comes to it; what
+// falls by hinges alone stands up to what the theorem tells, and that is tried from just below.
 #pragma once
 
 #include <algorithm>
@@ -150,9 +150,9 @@ class FactorSearch {
   double certified_ = none;  ///< no equilibrium exists above it
   double guess_ = none;
   double collapse_from_ = 0;  ///< equilibrium from which upper_ was tried
-  double undecided_ = none;  ///< smallest undecided factor above the lower end
-  double tried_from_ = 0;    ///< equilibrium from which that one was tried
-  int probes_ = 0;           ///< undecided factors above that one
+  double undecided_ = none;   ///< smallest undecided factor above the lower end
+  double tried_from_ = 0;     ///< equilibrium from which that one was tried
+  int probes_ = 0;            ///< undecided factors above that one
   std::vector<FactorAttempt> attempts_;
 };
 

@@ -75,9 +75,8 @@ TEUCHOS_UNIT_TEST(FactorSearch, WhatIsUndecidedIsNoEndOfTheBracket) {
 }
 
 TEUCHOS_UNIT_TEST(FactorSearch, WithoutAMechanismNothingWasFound) {
-  const auto search = searched([](double factor, double) {
-    return factor < 0.3 ? Verdict::equilibrium : Verdict::undecided;
-  });
+  const auto search =
+      searched([](double factor, double) { return factor < 0.3 ? Verdict::equilibrium : Verdict::undecided; });
   TEST_ASSERT(search.finished() && !search.found());
   TEST_COMPARE(search.lower(), <, 0.3);
   TEST_COMPARE(search.attempts().size(), <=, 20u);  // undecided attempts are dear
@@ -158,19 +157,21 @@ TEUCHOS_UNIT_TEST(FactorSearch, AGoodGuessIsBracketedAtOnce) {
 }
 
 TEUCHOS_UNIT_TEST(FactorSearch, UndecidedBelowATheoremTheBracketIsWideButClosed) {
-  const auto search = searched([](double factor, double) {
-    return factor < 0.3 ? Verdict::equilibrium : Verdict::undecided;
-  }, with_certificate(0.37, 0.31));
+  const auto search =
+      searched([](double factor, double) { return factor < 0.3 ? Verdict::equilibrium : Verdict::undecided; },
+               with_certificate(0.37, 0.31));
   TEST_ASSERT(search.finished() && search.found() && !search.sharp() && !search.has_mechanism());
   TEST_EQUALITY(search.upper(), 0.37);
 }
 
 TEUCHOS_UNIT_TEST(FactorSearch, WhatIsUndecidedIsApproachedMoreCloselyThanTheBracketAsked) {
   // From nearer than half the accuracy what was undecided is decided.
-  const auto search = searched([](double factor, double last) {
-    if (factor < 0.36) return Verdict::equilibrium;
-    return factor - last > 0.4 * 0.005 * factor ? Verdict::undecided : Verdict::collapse;
-  }, with_certificate(0.365, 0.365));
+  const auto search = searched(
+      [](double factor, double last) {
+        if (factor < 0.36) return Verdict::equilibrium;
+        return factor - last > 0.4 * 0.005 * factor ? Verdict::undecided : Verdict::collapse;
+      },
+      with_certificate(0.365, 0.365));
   TEST_ASSERT(search.found() && search.sharp());
   TEST_COMPARE(search.upper() - search.lower(), <=, 0.005 * search.upper());
   TEST_COMPARE(search.lower(), <, 0.36);
