@@ -243,18 +243,26 @@ LimitAnalysis LimitAnalysis::under_loads(double factor) const {
 
 /// The largest factor of raised loads, up to one, of a structure whose dry joints bear on a share of their length.
 /// Forces have an end only where they are out of balance without one: it costs the simplex method as much again.
-LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, bool* balanced_unraised) const {
+/// @param basis  to begin from, of another share; holds that of this one afterwards. What comes out unclear is begun
+/// anew.
+LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, bool* balanced_unraised,
+                                        ProgrammeBasis* basis) const {
   LimitAnswer answer;
+  const bool begun = basis && !basis->empty();
   for (const double most : {endless, most_force}) {
     auto p = programme(share_of_joints, false, most);
     p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
     p.lp.set_cost(p.factor_column, 1);
+    if (begun) p.lp.start_from(*basis);
     const auto found = p.lp.maximise();
+    if (basis) *basis = p.lp.basis();
     *balanced_unraised = found.end != ProgrammeEnd::infeasible;
     answer = judge(p, found, largest);
     if (found.end != ProgrammeEnd::optimal || answer.verdict != LimitVerdict::unknown) break;
   }
-  return answer;
+  if (!begun || answer.verdict != LimitVerdict::unknown) return answer;
+  basis->clear();
+  return raised_up_to(largest, share_of_joints, balanced_unraised, basis);
 }
 
 LimitAnswer LimitAnalysis::largest_factor(double largest) const {

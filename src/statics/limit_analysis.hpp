@@ -64,8 +64,9 @@ class LimitAnalysis {
   struct Programme;
   void keep_ends_of_joints();
   Programme programme(double share_of_joints, bool sliding, double most) const;
-  LimitAnswer raised_up_to(double largest, double share_of_joints, bool* balanced_unraised) const;
-  LimitAnswer least_pressed(double share_of_joints) const;
+  LimitAnswer raised_up_to(double largest, double share_of_joints, bool* balanced_unraised,
+                           ProgrammeBasis* basis = nullptr) const;
+  LimitAnswer least_pressed(double share_of_joints, const ProgrammeBasis&) const;
   LimitAnswer judge(const Programme&, const ProgrammeSolution&, double largest) const;
   /// The same structure under its fixed loads and a factor of the raised ones, all of them raised from nothing.
   LimitAnalysis under_loads(double factor) const;

@@ -87,6 +87,18 @@ void LinearProgramme::set_cost(int column, double cost) {
 int LinearProgramme::rows() const { return static_cast<int>(parts_->row_lower.size()); }
 int LinearProgramme::columns() const { return static_cast<int>(parts_->lower.size()); }
 
+ProgrammeBasis LinearProgramme::basis() const {
+  if (!parts_->loaded) return {};
+  const unsigned char* status = parts_->simplex.statusArray();
+  return {status, status + columns() + rows()};
+}
+
+void LinearProgramme::start_from(const ProgrammeBasis& basis) {
+  if (basis.size() != static_cast<std::size_t>(columns() + rows())) return;
+  parts_->load();
+  parts_->simplex.copyinStatus(basis.data());
+}
+
 ProgrammeSolution LinearProgramme::maximise() {
   ProgrammeSolution solution;
   auto& simplex = parts_->simplex;

@@ -13,6 +13,9 @@ struct ProgrammeEntry {
 
 enum class ProgrammeEnd { optimal, infeasible, unbounded, failed };
 
+/// Which variables stand at their bounds, per column, then per row; empty when nothing is known.
+using ProgrammeBasis = std::vector<unsigned char>;
+
 struct ProgrammeSolution {
   ProgrammeEnd end = ProgrammeEnd::failed;
   double value = 0;           ///< of the objective
@@ -38,6 +41,10 @@ class LinearProgramme {
 
   /// From the basis of the last time, where there is one.
   ProgrammeSolution maximise();
+  /// That of the last time.
+  ProgrammeBasis basis() const;
+  /// Begins from the basis of another programme that is nearly the same; one of another size is of no use.
+  void start_from(const ProgrammeBasis&);
 
  private:
   struct Parts;

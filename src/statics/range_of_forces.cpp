@@ -16,9 +16,10 @@ constexpr int halvings = 10;
 
 LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) const {
   const auto loaded = under_loads(factor);
+  ProgrammeBasis basis;  // shares that are near each other have bases that are
   const auto with = [&](double share) {
     bool balanced = true;
-    return loaded.raised_up_to(1, share, &balanced);
+    return loaded.raised_up_to(1, share, &balanced, &basis);
   };
   // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
   double stands = 1, falls = std::pow(0.5, halvings);
@@ -38,19 +39,21 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
     }
   if (free_share) *free_share = 1 - stands;
   if (best.verdict != LimitVerdict::unlimited) return best;
-  auto least = loaded.least_pressed(stands);
+  auto least = loaded.least_pressed(stands, basis);
+  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_pressed(stands, {});
   return least.verdict == LimitVerdict::unlimited ? least : best;
 }
 
 /// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
 /// any force can be added to others.
-LimitAnswer LimitAnalysis::least_pressed(double share_of_joints) const {
+LimitAnswer LimitAnalysis::least_pressed(double share_of_joints, const ProgrammeBasis& basis) const {
   auto p = programme(share_of_joints, false, endless);
   const double all = raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, all, all);
   for (std::size_t k = 0; k < kept_.size(); ++k)
     for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g)
       p.lp.set_cost(p.first_column[k] + static_cast<int>(g), -p.forces[k].generators[g].direction[0]);
+  p.lp.start_from(basis);
   return judge(p, p.lp.maximise(), 1);
 }
 

@@ -45,6 +45,28 @@ TEUCHOS_UNIT_TEST(LinearProgramme, GoesOnFromTheLastBasisWhereNumbersChange) {
   TEST_FLOATING_EQUALITY(p.maximise().value, 30.0, close);
 }
 
+TEUCHOS_UNIT_TEST(LinearProgramme, BeginsFromTheBasisOfAnotherAndEndsAtItsOwnAnswer) {
+  auto first = workshop();
+  TEST_ASSERT(first.basis().empty());
+  const auto from_nothing = first.maximise();
+  TEST_COMPARE(from_nothing.iterations, >, 0);
+  auto same = workshop();
+  same.start_from(first.basis());
+  const auto found = same.maximise();
+  TEST_EQUALITY(found.iterations, 0);
+  TEST_FLOATING_EQUALITY(found.value, 36.0, close);
+  // One whose best corner is another: x alone is worth anything, so it goes from (2, 6) to (4, 3).
+  auto other = workshop();
+  other.set_cost(1, 0.5);
+  other.start_from(first.basis());
+  TEST_FLOATING_EQUALITY(other.maximise().value, 13.5, close);
+  LinearProgramme small;
+  small.add_row(-endless, 3);
+  small.add_column({{0, 1}}, 0, endless, 2);
+  small.start_from(first.basis());  // of no use to it
+  TEST_FLOATING_EQUALITY(small.maximise().value, 6.0, close);
+}
+
 TEUCHOS_UNIT_TEST(LinearProgramme, TellsWhatCannotBeMetFromWhatHasNoEnd) {
   LinearProgramme contradicts;
   contradicts.add_row(1, 1);
