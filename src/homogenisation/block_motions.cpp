@@ -243,7 +243,7 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
   for (int k : couplings_) {
     const auto& p = points_.points()[k];
     for (int a = 0; a < dim; ++a) {
-      const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].tangential;
+      const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].along(a - 1, a - 1);
       if (sigma == 0) continue;
       row.clear();
       add_motion(space_.cluster()[p.node_j], p.axis[a], 1.0, row);

@@ -200,8 +200,10 @@ bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
   for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
     if (!selected_[k]) continue;
     const auto& before = factored_stiffness_[k];
-    here = differ(stiffness[k].normal, before.normal) || differ(stiffness[k].tangential, before.tangential) ||
-           ((region_ || whole_) && differ(stiffness[k].coupling, before.coupling));
+    here = differ(stiffness[k].normal, before.normal);
+    for (int t = 0; t + 1 < dim; ++t)
+      here = here || differ(stiffness[k].along(t, t), before.along(t, t)) ||
+             ((region_ || whole_) && differ(stiffness[k].coupling[t], before.coupling[t]));
   }
   for (std::size_t i = 0; i < proximal.size() && !here; ++i) here = differ(proximal[i], factored_proximal_[i]);
   return largest_over_ranks(*h_->getComm(), here) > 0;

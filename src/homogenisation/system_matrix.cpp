@@ -170,7 +170,8 @@ template <int dim>
 void SystemMatrix<dim>::add_point(int k, const PointStiffness& stiffness) {
   add_between(k, [&](const auto& axis, int i, int j) {
     double value = stiffness.normal * axis[0][i] * axis[0][j];
-    for (int t = 1; t < dim; ++t) value += stiffness.tangential * axis[t][i] * axis[t][j];
+    for (int t = 1; t < dim; ++t)
+      for (int u = 1; u < dim; ++u) value += stiffness.along(t - 1, u - 1) * axis[t][i] * axis[u][j];
     return value;
   });
 }
@@ -179,17 +180,20 @@ template <int dim>
 bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
   bool coupled = false;
   for (int k = 0; k < points_.size(); ++k) {
-    const double c = stiffness[k].coupling;
-    if (!selected_[k] || c == 0) continue;
+    if (!selected_[k] || !stiffness[k].couples()) continue;
     coupled = true;
-    if (couples(k)) add_between(k, [c](const auto& axis, int i, int j) { return c * axis[1][i] * axis[0][j]; });
+    if (!couples(k)) continue;
+    add_between(k, [&c = stiffness[k].coupling](const auto& axis, int i, int j) {
+      double value = 0;
+      for (int t = 1; t < dim; ++t) value += c[t - 1] * axis[t][i] * axis[0][j];
+      return value;
+    });
   }
   return largest_over_ranks(*matrix_->getComm(), coupled) > 0;
 }
 
 template <int dim>
-void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness,
-                               const std::vector<double>& proximal) {
+void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
   const int owned = space_.owned_clusters();
   for (int k = 0; k < owned; ++k)
     for (int i = 0; i < dim; ++i)
@@ -205,7 +209,7 @@ void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness,
     }
   }
   for (int k = 0; k < points_.size(); ++k)
-    if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].tangential > 0)) add_point(k, stiffness[k]);
+    if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].resists_slip())) add_point(k, stiffness[k]);
   if (!proximal.empty())
     for (int i = 0; i < dim * owned; ++i)
       if (!space_.held()[i]) entry(i / dim, diagonal_[i / dim], i % dim, i % dim) += proximal[i];

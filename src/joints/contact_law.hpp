@@ -5,6 +5,8 @@
 //              traction times the point's share of the joint.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -62,11 +64,45 @@ struct PointCompliance {
   double along(int component) const { return component == 0 ? normal : tangential; }
 };
 
-/// Stiffness with which a point resists in a linear system [N/m], 0 where it gives way.
+/// How a point resists in a linear system [N/m], 0 where it gives way: the derivative of its force by its motion.
+///
+///   change of p = -normal d_N        change of q = -coupling d_N - tangential d_T
+///
+/// In the plane there is one tangential direction, the first, in space there are two.
 struct PointStiffness {
   double normal = 0;
-  double tangential = 0;  ///< the same in all tangential directions
-  double coupling = 0;    ///< tangential force per normal gap, first tangent: friction that follows the pressure
+  std::array<double, 3> tangential{};  ///< symmetric matrix: first tangent, mixed, second tangent
+  std::array<double, 2> coupling{};    ///< tangential forces per normal gap: friction that follows the pressure
+
+  PointStiffness() = default;
+  /// The same in all tangential directions; coupled along the first.
+  PointStiffness(double along_normal, double along_tangents, double coupled = 0)
+      : normal(along_normal), tangential{along_tangents, 0, along_tangents}, coupling{coupled, 0} {}
+
+  /// Tangential stiffness, tangents counted from 0.
+  double along(int row, int column) const { return tangential[row + column]; }
+  bool resists_slip() const { return tangential[0] > 0 || tangential[2] > 0; }
+  bool couples() const { return coupling[0] != 0 || coupling[1] != 0; }
+  /// Slides along a unit vector s of the tangents: friction follows the pressure, and the direction turns.
+  /// @param follows  tangential force per normal gap
+  /// @param across   stiffness against motion across s
+  void slide(const double* s, int tangents, double follows, double across) {
+    for (int t = 0; t < tangents; ++t) coupling[t] = s[t] * follows;
+    if (tangents == 2) tangential = {across * s[1] * s[1], -across * s[0] * s[1], across * s[0] * s[0]};
+  }
+  /// Gives way no more easily than that.
+  void hold(double along_normal, double along_tangents) {
+    normal = std::max(normal, along_normal);
+    for (int t : {0, 2}) tangential[t] = std::max(tangential[t], along_tangents);
+  }
+  /// force [N] -= what it changes by along a motion [m], both [normal, tangents].
+  void yield(const double* motion, int components, double* force) const {
+    force[0] -= normal * motion[0];
+    for (int t = 0; t + 1 < components; ++t) {
+      force[t + 1] -= coupling[t] * motion[0];
+      for (int u = 0; u + 1 < components; ++u) force[t + 1] -= along(t, u) * motion[u + 1];
+    }
+  }
 };
 
 /// Largest tangential force under a normal force: cohesion + mu p, never negative.
@@ -76,6 +112,24 @@ T friction_bound(const PointLaw& law, const T& normal) {
   if (normal > 0) bound += law.friction * normal;
   if (normal < 0 && std::isfinite(law.friction)) bound += law.friction * normal;
   return bound > 0 ? bound : T(0);
+}
+
+/// What a point does.
+enum class ContactStatus : char { open, stick, slip };
+
+/// What the law makes of a trial force, the force that the point would have if it resisted its motion elastically. The
+/// one formula for a status.
+///
+/// Closed is what presses or pulls no more than the tension strength bears. Zero gap and zero force is closed: stones
+/// that touch resist as soon as one of them moves. A closed point sticks where its shear is below the friction bound,
+/// or where it has none although it could rub; where nothing rubs (no friction, no cohesion) it never sticks.
+/// @param normal  [N] of the trial force
+/// @param shear   [N] size of its tangential part
+/// @param bound   [N] largest friction, of this force or of another: friction_bound()
+inline ContactStatus judge(const PointLaw& law, double normal, double shear, double bound) {
+  if (!(normal >= -law.tension)) return ContactStatus::open;
+  const bool rubs = law.friction > 0 || law.cohesion > 0;
+  return shear < bound || (rubs && shear == 0) ? ContactStatus::stick : ContactStatus::slip;
 }
 
 /// Nearest admissible normal force: not below the tensile strength.

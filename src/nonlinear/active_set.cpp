@@ -3,94 +3,88 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <utility>
 
-#include "base/check.hpp"
 #include "linalg/reduce.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
-#include "nonlinear/saved_position.hpp"
+#include "nonlinear/stuck_stones.hpp"
 
 namespace voussoir {
-namespace {
-
-/// Where a patch was nearest to rest.
-struct Nearest {
-  double size = std::numeric_limits<double>::infinity();
-  std::unique_ptr<SavedPosition> position;
-  PointField lambda;
-};
-
-}  // namespace
 
 ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodParameters& methods, int patience)
     : problem_(problem),
-      numbers_(methods.active_set),
-      patches_(methods.patches),
+      methods_(methods),
+      numbers_(methods_.active_set),
+      patches_(methods_.patches),
       use_(use),
+      components_(problem.components()),
       augmentation_(in_time() ? numbers_.augmentation_in_time : numbers_.augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
-      most_patience_(patience),
       patience_(patience),
-      sliding_(problem.points()),
-      stops_(problem.points()) {
-  VOUSSOIR_EXPECT(problem.components() == 2);
+      sliding_(std::size_t(problem.points()) * (components_ - 1)) {
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
 /// Statuses that forces and gaps ask for. Where they are those of the last solve, which has left no stone out of
-/// balance, forces creep.
+/// balance, forces creep from one point to another: closed points then resist more, until a status changes.
 /// @param in_balance  no stone is out of balance by more than the tolerance
 void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_balance) {
-  const auto resistance = std::move(resistance_);
-  const auto sliding = std::move(sliding_);
-  set_statuses(lambda, gap, sliding);
-  const bool may_creep =
-      numbers_.creeping && !in_time() && (in_balance || augmentation_ != numbers_.augmentation_at_rest);
+  const auto resistance = std::exchange(resistance_, std::vector<PointStiffness>(problem_.points()));
+  const auto sliding = std::exchange(sliding_, PointField(sliding_.size(), 0.0));
+  const auto set = [&] {
+    std::fill(resistance_.begin(), resistance_.end(), PointStiffness());
+    for (int k = 0; k < problem_.points(); ++k)
+      if (problem_.selected()[k]) set_status(k, lambda, gap, sliding);
+  };
+  set();
+  const bool may_creep = !in_time() && (in_balance || augmentation_ != numbers_.augmentation_at_rest);
   settled_ = (in_time() || may_creep) && same_statuses(resistance, sliding);
-  if (!may_creep) return;
-  const double wanted = !settled_    ? numbers_.augmentation_at_rest
-                        : in_balance ? numbers_.augmentation_of_creeping
-                                     : augmentation_;
-  if (wanted == augmentation_) return;
-  augmentation_ = wanted;
-  set_statuses(lambda, gap, sliding);
+  if (!may_creep || (settled_ && !in_balance)) return;
+  const double wanted = settled_ ? numbers_.augmentation_of_creeping : numbers_.augmentation_at_rest;
+  if (std::exchange(augmentation_, wanted) != wanted) set();
 }
 
 /// Whether all points of all ranks have the statuses that they had. Collective.
-bool ActiveSet::same_statuses(const std::vector<PointStiffness>& resistance, const std::vector<double>& sliding) const {
+bool ActiveSet::same_statuses(const std::vector<PointStiffness>& resistance, const PointField& sliding) const {
   bool differ = resistance.size() != resistance_.size() || sliding != sliding_;
   for (std::size_t k = 0; !differ && k < resistance.size(); ++k)
-    differ = (resistance[k].normal > 0) != (resistance_[k].normal > 0) ||
-             (resistance[k].tangential > 0) != (resistance_[k].tangential > 0);
+    differ = (resistance[k].normal > 0) != (resistance_[k].normal > 0);
   return largest_over_ranks(*problem_.map()->getComm(), differ) == 0;
 }
 
-/// No point turns from one direction of slip, before, to the other: between them it sticks.
-void ActiveSet::set_statuses(const PointField& lambda, const PointField& gap, const std::vector<double>& before) {
-  resistance_.assign(problem_.points(), {});
-  sliding_.assign(problem_.points(), 0.0);
-  for (int k = 0; k < problem_.points(); ++k) {
-    if (!problem_.selected()[k]) continue;
-    const auto& law = problem_.law()[k];
-    const auto trial = [&](int c) {
-      return lambda[2 * k + c] - stiffness_of(problem_, k, c, 1.0) * motion_of(problem_, k, c, gap, lambda);
-    };
-    const double p = trial(0), q = trial(1);
-    if (!(p > -law.tension)) continue;
-    auto& r = resistance_[k];
-    r.normal = stiffness_of(problem_, k, 0, augmentation_);
-    const double bound = friction_bound(law, p);
-    const double direction = q < 0 ? -1 : 1;
-    if (std::abs(q) < bound || (bound > 0 && (direction == -before[k] || stops_[k] != 0))) {
-      r.tangential = stiffness_of(problem_, k, 1, augmentation_);
-    } else {
-      sliding_[k] = direction;
-      if (bound > 0) r.coupling = sliding_[k] * law.friction * r.normal;
-    }
+/// No point turns round from the direction in which it slid before: between the two it sticks.
+void ActiveSet::set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before) {
+  const auto& law = problem_.law()[point];
+  const std::size_t at = std::size_t(point) * components_, tangents = components_ - 1;
+  const auto trial = [&](int c) {
+    return lambda[at + c] - stiffness_of(problem_, point, c, 1.0) * motion_of(problem_, point, c, gap, lambda);
+  };
+  const double normal = trial(0);
+  double* s = &sliding_[point * tangents];
+  double shear = 0, turn = 0;
+  for (int c = 1; c < components_; ++c) {
+    s[c - 1] = trial(c);
+    shear += s[c - 1] * s[c - 1];
   }
+  shear = std::sqrt(shear);
+  const double bound = friction_bound(law, normal);
+  auto& r = resistance_[point];
+  auto status = judge(law, normal, shear, bound);
+  if (status == ContactStatus::slip) {
+    for (std::size_t c = 0; c < tangents; ++c) {
+      // Where nothing rubs and nothing pulls either direction is as good as the other.
+      s[c] = shear > 0 ? s[c] / shear : c == 0;
+      turn += s[c] * before[point * tangents + c];
+    }
+    if (bound > 0 && turn < 0) status = ContactStatus::stick;
+  }
+  if (status != ContactStatus::open) r.normal = stiffness_of(problem_, point, 0, augmentation_);
+  if (status == ContactStatus::stick) r.hold(0, stiffness_of(problem_, point, 1, augmentation_));
+  if (status != ContactStatus::slip) return std::fill(s, s + tangents, 0.0);
+  if (!(bound > 0)) return;
+  r.slide(s, static_cast<int>(tangents), law.friction * r.normal,
+          stiffness_of(problem_, point, 1, 1.0) * bound / shear);
 }
 
 /// Forces of all points at these gaps.
@@ -100,18 +94,20 @@ void ActiveSet::aim(const PointField& lambda) {
     if (!problem_.selected()[k]) continue;
     const auto& law = problem_.law()[k];
     const auto& r = resistance_[k];
-    double& p = target_[2 * k];
-    double& q = target_[2 * k + 1];
-    if (r.normal > 0)
-      p -= r.normal * motion_of(problem_, k, 0, gap_, lambda);
-    else
-      p = -law.tension;
-    if (r.tangential > 0)
-      q -= r.tangential * motion_of(problem_, k, 1, gap_, lambda);
-    else if (r.normal > 0)
-      q = sliding_[k] * (r.coupling != 0 ? law.cohesion + law.friction * p : friction_bound(law, p));
-    else
-      q = std::clamp(q, -friction_bound(law, p), friction_bound(law, p));
+    const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
+    double* force = &target_[std::size_t(k) * components_];
+    const bool closed = r.normal > 0;
+    const bool slips = std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
+    force[0] = closed ? force[0] - r.normal * motion_of(problem_, k, 0, gap_, lambda) : -law.tension;
+    if (closed && !slips) {
+      for (int c = 1; c < components_; ++c) force[c] -= r.along(c - 1, c - 1) * motion_of(problem_, k, c, gap_, lambda);
+      continue;
+    }
+    const bool follows = closed && r.couples();
+    const double bound = follows ? law.cohesion + law.friction * force[0] : friction_bound(law, force[0]);
+    const double size = closed ? 1.0 : tangential_size(target_, k, components_);
+    for (int c = 1; c < components_; ++c)
+      force[c] = closed ? s[c - 1] * bound : size > bound ? force[c] * bound / size : force[c];
   }
 }
 
@@ -147,7 +143,7 @@ double ActiveSet::step_length(const PointField& lambda) const {
     lawful_forces(problem_, force, gap, lawful);
     double mine = 0;
     for (int k = 0; k < problem_.owned_points(); ++k)
-      for (int i = 2 * k; problem_.selected()[k] && i < 2 * k + 2; ++i)
+      for (int i = components_ * k; problem_.selected()[k] && i < components_ * (k + 1); ++i)
         mine += (lawful[i] - force[i]) * (lawful[i] - force[i]);
     const double unlawful2 = total_over_ranks(*problem_.map()->getComm(), mine);
     return (1 - t) * ((1 - t) * start2 + 2 * t * mixed) + t * t * end2 + unlawful2;
@@ -160,16 +156,18 @@ double ActiveSet::step_length(const PointField& lambda) const {
       least = m;
       best = t;
     }
-    if (m < (1 - numbers_.descent * t) * before) break;
+    if (m < before) break;
   }
   return best;
 }
 
 /// Of the next linear solve, relative to its right side. Where statuses stay it may be the last one: then it leaves no
-/// more than the resistances of closed points do. At rest such solves are rare.
-double ActiveSet::accuracy_of_next(double tolerance, const NewtonReport& report) const {
-  if (!settled_ || !in_time()) return numbers_.accuracy;
-  const double left = std::max(tolerance, report.complementarity / augmentation_) * scale_;
+/// more than the resistances of closed points do. At rest such solves are rare; there right sides of stones that flew
+/// are larger than any force, and what a solve leaves of them must not push the others.
+double ActiveSet::accuracy_of_next(const Search& search, const NewtonReport& report) const {
+  if (!in_time()) return numbers_.accuracy * std::min(1.0, search.largest_force / gradient_->normInf());
+  if (!settled_) return numbers_.accuracy;
+  const double left = std::max(search.tolerance, report.complementarity / augmentation_) * scale_;
   return std::clamp(left / (2 * gradient_->norm2()), numbers_.finest_accuracy, numbers_.accuracy);
 }
 
@@ -182,130 +180,123 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
   auto damped = resistance_;
   for (int k = 0; damping > 0 && k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    damped[k].normal = std::max(damped[k].normal, stiffness_of(problem_, k, 0, damping));
-    damped[k].tangential = std::max(damped[k].tangential, stiffness_of(problem_, k, 1, damping));
+    damped[k].hold(stiffness_of(problem_, k, 0, damping), stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
   const auto solved = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !in_time()});
   if (solved.nothing) return solved;
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
-  for (int k = 0; k < problem_.points(); ++k) {
-    if (!problem_.selected()[k]) continue;
-    const auto& r = resistance_[k];
-    force_[2 * k] -= r.normal * gap_direction_[2 * k];
-    force_[2 * k + 1] -= r.tangential * gap_direction_[2 * k + 1] + r.coupling * gap_direction_[2 * k];
-  }
-  length_ = in_time() && numbers_.step_lengths ? step_length(lambda) : 1.0;
+  for (int k = 0; k < problem_.points(); ++k)
+    if (problem_.selected()[k])
+      resistance_[k].yield(&gap_direction_[k * components_], components_, &force_[k * components_]);
+  length_ = in_time() ? step_length(lambda) : 1.0;
   x.update(length_, *direction_, 1.0);
-  if (length_ == 1)
-    lambda = force_;
-  else
-    for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] += length_ * (force_[i] - lambda[i]);
+  for (std::size_t i = 0; i < lambda.size(); ++i)
+    lambda[i] = length_ == 1 ? force_[i] : lambda[i] + length_ * (force_[i] - lambda[i]);
   return solved;
 }
 
-/// Brings the stones that keep residuals up to rest. Returns whether that may be tried again.
-/// @param known  residual that has been reached before
-/// @param size   of the state, written over
-bool ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start,
-                                double known, double& size, NewtonReport& report) {
+/// Brings the stones that keep residuals up to rest alone. A correction that raises residuals is taken back.
+/// @param start  where the last linear solve began
+void ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, const TpetraVector& start, Search& search,
+                                NewtonReport& report) {
+  const double expected =
+      std::isinf(search.best) ? search.tolerance : std::max(search.tolerance, patches_.trigger * search.best);
+  if (!patches_.used || use_ != ActiveSetUse::at_rest || !search.local || search.size <= expected) return;
+  auto* const source = problem_.patches();
+  if (!source) return;
+  const double known = std::min({search.size, search.best, 1.0}), size_before = search.size;
   const TpetraVector x_before(x, Teuchos::Copy);
-  const PointField lambda_before = lambda;
-  const double size_before = size;
-  lambda = admissible_;
-  const int solves =
-      problem_.correct_locally(x, lambda,
-                               {std::max(tolerance, patches_.block_threshold * known) * scale_,
-                                std::max(patches_.aim_of_tolerance * tolerance, patches_.aim_of_residual * known),
-                                scale_, known * scale_, patches_.bearable_rise * known * scale_, resistance_, start});
+  const PointField lambda_before = std::exchange(lambda, admissible_);
+  const int solves = bring_to_rest(*source, *problem_.map()->getComm(), x, lambda,
+                                   {std::max(search.tolerance, patches_.block_threshold * known) * scale_,
+                                    std::max(patches_.trigger * search.tolerance, patches_.aim * known), scale_,
+                                    known * scale_, numbers_.lost * known * scale_, resistance_, start},
+                                   methods_);
   if (solves == 0) {
     lambda = lambda_before;
-    return true;
+    return;
   }
   report.local_solves += solves;
-  size = measure(x, lambda, report);
+  search.size = measure(x, lambda, report);
   tell(report, 0, solves);
-  if (size <= patches_.bearable_rise * size_before) return true;
+  search.local = search.size <= numbers_.lost * size_before;
+  if (search.local) return;
   Tpetra::deep_copy(x, x_before);
   lambda = lambda_before;
-  size = measure(x, lambda, report);
-  return false;
+  search.size = measure(x, lambda, report);
 }
 
-/// Moves stones that nothing holds to where a point holds them, which sticks in the next solve.
-void ActiveSet::move_loose_stones(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
-  TpetraVector imbalance(*linear_, Teuchos::Copy);
-  problem_.subtract_contact_forces(admissible_, imbalance);
-  const auto stops = problem_.move_loose_stones(
-      x, {resistance_, sliding_, admissible_, gap_, imbalance, tolerance * scale_});
-  stops_.assign(problem_.points(), 0);
-  for (int k : stops) stops_[k] = 1;
-  if (!stops.empty()) measure(x, lambda, report);
+/// The residual grew as it does when a stone flies.
+bool ActiveSet::lost_a_stone(const Search& search) const {
+  return numbers_.damping > 0 && !in_time() && search.size > numbers_.lost * std::min(search.known, search.best);
+}
+
+/// What a linear solve has led to: an end, or none yet.
+std::optional<ActiveSetEnd> ActiveSet::judge_solve(TpetraVector& x, PointField& lambda, const TpetraVector& start,
+                                                   int krylov, Search& search, NewtonReport& report) {
+  search.size = measure(x, lambda, report);
+  tell(report, krylov);
+  correct_locally(x, lambda, start, search, report);
+  if (search.size <= search.tolerance) {
+    lambda = admissible_;
+    report.outcome = NewtonOutcome::converged;
+    return ActiveSetEnd::arrived;
+  }
+  const bool gained = std::isfinite(search.best) && search.size <= numbers_.gained * search.best;
+  if (!in_time() && krylov >= numbers_.many_krylov && !gained) return ActiveSetEnd::loose_stones;
+  return {};
+}
+
+/// A linear solve with the statuses chosen, made again with more and more damping as long as it loses a stone and
+/// damping helps.
+std::optional<ActiveSetEnd> ActiveSet::solve_once(TpetraVector& x, PointField& lambda, Search& search,
+                                                  NewtonReport& report) {
+  const TpetraVector start(x, Teuchos::Copy), linear(*linear_, Teuchos::Copy);
+  const double least_damping = use_ == ActiveSetUse::in_patch ? numbers_.damping / numbers_.lost : 0;
+  for (double undamped = std::numeric_limits<double>::infinity();;) {
+    Tpetra::deep_copy(*gradient_, linear);
+    problem_.subtract_contact_forces(target_, *gradient_);
+    gradient_->scale(-1.0);
+    const auto solved = step(x, lambda, std::max(search.damping, least_damping), accuracy_of_next(search, report),
+                             in_time() ? 0 : numbers_.many_krylov);
+    report.count(solved);
+    ++search.solves;
+    search.size = std::numeric_limits<double>::infinity();
+    if (solved.nothing) return ActiveSetEnd::refused;
+    const auto end = judge_solve(x, lambda, start, solved.iterations, search, report);
+    if (end || !lost_a_stone(search) || search.solves >= search.largest_solves) return end;
+    if (search.size > numbers_.gained * std::exchange(undamped, search.size)) return {};
+    search.damping = std::max(numbers_.lost * search.damping, numbers_.damping);
+    Tpetra::deep_copy(x, start);
+  }
 }
 
 ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolerance, int largest_solves,
                               const PointField* known_gap, NewtonReport& report) {
-  const double largest_force = force_scale(problem_, lambda), start = measure(x, lambda, report);
-  double best = std::numeric_limits<double>::infinity(), damping = 0;
-  const bool damps = numbers_.damping;
-  const double least_damping = damps && use_ == ActiveSetUse::in_patch ? numbers_.damping_in_patch : 0;
-  bool local = true;
+  Search search;
+  search.tolerance = tolerance;
+  search.largest_solves = largest_solves;
+  search.largest_force = force_scale(problem_, lambda);
+  const double start = measure(x, lambda, report);
+  // Supports that have moved are no measure: what they leave at the start says little of what follows.
+  if (!known_gap) search.known = start;
   Nearest nearest;
-  for (int solves = 0, last_gain = 0; solves < largest_solves && solves < last_gain + patience_;) {
+  while (search.solves < largest_solves && search.solves < search.last_gain + patience_) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
-    choose(lambda, known_gap && solves == 0 ? *known_gap : gap_, report.residual <= tolerance);
+    choose(lambda, known_gap && search.solves == 0 ? *known_gap : gap_, report.residual <= tolerance);
     aim(lambda);
-    const TpetraVector x_before(x, Teuchos::Copy), linear_before(*linear_, Teuchos::Copy);
-    double size = 0, undamped = std::numeric_limits<double>::infinity();
-    for (;;) {
-      Tpetra::deep_copy(*gradient_, linear_before);
-      problem_.subtract_contact_forces(target_, *gradient_);
-      gradient_->scale(-1.0);
-      const double share = in_time() ? 1.0 : std::min(1.0, numbers_.flown * largest_force / gradient_->normInf());
-      const int most = in_time() ? 0 : std::isinf(best) ? numbers_.many_krylov : numbers_.most_krylov;
-      const double asked =
-          std::max(std::numeric_limits<double>::epsilon(), share * accuracy_of_next(tolerance, report));
-      const auto solved = step(x, lambda, std::max(damping, least_damping), asked, most);
-      const int krylov = solved.iterations;
-      report.count(solved);
-      ++solves;
-      if (solved.nothing) {
-        size = std::numeric_limits<double>::infinity();
-        break;
-      }
-      size = measure(x, lambda, report);
-      tell(report, krylov);
-      const double expected = std::isinf(best) ? tolerance : std::max(tolerance, patches_.trigger * best);
-      if (patches_.used && use_ == ActiveSetUse::at_rest && local && size > expected) {
-        local = correct_locally(x, lambda, tolerance, x_before, std::min({size, best, 1.0}), size, report);
-        patience_ = local ? most_patience_ : std::min(most_patience_, numbers_.patience_alone);
-      }
-      if (size <= tolerance) {
-        lambda = admissible_;
-        report.outcome = NewtonOutcome::converged;
-        return ActiveSetEnd::arrived;
-      }
-      if (in_time()) break;  // nothing flies
-      const bool still_far = best > numbers_.near && size > numbers_.gained * best;
-      if (krylov >= numbers_.many_krylov && (std::isinf(best) || still_far)) return ActiveSetEnd::loose_stones;
-      // Supports that have moved are no measure: what they leave at the start says little of what follows.
-      const double known = known_gap ? best : std::min(best, start);
-      if (!damps || size <= numbers_.lost * known) break;
-      if (damping >= numbers_.largest_damping || solves >= largest_solves) break;
-      if (size > numbers_.damped * std::exchange(undamped, size)) break;
-      damping = std::max(numbers_.damping_factor * damping, numbers_.first_damping);
-      Tpetra::deep_copy(x, x_before);
-    }
-    if (!std::isfinite(size)) break;
-    if (use_ == ActiveSetUse::in_patch && size < nearest.size)
-      nearest = {size, std::make_unique<SavedPosition>(problem_, x), admissible_};
-    damping = damping > numbers_.no_damping ? damping / numbers_.damping_factor : 0;
-    if (patches_.loose_stones && use_ == ActiveSetUse::in_patch) move_loose_stones(x, lambda, tolerance, report);
-    if (size > numbers_.gained * best) continue;
-    best = size;
-    last_gain = solves;
-    local = true;
+    const auto end = solve_once(x, lambda, search, report);
+    if (end == ActiveSetEnd::refused && nearest.position) break;
+    if (end) return *end;
+    if (use_ == ActiveSetUse::in_patch && search.size < nearest.size)
+      nearest = {search.size, std::make_unique<SavedPosition>(problem_, x), admissible_};
+    search.damping /= numbers_.lost;
+    if (!(search.size <= numbers_.gained * search.best)) continue;
+    search.best = search.size;
+    search.last_gain = search.solves;
+    search.local = true;
   }
   if (nearest.position) {
     nearest.position->restore(x);
@@ -320,7 +311,8 @@ void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) c
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
     mine[0] += resistance_[k].normal > 0;
-    mine[1] += sliding_[k] != 0;
+    const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
+    mine[1] += std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;

@@ -2,33 +2,37 @@
 // forces follow as far as points resist.
 //
 // A point that is closed resists with R, far above the local stiffness, so what is left of its gap falls by that ratio
-// with every solve; one that slips has the force s mu p. Once statuses stay, two or three solves are left. A stone that
-// comes loose on the way would fly: then the step is made again with points that yield only slowly. With mass steps are
-// shortened while residuals grow. It may circle: then it says so, and another way is taken.
+// with every solve; one that slips along s has the force s mu p, and in space it resists across s, as far as its trial
+// force tells how fast the direction turns. Once statuses stay, two or three solves are left. A stone that comes loose
+// on the way would fly: then the step is made again with points that yield only slowly. It may circle: then it says so,
+// and another way is taken.
 //
-// Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton, 2D);
+// Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton);
 //          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
 
 #include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
 
-/// Where active sets ended: at a solution, nowhere since they circle or take too long, or before stones that next to
-/// nothing holds.
-enum class ActiveSetEnd { arrived, circled, loose_stones };
+/// Where active sets ended: at a solution, nowhere since they circle or take too long, before stones that next to
+/// nothing holds, or before a system that a library refused.
+enum class ActiveSetEnd { arrived, circled, loose_stones, refused };
 
-/// What is solved: a structure at rest, one whose blocks have mass, and no free motions, or a patch, where solves are
-/// direct and loose stones can be moved on.
+/// What is solved: a structure at rest, one whose blocks have mass or move against a drag, and no free motions, or a
+/// patch, where solves are direct.
 enum class ActiveSetUse { at_rest, in_time, in_patch };
 
 class ActiveSet {
  public:
-  /// @param problem   with two components
   /// @param patience  so many solves that gain less than half: it circles
   ActiveSet(NonlinearProblem& problem, ActiveSetUse, const MethodParameters&, int patience);
 
@@ -43,31 +47,53 @@ class ActiveSet {
                      const PointField* known_gap, NewtonReport& report);
 
  private:
+  /// How far a search has come.
+  struct Search {
+    double tolerance = 0;
+    int largest_solves = 0;
+    double known = std::numeric_limits<double>::infinity();  ///< residual of the start, where it is a measure
+    double largest_force = 0;                                ///< [N] at the start
+    double size = 0;                                         ///< residual after the last solve
+    double best = std::numeric_limits<double>::infinity();   ///< least of those that gained
+    double damping = 0;  ///< resistance of points that give way, relative to their local stiffness
+    int solves = 0, last_gain = 0;
+    bool local = true;  ///< stuck stones may be brought to rest alone
+  };
+  /// Where a patch was nearest to rest.
+  struct Nearest {
+    double size = std::numeric_limits<double>::infinity();
+    std::unique_ptr<SavedPosition> position;
+    PointField lambda;
+  };
+
   bool in_time() const { return use_ == ActiveSetUse::in_time; }
   void choose(const PointField& lambda, const PointField& gap, bool in_balance);
-  bool same_statuses(const std::vector<PointStiffness>& resistance, const std::vector<double>& sliding) const;
-  void set_statuses(const PointField& lambda, const PointField& gap, const std::vector<double>& before);
+  void set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before);
+  bool same_statuses(const std::vector<PointStiffness>& resistance, const PointField& sliding) const;
   void aim(const PointField& lambda);
-  double accuracy_of_next(double tolerance, const NewtonReport&) const;
-  LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
-  bool correct_locally(TpetraVector& x, PointField& lambda, double tolerance, const TpetraVector& start, double known,
-                       double& size, NewtonReport&);
-  void move_loose_stones(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   double step_length(const PointField& lambda) const;
+  double accuracy_of_next(const Search&, const NewtonReport&) const;
+  LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
+  std::optional<ActiveSetEnd> solve_once(TpetraVector& x, PointField& lambda, Search&, NewtonReport&);
+  std::optional<ActiveSetEnd> judge_solve(TpetraVector& x, PointField& lambda, const TpetraVector& start, int krylov,
+                                          Search&, NewtonReport&);
+  bool lost_a_stone(const Search&) const;
+  void correct_locally(TpetraVector& x, PointField& lambda, const TpetraVector& start, Search&, NewtonReport&);
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
   void tell(const NewtonReport&, int krylov, int local_solves = 0) const;
 
   NonlinearProblem& problem_;
-  const ActiveSetParameters numbers_;
-  const PatchParameters patches_;
-  ActiveSetUse use_;
-  double augmentation_, proximal_;
-  const int most_patience_;
-  int patience_;
+  const MethodParameters methods_;
+  const ActiveSetParameters& numbers_;
+  const PatchParameters& patches_;
+  const ActiveSetUse use_;
+  const int components_;
+  double augmentation_;
+  const double proximal_;
+  const int patience_;
   std::vector<PointStiffness> resistance_;
-  std::vector<double> sliding_;  ///< per point: direction of friction, 0 where it sticks or is open
-  bool settled_ = false;         ///< statuses are those of the last solve; where that is asked
-  std::vector<char> stops_;      ///< 1 where a loose stone has come to a stop
+  PointField sliding_;  ///< direction of friction, [points x tangential components]; 0 where a point sticks or is open
+  bool settled_ = false;  ///< statuses are those of the last solve; where that is asked
   PointField target_, force_, gap_, gap_direction_, admissible_;
   double scale_ = 1;   ///< [N]
   double length_ = 1;  ///< of the last step

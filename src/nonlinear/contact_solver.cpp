@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/saved_position.hpp"
 
@@ -15,16 +16,53 @@ ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& 
       fast_(fast),
       mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
 
-double ContactSolver::out_of_balance(const TpetraVector& x, const PointField& lambda) const {
+/// Residuals of a state, relative to the largest force, and its penetration. Returns the larger residual. Collective.
+double ContactSolver::measure(const TpetraVector& x, const PointField& lambda, NewtonReport& report) const {
   TpetraVector residual(problem_.map());
   PointField gap;
   problem_.evaluate(x, residual, gap);
   const auto [equilibrium, contact] = imbalance(problem_, lambda, gap, residual);
-  return std::max(equilibrium, contact);
+  const double scale = force_scale(problem_, lambda);
+  report.residual = equilibrium / scale;
+  report.complementarity = contact / scale;
+  double penetration = 0;
+  for (int k = 0; k < problem_.owned_points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    const int normal = k * problem_.components();
+    penetration = std::max(penetration, -gap[normal] - compliance_of(problem_, k, 0) * lambda[normal]);
+  }
+  report.penetration = largest_over_ranks(problem_, penetration);
+  return std::max(report.residual, report.complementarity);
 }
 
-bool ContactSolver::in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const {
-  return out_of_balance(x, lambda) <= tolerance * force_scale(problem_, lambda);
+/// Without contact points one linear solve is the answer, but for what its proximal term holds.
+void ContactSolver::solve_linear(TpetraVector& x, const PointField& lambda, double tolerance,
+                                 NewtonReport& report) const {
+  constexpr double finest = 1e-12, coarsest = 1e-2;  // round-off of a residual; no less than shows the answer
+  TpetraVector residual(problem_.map());
+  const auto b = Teuchos::rcp(new TpetraVector(problem_.map())), d = Teuchos::rcp(new TpetraVector(problem_.map()));
+  PointField gap;
+  while (measure(x, lambda, report) > tolerance) {
+    if (report.newton_iterations >= parameters_.largest_iterations)
+      return report.fail("the largest number of linear solves was reached");
+    problem_.carry(x, tolerance * force_scale(problem_, lambda));
+    problem_.evaluate(x, *b, gap);
+    problem_.subtract_contact_forces(lambda, *b);
+    b->scale(-1.0);
+    d->putScalar(0);
+    // The norm of what a solve leaves bounds the largest residual.
+    const double aim = tolerance * force_scale(problem_, lambda) / b->norm2();
+    const auto solved =
+        problem_.solve(std::vector<PointStiffness>(problem_.points()), 1.0, b, d, {std::clamp(aim, finest, coarsest)});
+    report.count(solved);
+    if (solved.nothing) {
+      report.no_way_on = true;
+      return report.fail("a linear system has no solution");
+    }
+    x.update(1.0, *d, 1.0);
+    if (narrate) narrate({report.newton_iterations, report.residual, 0, 0, 0, solved.iterations});
+  }
+  report.outcome = NewtonOutcome::converged;
 }
 
 bool ContactSolver::may_be_fast() {
@@ -40,14 +78,13 @@ bool ContactSolver::may_be_fast() {
 }
 
 ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, double tolerance,
-                                           const PointField* known_gap, int largest_solves, int patience,
-                                           NewtonReport& report) {
+                                           const PointField* known_gap, int patience, NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest, methods_,
                    patience);
   active.narrate = narrate;
-  const int most = std::min(largest_solves, parameters_.largest_iterations);
+  const int most = std::min(methods_.solver.fast_solves, parameters_.largest_iterations);
   const auto end = active.solve(x, lambda, tolerance, most, known_gap, report);
   if (end != ActiveSetEnd::arrived) {
     before.restore(x);
@@ -56,71 +93,83 @@ ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, 
   return end;
 }
 
-const PointField* ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
-                                                const PointField* known_gap, bool shortcut, NewtonReport& report) {
-  if (!path_ || !methods_.path.used) return known_gap;
+PathEnd ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
+                                      const PointField* known_gap, bool shortcut, NewtonReport& report) {
   InteriorPath interior(problem_, methods_);
   interior.narrate = narrate;
   if (shortcut)
     interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
-      return try_active_set(near_x, near_lambda, tolerance, nullptr, methods_.solver.solves_from_near,
-                            methods_.solver.patience_from_near, report) == ActiveSetEnd::arrived;
+      return try_active_set(near_x, near_lambda, tolerance, nullptr, methods_.solver.patience_from_near, report) ==
+             ActiveSetEnd::arrived;
     };
   const int steps = std::min(methods_.solver.largest_path, parameters_.largest_iterations - report.newton_iterations);
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
-  const double off_before = out_of_balance(x, lambda);
+  NewtonReport only_residuals;
+  const double off_before = measure(x, lambda, only_residuals) * force_scale(problem_, lambda);
   const auto end = interior.follow(x, lambda, tolerance, steps, known_gap, report);
-  if (end == PathEnd::stuck && out_of_balance(x, lambda) > off_before) {
-    before.restore(x);
-    lambda = lambda_before;
-  } else if (end != PathEnd::ran_away) {
-    return nullptr;
+  if (end != PathEnd::stuck) return end;
+  if (measure(x, lambda, only_residuals) * force_scale(problem_, lambda) <= off_before) return end;
+  before.restore(x);
+  lambda = lambda_before;
+  return PathEnd::ran_away;
+}
+
+void ContactSolver::in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                                   int most, NewtonReport& report) {
+  PseudoTime falling(problem_, parameters_, methods_);
+  falling.narrate = narrate;
+  falling.follow(x, lambda, tolerance, known_gap, most, report);
+  Tpetra::deep_copy(*mechanism_, falling.mechanism());
+}
+
+void ContactSolver::go_the_ways(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                                NewtonReport& report) {
+  const bool has_path = methods_.path.used && problem_.components() == 2;
+  bool shortcut = methods_.solver.shortcut && fast_.offered && !parameters_.time_follows;
+  for (int most = methods_.solver.closing_solves;; most *= 2) {
+    if (has_path) {
+      const auto end = along_the_path(x, lambda, tolerance, known_gap, std::exchange(shortcut, false), report);
+      if (end == PathEnd::arrived) {
+        report.outcome = NewtonOutcome::converged;
+        return;
+      }
+      if (end == PathEnd::stuck) known_gap = nullptr;
+    }
+    if (!methods_.pseudo_time.used)
+      return report.fail("pseudo-time is switched off, and nothing else has closed the contact conditions");
+    const int left = std::max(1, parameters_.largest_iterations - report.newton_iterations);
+    const bool last = !has_path || left <= most;
+    in_pseudo_time(x, lambda, tolerance, known_gap, last ? left : most, report);
+    if (report.outcome != NewtonOutcome::not_converged || report.no_way_on || last) return;
+    known_gap = nullptr;
   }
-  ++led_nowhere_;
-  return known_gap;
 }
 
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
   NewtonReport report;
-  path_ = problem_.components() == 2 && anything_selected(problem_);
-  if (in_equilibrium(x, lambda, tolerance)) {
-    known_gap = nullptr;  // nothing has moved: closing only measures
-  } else if (path_) {
-    if (may_be_fast()) {
-      const int most = parameters_.has_inertia ? methods_.solver.solves_in_time : methods_.solver.solves_at_rest;
-      const auto end = try_active_set(x, lambda, tolerance, known_gap, most, methods_.active_set.patience, report);
-      if (end == ActiveSetEnd::arrived) {
-        fast_ = {};
-        return report;
-      }
-      fast_.offered = end == ActiveSetEnd::circled;
+  if (!anything_selected(problem_)) {
+    solve_linear(x, lambda, tolerance, report);
+  } else if (measure(x, lambda, report) <= tolerance) {
+    report.outcome = NewtonOutcome::converged;  // nothing has moved
+  } else {
+    auto end = ActiveSetEnd::circled;
+    const bool fast = may_be_fast();
+    if (fast) end = try_active_set(x, lambda, tolerance, known_gap, methods_.active_set.patience, report);
+    if (end == ActiveSetEnd::arrived) {
+      fast_ = {};
+    } else {
+      if (fast) fast_.offered = end == ActiveSetEnd::circled;
+      go_the_ways(x, lambda, tolerance, known_gap, report);
     }
-    const bool shortcut = methods_.solver.shortcut && fast_.offered && !parameters_.time_follows;
-    known_gap = along_the_path(x, lambda, tolerance, known_gap, shortcut, report);
   }
-  // Where closing labours, another path from the state it has reached is shorter.
-  for (bool last = false;; known_gap = along_the_path(x, lambda, tolerance, nullptr, false, report)) {
-    const int left = parameters_.largest_iterations - report.newton_iterations;
-    const int most = methods_.solver.closing_solves << std::min(led_nowhere_, methods_.solver.most_doublings);
-    last = left <= most;
-    NewtonParameters some = parameters_;
-    some.largest_iterations = std::max(1, last ? left : most);
-    AugmentedLagrangian closing(problem_, some, methods_.closing);
-    const int before = report.newton_iterations;
-    closing.narrate = [&](NewtonProgress p) {
-      p.iteration += before;
-      if (narrate) narrate(p);
-    };
-    report.add(closing.solve(x, lambda, tolerance, known_gap));
-    Tpetra::deep_copy(*mechanism_, closing.mechanism());
-    if (report.outcome != NewtonOutcome::not_converged) return report;
-    if (!last && methods_.closing.used && !report.no_way_on) continue;
-    if (report.failed_solves > 0)
-      report.reason += "; " + std::to_string(report.failed_solves) + " of " +
-                       std::to_string(report.newton_iterations) + " linear solves failed, at last as " + report.failure;
-    return report;
+  if (report.outcome == NewtonOutcome::converged) {
+    measure(x, lambda, report);
+  } else if (report.failed_solves > 0) {
+    report.reason += "; " + std::to_string(report.failed_solves) + " of " + std::to_string(report.newton_iterations) +
+                     " linear solves failed, at last as " + report.failure;
   }
+  return report;
 }
 
 }  // namespace voussoir

@@ -1,16 +1,19 @@
-// Closing the contact conditions of one load step or time step: the fast way first, the sure way after it.
+// Closing the contact conditions of one load step or time step: the fast way first, the sure ways after it.
 //
 //   1  active sets, where they have not failed of late
 //   2  interior path, whatever changes; near its end active sets again, which then have the statuses,
 //      unless loose stones stopped them
-//   3  augmented Lagrangian from where the path ends, when it ends early; it also tells a collapse from slow progress
+//   3  pseudo-time from where the path ends, when it ends early; it also tells a collapse from slow progress.
+//      Where it takes long, another path from the state it has reached, and so on with twice the patience
+//
+// Without contact points the system is linear.
 #pragma once
 
 #include "nonlinear/active_set.hpp"
-#include "nonlinear/augmented_lagrangian.hpp"
 #include "nonlinear/fast_way.hpp"
 #include "nonlinear/interior_path.hpp"
 #include "nonlinear/method_parameters.hpp"
+#include "nonlinear/pseudo_time.hpp"
 
 namespace voussoir {
 
@@ -27,28 +30,30 @@ class ContactSolver {
   /// On collapse x holds the run-away state and mechanism() its direction.
   NewtonReport solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap = nullptr);
 
-  /// Displacement of the last iteration, scaled to a largest component of 1.
+  /// Displacement of the last step in pseudo-time, scaled to a largest component of 1.
   const TpetraVector& mechanism() const { return *mechanism_; }
 
  private:
-  double out_of_balance(const TpetraVector& x, const PointField& lambda) const;  ///< [N] largest
-  bool in_equilibrium(const TpetraVector& x, const PointField& lambda, double tolerance) const;
-  /// Returns the known gaps when the path led nowhere, which leaves the state as it was, else null.
+  double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&) const;
+  void solve_linear(TpetraVector& x, const PointField& lambda, double tolerance, NewtonReport&) const;
+  /// The ways in their order. Leaves the outcome in the report.
+  void go_the_ways(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, NewtonReport&);
+  /// Where it leads away from equilibrium the state stays as it was.
   /// @param shortcut  whether active sets may take over near the end
-  const PointField* along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                                   bool shortcut, NewtonReport&);
+  PathEnd along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                         bool shortcut, NewtonReport&);
+  void in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int most,
+                      NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.
   bool may_be_fast();
   /// Where they do not arrive the state stays as it was.
   ActiveSetEnd try_active_set(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                              int largest_solves, int patience, NewtonReport&);
+                              int patience, NewtonReport&);
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
   MethodParameters methods_;
   FastWay& fast_;
-  bool path_ = false;
-  int led_nowhere_ = 0;  ///< paths that ran away, or stuck farther from equilibrium than they began
   Teuchos::RCP<TpetraVector> mechanism_;
 };
 

@@ -13,7 +13,7 @@
 namespace voussoir {
 
 InteriorPath::InteriorPath(NonlinearProblem& problem, const MethodParameters& methods)
-    : problem_(problem), numbers_(methods.path), run_away_(methods.closing.run_away) {
+    : problem_(problem), numbers_(methods.path), run_away_(methods.pseudo_time.run_away) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_, &work_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
@@ -58,12 +58,13 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
     auto& p = path_[k];
     const double floor[] = {1 / stiffness_of(problem_, k, 0, augmentation_),
                             1 / stiffness_of(problem_, k, 1, augmentation_)};
-    resistance_[k].normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
-    resistance_[k].tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
-    if (predicting || !p.slips) continue;
-    p.friction = follows_ * friction(k, lambda[2 * k]);
-    p.drag = p.friction * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
-    resistance_[k].coupling = -resistance_[k].tangential * p.drag * resistance_[k].normal;
+    const double normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
+    const double tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
+    if (!predicting && p.slips) {
+      p.friction = follows_ * friction(k, lambda[2 * k]);
+      p.drag = p.friction * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
+    }
+    resistance_[k] = {normal, tangential, -tangential * p.drag * normal};
   }
 }
 
@@ -77,7 +78,7 @@ void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField
     for (int k = 0; k < problem_.points(); ++k) {
       if (!problem_.selected()[k]) continue;
       force_[2 * k] -= resistance_[k].normal * (gap[2 * k] - (from ? (*from)[2 * k] : 0));
-      force_[2 * k + 1] -= resistance_[k].tangential * (gap[2 * k + 1] - (from ? (*from)[2 * k + 1] : 0));
+      force_[2 * k + 1] -= resistance_[k].along(0, 0) * (gap[2 * k + 1] - (from ? (*from)[2 * k + 1] : 0));
     }
   };
   yield(gap_, &known_gap);
@@ -158,24 +159,23 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     p.residual = {0, limit - q - p.w[1], limit + q - p.w[2]};
     p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion_of(problem_, k, 0, gap_, lambda);
     p.gain[1] = -motion_of(problem_, k, 1, gap_, lambda);
-    if (p.slips)
-      p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
+    if (p.slips) p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
     const double more = resistance_[k].normal * p.gain[0];
     force_[2 * k] += more;
-    force_[2 * k + 1] += resistance_[k].tangential * (p.gain[1] - p.drag * more);
+    force_[2 * k + 1] += resistance_[k].along(0, 0) * (p.gain[1] - p.drag * more);
     for (int j = 0; j < 3; ++j) p.dy[j] = nu / p.w[j] - p.y[j];
   }
 }
 
-/// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, at most the
-/// furthest.
-double InteriorPath::step_length(double furthest) {
-  double mine = furthest, all = furthest;
+/// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, at most
+/// so far that a full step keeps its distance from it.
+double InteriorPath::step_length() {
+  double mine = 1 / numbers_.to_boundary, all = mine;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
     const double dp = resistance_[k].normal * (p.gain[0] - gap_direction_[2 * k]);
-    const double dq = resistance_[k].tangential * (p.gain[1] - p.drag * dp - gap_direction_[2 * k + 1]);
+    const double dq = resistance_[k].along(0, 0) * (p.gain[1] - p.drag * dp - gap_direction_[2 * k + 1]);
     const double more = p.friction * dp;
     force_[2 * k] = dp;
     force_[2 * k + 1] = dq;
@@ -197,7 +197,8 @@ void InteriorPath::leave(PointField& lambda) const {
     if (!problem_.selected()[k]) continue;
     const auto& law = problem_.law()[k];
     const double trial = lambda[2 * k] - stiffness_of(problem_, k, 0, 1.0) * motion_of(problem_, k, 0, gap_, lambda);
-    lambda[2 * k] = trial > -law.tension ? std::max(lambda[2 * k], -law.tension) : -law.tension;
+    const bool closed = judge(law, trial, 0, 0) != ContactStatus::open;
+    lambda[2 * k] = closed ? std::max(lambda[2 * k], -law.tension) : -law.tension;
     const double limit = friction_bound(law, lambda[2 * k]);
     lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
   }
@@ -215,88 +216,90 @@ void InteriorPath::set_out(PointField& lambda, double shift) {
   }
 }
 
+/// Whether steps lead no further: they gain too little while equilibrium is near, or are next to none.
+bool InteriorPath::stuck(const Progress& progress, double equilibrium, double contact) const {
+  if (progress.halts >= numbers_.patience) return true;
+  const int steps = static_cast<int>(progress.sizes.size());
+  return steps > progress.changed + numbers_.patience && equilibrium < numbers_.balanced * contact &&
+         std::max(equilibrium, contact) > numbers_.gained * progress.sizes[steps - numbers_.patience];
+}
+
+/// One step. The bound on what a point resists with rises as the barrier falls: far from a solution a large one lets
+/// forces grow where stones share a vertex, near it a small one lets them creep. It goes towards a barrier that falls
+/// by as much as the last step was long, but not below what the contact residual allows. Where the path folds, which
+/// shows in short steps although equilibrium is near, friction follows the pressure by a half, and where it folds
+/// again, not at all.
+/// @param equilibrium, contact  relative to the scale
+LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double equilibrium, double contact,
+                                     Progress& progress, NewtonReport& report) {
+  const double distance = barrier();
+  augmentation_ = std::clamp(numbers_.resistance * numbers_.start * scale_ / std::sqrt(distance), numbers_.resistance,
+                             numbers_.largest_resistance);
+  resistances(lambda, false);
+  const double share = std::clamp(std::pow(1 - progress.step, 2), numbers_.least_share, numbers_.largest_share);
+  aim(lambda, std::max(share * distance, numbers_.waiting * std::pow(contact * scale_, 2)));
+  Tpetra::deep_copy(*gradient_, *linear_);
+  problem_.subtract_contact_forces(force_, *gradient_);
+  const auto solved = solve(report);
+  if (solved.nothing) return solved;
+  problem_.evaluate_direction(*direction_, *work_, gap_direction_);
+  const double boundary = step_length();
+  progress.step = std::min(boundary, 1.0);
+  if (numbers_.folds && progress.step < numbers_.folded && equilibrium < numbers_.balanced * contact && follows_ > 0) {
+    follows_ = follows_ == 1 ? 0.5 : 0;
+    progress.changed = static_cast<int>(progress.sizes.size()) - 1;
+  }
+  progress.halts = progress.step < numbers_.halting ? progress.halts + 1 : 0;
+  const double length = numbers_.to_boundary * boundary;
+  x.update(length, *direction_, 1.0);
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k]) continue;
+    auto& p = path_[k];
+    for (int c = 0; c < 2; ++c) lambda[2 * k + c] += length * force_[2 * k + c];
+    for (int j = 0; j < 3; ++j) {
+      p.w[j] += length * p.dw[j];
+      p.y[j] += length * p.dy[j];
+    }
+  }
+  tell(report, equilibrium, contact, solved.iterations, length);
+  return solved;
+}
+
 PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
                              const PointField* known_gap, NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   scale_ = force_scale(problem_, lambda);
+  augmentation_ = numbers_.resistance;
   if (known_gap) predict(x, lambda, *known_gap, report);
   problem_.evaluate(x, *linear_, gap_);
   set_out(lambda, numbers_.start * std::max(scale_, force_scale(problem_, lambda)));
-  std::vector<double> sizes;
-  double step = 0;
-  int waits = 0, changed = 0, halts = 0;
-  augmentation_ = numbers_.resistance;
   follows_ = 1;
   double offered = numbers_.near;
-  bool arrived = false;
-  for (int iteration = 0;; ++iteration) {
+  Progress progress;
+  for (;;) {
     problem_.carry(x, tolerance * scale_);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
-    arrived = size <= tolerance && after_leaving(lambda) <= tolerance;
-    const bool slow = iteration > changed + numbers_.patience && equilibrium < numbers_.balanced * contact &&
-                      size > numbers_.gained * sizes[iteration - numbers_.patience];
-    const bool stuck = slow || halts >= numbers_.halting_steps;
-    if (arrived || stuck || iteration >= largest_iterations) break;
+    if (size <= tolerance && after_leaving(lambda) <= tolerance) {
+      leave(lambda);
+      return PathEnd::arrived;
+    }
+    if (stuck(progress, equilibrium, contact) || static_cast<int>(progress.sizes.size()) >= largest_iterations) break;
     if (shortcut && size <= offered) {
       offered = numbers_.nearer * size;
       if (take_shortcut(x, lambda)) return PathEnd::arrived;
     }
-    sizes.push_back(size);
+    progress.sizes.push_back(size);
     if (before.distance(x) > run_away_ * problem_.length_scale()) {
       before.restore(x);
       lambda = lambda_before;
       return PathEnd::ran_away;
     }
-    const double least = numbers_.waiting * std::pow(contact * scale_, 2);
-    double distance = barrier();
-    waits = 2 * least > distance ? waits + 1 : 0;
-    const int steps = numbers_.creeping_steps;  // before which it has been waiting since it set out
-    const bool creeping =
-        waits >= steps && (iteration < steps || size > numbers_.creeping_gain * sizes[iteration - steps]);
-    if (numbers_.rising && augmentation_ < numbers_.largest_resistance && creeping) {
-      augmentation_ *= numbers_.resistance_factor;
-      waits = 0;
-      changed = iteration;
-      set_out(lambda, numbers_.recentring * contact * scale_);
-      distance = barrier();
-      step = 0;
-    }
-    resistances(lambda, false);
-    const double share = step > numbers_.long_step       ? numbers_.after_long
-                         : step > numbers_.middling_step ? numbers_.after_middling
-                                                         : numbers_.after_short;
-    aim(lambda, std::max(share * distance, least));
-    Tpetra::deep_copy(*gradient_, *linear_);
-    problem_.subtract_contact_forces(force_, *gradient_);
-    const auto solved = solve(report);
-    if (solved.nothing) break;
-    problem_.evaluate_direction(*direction_, *work_, gap_direction_);
-    const bool drifting = numbers_.leaps && step == 1 && waits >= steps && size > numbers_.drift * sizes[iteration - 1];
-    const double furthest = drifting ? numbers_.longest_leap : 1;
-    step = step_length(furthest);
-    const double length = step < furthest ? numbers_.to_boundary * step : numbers_.full_step * furthest;
-    step = std::min(step, 1.0);
-    if (numbers_.folds && step < numbers_.folded && equilibrium < numbers_.balanced * contact && follows_ > 0) {
-      follows_ = follows_ > numbers_.half_following ? numbers_.half_following : 0;
-      changed = iteration;
-    }
-    halts = step < numbers_.halting ? halts + 1 : 0;
-    x.update(length, *direction_, 1.0);
-    for (int k = 0; k < problem_.points(); ++k) {
-      if (!problem_.selected()[k]) continue;
-      auto& p = path_[k];
-      for (int c = 0; c < 2; ++c) lambda[2 * k + c] += length * force_[2 * k + c];
-      for (int j = 0; j < 3; ++j) {
-        p.w[j] += length * p.dw[j];
-        p.y[j] += length * p.dy[j];
-      }
-    }
-    tell(report, equilibrium, contact, solved.iterations, length);
+    if (step(x, lambda, equilibrium, contact, progress, report).nothing) break;
   }
   leave(lambda);
-  return arrived ? PathEnd::arrived : PathEnd::stuck;
+  return PathEnd::stuck;
 }
 
 void InteriorPath::tell(const NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
@@ -310,8 +313,8 @@ void InteriorPath::tell(const NewtonReport& report, double equilibrium, double c
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;
-  narrate({report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
-           augmentation_});
+  narrate(
+      {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, augmentation_});
 }
 
 }  // namespace voussoir

@@ -6,10 +6,10 @@
 //   slipping   w1 = b - q,  w2 = b + q      y2 - y1 = g_T - g_T0,      b = cohesion + mu p
 //
 // and Newton follows the path w y = nu as nu falls. A point resists with 1 / (y/w + 1/k), a number between nothing and
-// a multiple k of its local stiffness, so each linear system looks like those of the augmented Lagrangian and all
-// statuses of all points move at once: no collision of points cuts a step to nothing. The friction bound b follows the
-// pressure within a step, which makes the systems unsymmetric; past a fold of the path it follows less. Decisions and
-// figures: README.md of this folder.
+// a multiple k of its local stiffness, so each linear system looks like those of active sets and all statuses
+// of all points move at once: no collision of points cuts a step to nothing. k rises as nu falls. The friction bound b
+// follows the pressure within a step, which makes the systems unsymmetric; past a fold of the path it follows less.
+// Decisions: README.md of this folder.
 //
 // Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
 //          S. Pougkakiotis, J. Gondzio, Comput. Optim. Appl. 78 (2021) 307-351 (proximal multipliers, here 1/k).
@@ -49,13 +49,21 @@ class InteriorPath {
 
  private:
   struct Point {
-    std::array<double, 3> w{}, y{};    ///< [N], [m]: opening, slipping against and along the tangent
+    std::array<double, 3> w{}, y{};  ///< [N], [m]: opening, slipping against and along the tangent
     std::array<double, 3> dw{}, dy{};
     std::array<double, 3> residual{};  ///< [N] of w
     double friction = 0;               ///< [-] change of the bound with the pressure
     double drag = 0;                   ///< [m/N] slip wanted per change of the normal force
     double gain[2] = {};               ///< [m] right-hand side of the point's two rows
     bool opens = true, slips = true;   ///< the law bounds the force in this direction
+  };
+
+  /// How far a path has come.
+  struct Progress {
+    std::vector<double> sizes;  ///< residuals of all steps
+    double step = 0;            ///< length of the last one, 1 where no slack would have vanished
+    int changed = 0;            ///< step at which friction last followed by less
+    int halts = 0;              ///< steps in a row that were next to none
   };
 
   void predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport&);
@@ -69,7 +77,10 @@ class InteriorPath {
   double barrier() const;
   void aim(const PointField& lambda, double target);
   LinearSolveResult solve(NewtonReport&);
-  double step_length(double furthest);
+  double step_length();
+  bool stuck(const Progress&, double equilibrium, double contact) const;
+  LinearSolveResult step(TpetraVector& x, PointField& lambda, double equilibrium, double contact, Progress&,
+                         NewtonReport&);
   void leave(PointField& lambda) const;
   void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
@@ -84,7 +95,7 @@ class InteriorPath {
   Teuchos::RCP<TpetraVector> linear_, gradient_, direction_, work_;
   double augmentation_ = 1;  ///< largest resistance of a point, relative to its local stiffness
   double follows_ = 1;       ///< share of the pressure's change that the friction bound follows within a step
-  double scale_ = 1;  ///< [N]
+  double scale_ = 1;         ///< [N]
 };
 
 }  // namespace voussoir

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "nonlinear/active_set_parameters.hpp"
-#include "nonlinear/augmented_lagrangian_parameters.hpp"
 #include "nonlinear/contact_solver_parameters.hpp"
 #include "nonlinear/interior_path_parameters.hpp"
 #include "nonlinear/patch_parameters.hpp"
+#include "nonlinear/pseudo_time_parameters.hpp"
 
 namespace voussoir {
 
@@ -14,7 +14,7 @@ struct MethodParameters {
   ActiveSetParameters active_set;
   PatchParameters patches;
   InteriorPathParameters path;
-  AugmentedLagrangianParameters closing;
+  PseudoTimeParameters pseudo_time;
 };
 
 }  // namespace voussoir

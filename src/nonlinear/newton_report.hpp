@@ -23,9 +23,9 @@ struct NewtonProgress {
 
 struct NewtonReport {
   NewtonOutcome outcome = NewtonOutcome::not_converged;
-  int outer_iterations = 0;    ///< updates of the contact forces
-  int newton_iterations = 0;   ///< linear solves
-  int failed_solves = 0;       ///< linear solves that ended short of the accuracy asked for
+  int outer_iterations = 0;   ///< updates of the contact forces
+  int newton_iterations = 0;  ///< linear solves
+  int failed_solves = 0;      ///< linear solves that ended short of the accuracy asked for
   long long krylov_iterations = 0;
   int largest_krylov = 0;      ///< of one solve
   int local_solves = 0;        ///< linear solves of patches

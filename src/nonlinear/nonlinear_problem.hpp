@@ -7,38 +7,17 @@
 #include "joints/contact_law.hpp"
 #include "linalg/linear_solve_result.hpp"
 #include "linalg/types.hpp"
+#include "nonlinear/point_field.hpp"
 
 namespace voussoir {
 
-/// One number per contact point and direction, row-major [points x components]; component 0 is normal.
-using PointField = std::vector<double>;
+class PatchSource;
 
 /// Compliances of a structure whose joints have no mortar: none.
 inline const std::vector<PointCompliance>& no_mortar() {
   static const std::vector<PointCompliance> none;
   return none;
 }
-
-/// What a local correction is asked for.
-struct LocalRequest {
-  double threshold = 0;  ///< [N] blocks out of balance or against the law by more are brought to rest
-  double tolerance = 0;  ///< relative to the largest force
-  double scale = 0;      ///< [N] that force
-  double bearable = 0;   ///< [N] patches that pass more on to their surroundings are tried with more neighbours
-  double most = 0;       ///< [N] and, if that does not help, left as they were when it is more than this
-  const std::vector<PointStiffness>& resistance;  ///< of the last linear solve
-  const TpetraVector& start;  ///< where stones of patches begin: before that solve, which they may have fled from
-};
-
-/// Statuses and forces after a linear solve, for stones that nothing holds.
-struct LooseRequest {
-  const std::vector<PointStiffness>& resistance;  ///< of the points in that solve
-  const std::vector<double>& sliding;  ///< per point: direction of friction, 0 where it sticks or is open
-  const PointField& force;             ///< [N]
-  const PointField& gap;               ///< [m]
-  const TpetraVector& imbalance;       ///< [N] K u - f - B^T force
-  double least = 0;                    ///< [N] stones out of balance by less stay where they are
-};
 
 /// How a linear system is to be solved.
 struct SolveRequest {
@@ -92,12 +71,8 @@ class NonlinearProblem {
   [[nodiscard]] virtual LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                                                 const Teuchos::RCP<TpetraVector>& b,
                                                 const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
-  /// Brings blocks that keep the rest from closing to rest, in patches with their neighbours, while all others hold
-  /// still. Returns linear solves of patches, 0 where nothing is stuck or a patch would be too large. Collective.
-  virtual int correct_locally(TpetraVector& /*x*/, PointField& /*lambda*/, const LocalRequest&) { return 0; }
-  /// Moves stones that slide on all they touch until a first point holds them again; no force changes. Returns the
-  /// points that do.
-  virtual std::vector<int> move_loose_stones(TpetraVector& /*x*/, const LooseRequest&) { return {}; }
+  /// From where stuck stones are cut, or null where they cannot be.
+  virtual PatchSource* patches() { return nullptr; }
   /// Largest force in play [N]: what residuals are measured against.
   virtual double force_scale() const = 0;
   /// Size of the structure [m]: what run-away displacements are measured against.

@@ -17,9 +17,7 @@ namespace voussoir {
 namespace {
 
 /// Which way an unknown of a point (of i, of i, of j, of j) moves its gap along an axis.
-double share(const PatchPoint& p, int unknown, int axis) {
-  return (unknown < 2 ? -1 : 1) * p.axis[axis][unknown % 2];
-}
+double share(const PatchPoint& p, int unknown, int axis) { return (unknown < 2 ? -1 : 1) * p.axis[axis][unknown % 2]; }
 
 }  // namespace
 
@@ -32,11 +30,7 @@ std::array<double, 2> PatchPoint::motion(const double* displacement) const {
 }
 
 Patch::Patch(PatchParts parts, const MethodParameters& methods)
-    : parts_(std::move(parts)),
-      methods_(methods),
-      loose_stones_(parts_, methods_.patches),
-      selected_(parts_.points.size(), 1),
-      law_(parts_.points.size()) {
+    : parts_(std::move(parts)), methods_(methods), selected_(parts_.points.size(), 1), law_(parts_.points.size()) {
   const int n = static_cast<int>(parts_.imbalance.size());
   map_ = Teuchos::rcp(new TpetraMap(n, n, 0, Teuchos::rcp(new Teuchos::SerialComm<int>())));
   for (std::size_t k = 0; k < parts_.points.size(); ++k) {
@@ -89,7 +83,7 @@ void Patch::add(const PatchPoint& p, const PointStiffness& d, LocalCsr& to) cons
       if (p.unknown[i] < 0 || p.unknown[j] < 0) continue;
       const double normal = share(p, j, 0), tangential = share(p, j, 1);
       entry(to, p.unknown[i], p.unknown[j]) +=
-          share(p, i, 0) * d.normal * normal + share(p, i, 1) * (d.tangential * tangential + d.coupling * normal);
+          share(p, i, 0) * d.normal * normal + share(p, i, 1) * (d.along(0, 0) * tangential + d.coupling[0] * normal);
     }
 }
 
@@ -115,8 +109,7 @@ void Patch::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
   for (std::size_t k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points[k];
     for (int i = 0; i < 4; ++i)
-      if (p.unknown[i] >= 0)
-        value[p.unknown[i]] -= share(p, i, 0) * lambda[2 * k] + share(p, i, 1) * lambda[2 * k + 1];
+      if (p.unknown[i] >= 0) value[p.unknown[i]] -= share(p, i, 0) * lambda[2 * k] + share(p, i, 1) * lambda[2 * k + 1];
   }
 }
 
@@ -136,23 +129,16 @@ LinearSolveResult Patch::solve(const std::vector<PointStiffness>& stiffness, dou
   return not_solved("UMFPACK found the matrix of a patch singular");
 }
 
-std::vector<int> Patch::move_loose_stones(TpetraVector& x, const LooseRequest& request) {
-  PointStatuses statuses{request.resistance, request.sliding, {}};
-  for (int k = 0; k < points(); ++k)
-    statuses.motion.push_back({motion_of(*this, k, 0, request.gap, request.force),
-                               motion_of(*this, k, 1, request.gap, request.force)});
-  return loose_stones_.move_on(parts_.points, std::move(statuses), local_view(request.imbalance), request.least,
-                               local_view_to_write(x));
-}
-
 /// By active sets, or else along the interior path.
 bool Patch::come_to_rest(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
   const TpetraVector start(x, Teuchos::Copy);
   PointField forces = lambda;
   const auto& numbers = methods_.patches;
+  // Without a border it is all that has parted, and large. With one, those that labour are too narrow.
   ActiveSet active(*this, ActiveSetUse::in_patch, methods_,
-                   parts_.border.empty() ? numbers.patience : numbers.patience_with_border);
-  active.solve(x, forces, numbers.active_aim * tolerance, numbers.active_solves, nullptr, report);
+                   parts_.border.empty() ? numbers.patience : methods_.active_set.patience);
+  // A stone out of balance by the rest flies in the next solve of the whole.
+  active.solve(x, forces, numbers.block_threshold * tolerance, numbers.most_solves, nullptr, report);
   if (std::max(report.residual, report.complementarity) <= tolerance) {
     lambda = forces;
     return true;
@@ -160,7 +146,7 @@ bool Patch::come_to_rest(TpetraVector& x, PointField& lambda, double tolerance, 
   if (!methods_.path.used) return false;
   Tpetra::deep_copy(x, start);
   InteriorPath path(*this, methods_);
-  return path.follow(x, lambda, tolerance, numbers.largest_path, nullptr, report) == PathEnd::arrived;
+  return path.follow(x, lambda, tolerance, numbers.most_solves, nullptr, report) == PathEnd::arrived;
 }
 
 bool Patch::solve(double tolerance, NewtonReport& report) {
@@ -179,12 +165,9 @@ bool Patch::solve(double tolerance, NewtonReport& report) {
 void Patch::yield_at_the_border() {
   for (auto& p : parts_.border) {
     const auto motion = p.motion(displacement_.data());
-    const double change[] = {p.resistance.normal * motion[0],
-                             p.resistance.tangential * motion[1] + p.resistance.coupling * motion[0]};
-    for (int c = 0; c < 2; ++c) {
-      p.force[c] -= change[c];
-      passed_on_ = std::max(passed_on_, std::abs(change[c]));
-    }
+    const auto before = p.force;
+    p.resistance.yield(motion.data(), 2, p.force.data());
+    for (int c = 0; c < 2; ++c) passed_on_ = std::max(passed_on_, std::abs(p.force[c] - before[c]));
   }
 }
 

@@ -1,7 +1,7 @@
 // A few stones whose surroundings hold still: a contact problem of its own, small enough for direct solution.
 //
-// Where a handful of stones keeps all others from closing, they are brought to rest alone: by active sets, which move
-// loose stones on, or along the interior path.
+// Where a handful of stones keeps all others from closing, they are brought to rest alone: by active sets, or along the
+// interior path.
 // Unknowns are displacements from where the stones are. Between two stones of the patch the contact law holds. Points
 // at its border stay closed or open as in the last linear solve: under the law, a node that touches two stones which
 // hold still a little apart would give its whole force to one of them.
@@ -12,7 +12,6 @@
 
 #include "linalg/local_csr.hpp"
 #include "linalg/sparse_lu.hpp"
-#include "nonlinear/loose_stones.hpp"
 #include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
@@ -52,7 +51,6 @@ class Patch : public NonlinearProblem {
   LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                           const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
                           const SolveRequest&) override;
-  std::vector<int> move_loose_stones(TpetraVector& x, const LooseRequest&) override;
   double force_scale() const override { return parts_.force_scale; }
   double length_scale() const override { return parts_.length_scale; }
 
@@ -65,7 +63,6 @@ class Patch : public NonlinearProblem {
 
   PatchParts parts_;
   MethodParameters methods_;
-  LooseStones loose_stones_;
   Teuchos::RCP<const TpetraMap> map_;
   std::vector<char> selected_;
   PointLaws law_;

@@ -30,7 +30,6 @@ struct PatchParts {
     double value = 0;
   };
   std::vector<double> imbalance;        ///< [N] of each unknown: K u - f without the forces of its points
-  std::vector<char> component;          ///< of each unknown: 0 along x, 1 along y
   std::vector<double> start;            ///< [m] from where the stones are to where the path begins
   std::vector<double> proximal_weight;  ///< [N/m]
   std::vector<Entry> stiffness;         ///< [N/m] of the blocks, in any order; equal places add

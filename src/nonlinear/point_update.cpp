@@ -3,15 +3,12 @@
 #include <cmath>
 
 namespace voussoir {
-namespace {
 
 double tangential_size(const PointField& f, int point, int components) {
   double sum = 0;
   for (int c = 1; c < components; ++c) sum += f[point * components + c] * f[point * components + c];
   return std::sqrt(sum);
 }
-
-}  // namespace
 
 void trial_forces(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap, double augmentation,
                   PointField& trial) {
@@ -54,8 +51,11 @@ void resistances(const NonlinearProblem& problem, const PointField& trial, const
   resistance.assign(problem.points(), {});
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
-    if (trial[k * n] >= -problem.law()[k].tension) resistance[k].normal = stiffness_of(problem, k, 0, augmentation);
-    if (tangential_size(trial, k, n) < bound[k]) resistance[k].tangential = stiffness_of(problem, k, 1, augmentation);
+    const double shear = tangential_size(trial, k, n);
+    if (judge(problem.law()[k], trial[k * n], shear, bound[k]) != ContactStatus::open)
+      resistance[k].normal = stiffness_of(problem, k, 0, augmentation);
+    // A bound that is held stays where the pressure goes.
+    if (shear < bound[k]) resistance[k].hold(0, stiffness_of(problem, k, 1, augmentation));
   }
 }
 

@@ -28,6 +28,9 @@ inline double motion_of(const NonlinearProblem& problem, int point, int componen
   return gap[at] - slip_origin_of(problem, at) + compliance_of(problem, point, component) * lambda[at];
 }
 
+/// Size of the tangential part [N].
+double tangential_size(const PointField& force, int point, int components);
+
 /// lambda - sigma (g - g_0 + c lambda), sigma in series with the mortar's 1/c, the slip measured from its origin.
 void trial_forces(const NonlinearProblem&, const PointField& lambda, const PointField& gap, double augmentation,
                   PointField& trial);

@@ -33,8 +33,7 @@ double change_of_force(const PointLaw& law, const double* force, int components,
   if (slid <= nothing) return std::max(std::abs(normal - force[0]), friction - bound);
   if (bound == infinite) return infinite;
   double change = std::abs(normal - force[0]);
-  for (int c = 0; c + 1 < components; ++c)
-    change = std::max(change, std::abs(-bound * slip[c] / slid - force[1 + c]));
+  for (int c = 0; c + 1 < components; ++c) change = std::max(change, std::abs(-bound * slip[c] / slid - force[1 + c]));
   return change;
 }
 

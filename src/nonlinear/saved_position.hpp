@@ -7,8 +7,7 @@ namespace voussoir {
 
 class SavedPosition {
  public:
-  SavedPosition(const NonlinearProblem& problem, const TpetraVector& x)
-      : problem_(problem), whole_(x, Teuchos::Copy) {
+  SavedPosition(const NonlinearProblem& problem, const TpetraVector& x) : problem_(problem), whole_(x, Teuchos::Copy) {
     if (const auto* carried = problem.carried()) whole_.update(1.0, *carried, 1.0);
   }
 

@@ -9,7 +9,8 @@ void Internals::declare(ParameterSection& section) {
   section.add_section("active set", methods.active_set, "semismooth Newton with Coulomb's coupling");
   section.add_section("patches", methods.patches, "stones that are brought to rest alone");
   section.add_section("interior path", methods.path, "the way that leads from anywhere");
-  section.add_section("augmented Lagrangian", methods.closing, "what closes where the path ends, and tells collapses");
+  section.add_section("pseudo-time", methods.pseudo_time,
+                      "what follows where the path ends early, and tells collapses");
   section.add_section("preconditioner", preconditioner, "of linear systems");
   section.add_section("rest", rest, "points that are bonded again, and marking");
   section.add_section("step", step, "rounds of selection, their system, rotations that are followed");

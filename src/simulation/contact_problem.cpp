@@ -11,7 +11,7 @@
 #include "linalg/local_view.hpp"
 #include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
-#include "simulation/local_correction.hpp"
+#include "simulation/patch_cutter.hpp"
 
 namespace voussoir {
 
@@ -27,9 +27,9 @@ ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>&
 template <int dim>
 void ContactProblem<dim>::make_preconditioner() {
   coarse_.reset();  // its room first
-  coarse_ = std::make_shared<CoarseOperator<dim>>(parts_.structure, parts_.points, selection_, *space_,
-                                                  parts_.continuum, parts_.preconditioner,
-                                                  parts_.internals.preconditioner);
+  coarse_ =
+      std::make_shared<CoarseOperator<dim>>(parts_.structure, parts_.points, selection_, *space_, parts_.continuum,
+                                            parts_.preconditioner, parts_.internals.preconditioner);
 }
 
 template <int dim>
@@ -41,7 +41,7 @@ void ContactProblem<dim>::begin(const Asked& asked) {
   rigid_gap_.clear();
   deformed_.clear();
   internal_scale_ = 0;
-  patch_together_ = true;
+  patches_.reset();
   shear_ = false;
   set_proximal_weights();
   set_movable();
@@ -79,7 +79,7 @@ void ContactProblem<dim>::set_proximal_weights() {
   const int mine = std::find(selection_.begin(), selection_.end(), 1) != selection_.end();
   int any = 0;
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  if (!any) return;  // the bonded continuum cannot run away
+  if (!any) return;            // the bonded continuum cannot run away
   std::vector<double> volume;  // of local node copies [m3]
   for (const auto& b : s.blocks()) {
     const auto more = nodal_volumes(b.mesh, s.model().thickness);
@@ -236,8 +236,8 @@ Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffnes
 
 template <int dim>
 LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
-                                             const Teuchos::RCP<TpetraVector>& b,
-                                             const Teuchos::RCP<TpetraVector>& d, const SolveRequest& request) {
+                                             const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                                             const SolveRequest& request) {
   const TrafficScope sent_for(TrafficOf::set_up);
   auto symmetry = Symmetry::none;
   try {
@@ -264,10 +264,11 @@ LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& 
 }
 
 template <int dim>
-int ContactProblem<dim>::correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest& request) {
-  const typename LocalCorrection<dim>::Parts parts{
-      parts_.structure, parts_.points, *space_, proximal_weight_, *this, patch_together_, parts_.internals.methods};
-  return LocalCorrection<dim>(parts).apply(x, lambda, request);
+PatchSource* ContactProblem<dim>::patches() {
+  if (!patches_)
+    patches_ = std::make_unique<PatchCutter<dim>>(
+        typename PatchCutter<dim>::Parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this});
+  return patches_.get();
 }
 
 template class ContactProblem<2>;

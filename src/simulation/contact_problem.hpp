@@ -8,6 +8,7 @@
 #include "homogenisation/coarse_operator.hpp"
 #include "linalg/linear_solver.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/stuck_stones.hpp"
 #include "scene/internals.hpp"
 #include "simulation/contact_state.hpp"
 
@@ -22,8 +23,8 @@ class ContactProblem : public NonlinearProblem {
     const ContactPoints<dim>& points;
     const Continuum<dim>& continuum;
     const std::vector<char>& held;
-    const std::vector<double>& local_stiffness;   ///< per point [N/m]
-    const std::vector<double>& initial_gap;       ///< per point [m], empty when all joints are closed at first
+    const std::vector<double>& local_stiffness;  ///< per point [N/m]
+    const std::vector<double>& initial_gap;      ///< per point [m], empty when all joints are closed at first
     const PreconditionerParameters& preconditioner;
     const Internals& internals;
     LinearSolver& solver;
@@ -77,7 +78,7 @@ class ContactProblem : public NonlinearProblem {
   LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                           const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
                           const SolveRequest&) override;
-  int correct_locally(TpetraVector& x, PointField& lambda, const LocalRequest&) override;
+  PatchSource* patches() override;
   const SystemMatrix<dim>& system() const { return *matrix_; }
   const CoarseOperator<dim>& preconditioner() const { return *coarse_; }
   /// What its solves took besides Krylov iterations.
@@ -109,8 +110,8 @@ class ContactProblem : public NonlinearProblem {
   Teuchos::RCP<TpetraVector> carried_;
   std::vector<double> rigid_, rigid_gap_, deformed_;
   double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
-  bool patch_together_ = true;  ///< all that has parted
-  bool shear_ = false;  ///< stones of systems with stiff joints
+  std::unique_ptr<PatchSource> patches_;  ///< none as long as nothing was stuck
+  bool shear_ = false;                    ///< stones of systems with stiff joints
 };
 
 extern template class ContactProblem<2>;

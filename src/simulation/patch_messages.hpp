@@ -5,7 +5,7 @@
 
 #include "base/ids.hpp"
 #include "linalg/types.hpp"
-#include "nonlinear/patch.hpp"
+#include "nonlinear/patch_parts.hpp"
 
 namespace voussoir {
 
@@ -14,7 +14,7 @@ template <int dim>
 struct PatchMessages {
   struct Unknown {
     GlobalOrdinal id;
-    int patch, component;
+    int patch;
     double imbalance, start, proximal;
   };
   struct Entry {
@@ -35,13 +35,6 @@ struct PatchMessages {
   struct Force {
     PointId id;
     double change[dim];  ///< [N]
-  };
-  /// What became of the patches of a rank.
-  struct Outcome {
-    std::vector<Motion> motion;
-    std::vector<Force> force;
-    std::vector<int> too_narrow;  ///< patches
-    int solves = 0, failed = 0;
   };
 };
 

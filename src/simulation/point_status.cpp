@@ -4,6 +4,10 @@
 
 namespace voussoir {
 
+static_assert(static_cast<char>(PointStatus::open) == static_cast<char>(ContactStatus::open) &&
+              static_cast<char>(PointStatus::stick) == static_cast<char>(ContactStatus::stick) &&
+              static_cast<char>(PointStatus::slip) == static_cast<char>(ContactStatus::slip));
+
 template <int dim>
 std::vector<char> point_statuses(const Model<dim>& model, const ContactState& state, const PointField& gap,
                                  const PointField& slip_before) {
@@ -19,9 +23,7 @@ std::vector<char> point_statuses(const Model<dim>& model, const ContactState& st
       const double trial = state.lambda[dim * k + c] - sigma * slipped;
       q += trial * trial;
     }
-    const bool sticks = std::sqrt(q) < friction_bound(law, state.lambda[dim * k]);
-    const auto what = normal <= -law.tension ? PointStatus::open : sticks ? PointStatus::stick : PointStatus::slip;
-    status[k] = static_cast<char>(what);
+    status[k] = static_cast<char>(judge(law, normal, std::sqrt(q), friction_bound(law, state.lambda[dim * k])));
   }
   return status;
 }

@@ -9,9 +9,8 @@
 
 namespace voussoir {
 
-/// The trial force of a point is what it bears less what its stones, as it sees them, make of its gap and its slip. A
-/// point is open where that pulls as hard as its law bears or harder, so also where it neither presses nor stands
-/// apart; it slips where the shear reaches what friction bears under its pressure.
+/// The trial force of a point is what it bears less what its stones, as it sees them, make of its gap and its slip:
+/// that is what judge() of the law is asked about, with what friction bears under its pressure.
 /// @param state        with the bonds that are left; ghosts of its forces up to date
 /// @param gap          [m] gap and slip of the stones
 /// @param slip_before  [m] that slips count from; empty for 0

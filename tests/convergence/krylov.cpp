@@ -33,8 +33,8 @@ int iterations_at_solution(Scene scene, Stones stones = Stones::rigid) {
     const double normal = state.lambda[2 * k], tangential = std::abs(state.lambda[2 * k + 1]);
     const bool closed = !state.selected[k] || normal > 1e-7 * force;  // ten times what Newton leaves
     const bool sticks = !state.selected[k] || tangential < (1 - 1e-6) * model.law()[k].friction * normal;
-    if (closed) stiffness[k].normal = model.local_stiffness()[k];
-    if (closed && sticks) stiffness[k].tangential = model.local_stiffness()[k];
+    const double stone = model.local_stiffness()[k];
+    if (closed) stiffness[k] = {stone, sticks ? stone : 0.0};
   }
   std::fill(state.selected.begin(), state.selected.end(), 1);
 

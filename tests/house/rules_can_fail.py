@@ -1,8 +1,11 @@
 """The rules of the house refuse what they should: a test that cannot fail proves nothing."""
 
 import pathlib
+import subprocess
+import tempfile
 import unittest
 
+import format as format_rule
 import headers
 import house
 import layers
@@ -75,11 +78,6 @@ class FilesAreShort(unittest.TestCase):
         self.assertEqual(problems("  if (n > m && m > 0) ++n;  // if\n" * 7), [])
         self.assertIn("16 branches", problems("  if (n > m && m > 0) ++n;  // if\n" * 8)[0])
 
-    def test_functions_that_may_be_long_are_there(self):
-        names = {(path.name, sizes.name_of(signature)) for path in house.code_files(".cpp") if path.parts[0] == "src"
-                 for _, signature, _ in sizes.functions_of(house.read(path))}
-        self.assertLessEqual(sizes.LONG_FUNCTIONS, names)
-
     def test_files_are_found_at_all(self):
         self.assertIn(pathlib.Path("src/mesh/mesh.hpp"), house.code_files(".hpp"))
         self.assertIn(pathlib.Path("drivers/run"), house.scripts())
@@ -101,6 +99,24 @@ class WordsSayWhatIs(unittest.TestCase):
         self.assertEqual(len(words.problems_of_scenes("| `wall.xml` |", ["wall.xml", "arch.xml"])), 1)
         for missing in ("[a](none.md)", "src/mesh/none.md", "`mesh/no_such_thing`"):
             self.assertEqual(len(words.problems_of_paths(readme, missing)), 1, missing)
+
+
+class FilesAreFormatted(unittest.TestCase):
+    def test_each_file_that_differs_is_named_once(self):
+        said = "\n".join(f"src/a.cpp:{line}:7: warning: code should be clang-formatted [-Wclang-format-violations]"
+                         for line in (3, 9))
+        self.assertEqual(len(format_rule.problems_of(said)), 1)
+        self.assertIn("src/a.cpp:3:", format_rule.problems_of(said)[0])
+        self.assertEqual(format_rule.problems_of(""), [])
+
+    def test_clang_format_finds_what_is_not_formatted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "unformatted.cpp"
+            path.write_text("int  f( ){return 1;}\n", encoding="utf-8")
+            asked = subprocess.run(format_rule.command([path]), capture_output=True, text=True, check=True)
+            self.assertEqual(len(format_rule.problems_of(asked.stderr)), 1)
+            subprocess.run(format_rule.command([path], write=True), check=True)
+            self.assertEqual(path.read_text(encoding="utf-8"), "int f() { return 1; }\n")
 
 
 class HeadersCompileAlone(unittest.TestCase):

@@ -81,7 +81,7 @@ struct SelectedWall {
 inline std::vector<PointStiffness> slipping(const SelectedWall& w, double direction) {
   auto stiffness = w.statuses();
   for (auto& s : stiffness)
-    if (s.tangential > 0) s = {s.normal, 0, 0.6 * direction * s.normal};
+    if (s.resists_slip()) s = {s.normal, 0, 0.6 * direction * s.normal};
   return stiffness;
 }
 

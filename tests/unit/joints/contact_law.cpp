@@ -3,6 +3,7 @@
 
 #include <Sacado.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -38,7 +39,7 @@ TEUCHOS_UNIT_TEST(FrictionBound, IsCohesionPlusFrictionTimesPressureAndNeverNega
 TEUCHOS_UNIT_TEST(FrictionBound, InfiniteStrengthIsABoundAndNeverNotANumber) {
   for (const double normal : {-10.0, 0.0, 10.0}) TEST_EQUALITY(friction_bound(glued, normal), infinite);
   TEST_EQUALITY(friction_bound(rough, 10.0), infinite);
-  TEST_EQUALITY(friction_bound(rough, 0.0), 50.0);    // infinite friction without pressure is cohesion alone
+  TEST_EQUALITY(friction_bound(rough, 0.0), 50.0);  // infinite friction without pressure is cohesion alone
   TEST_EQUALITY(friction_bound(rough, -10.0), 50.0);
 }
 
@@ -118,8 +119,8 @@ TEUCHOS_UNIT_TEST(Violation, IsTheDistanceToTheForceTheLawProjectsTo) {
 }
 
 TEUCHOS_UNIT_TEST(Violation, IsTheNearestDistanceWhereOnlyOneConditionFails) {
-  TEST_EQUALITY(violation(dry, std::array<double, 2>{-3, 0}), 3.0);        // pulled
-  TEST_EQUALITY(violation(dry, std::array<double, 2>{-3, 4}), 5.0);        // the tip of the cone is nearest
+  TEST_EQUALITY(violation(dry, std::array<double, 2>{-3, 0}), 3.0);  // pulled
+  TEST_EQUALITY(violation(dry, std::array<double, 2>{-3, 4}), 5.0);  // the tip of the cone is nearest
   TEST_EQUALITY(violation(mortar, std::array<double, 2>{-23, 0}), 3.0);
   TEST_EQUALITY(violation(smooth, std::array<double, 2>{10, -4}), 4.0);
   // Sheared: measured at constant pressure, longer than the distance to the cone by sqrt(1 + mu^2).
@@ -141,6 +142,53 @@ TEUCHOS_UNIT_TEST(PointLaws, HoldWhatSomePointHasAndNothingElse) {
   laws.lose_bond(8);
   TEST_EQUALITY(laws[8].friction, mortar.friction);
   TEST_EQUALITY(laws[8].cohesion + laws[8].tension, 0.0);
+}
+
+TEUCHOS_UNIT_TEST(Judge, TellsOpenStickAndSlipAtAllTheirEdges) {
+  const auto of = [](const PointLaw& law, double normal, double shear) {
+    return judge(law, normal, shear, friction_bound(law, normal));
+  };
+  for (const auto& law : {dry, mortar, glued, rough, smooth}) {
+    TEST_ASSERT(of(law, -std::numeric_limits<double>::max(), 0) ==
+                (std::isinf(law.tension) ? ContactStatus::stick : ContactStatus::open));
+    TEST_ASSERT(of(law, 0, 0) != ContactStatus::open);  // stones that touch
+  }
+  TEST_ASSERT(of(dry, 0, 0) == ContactStatus::stick);
+  TEST_ASSERT(of(smooth, 10, 0) == ContactStatus::slip);
+  TEST_ASSERT(of(dry, -1e-300, 0) == ContactStatus::open);
+  TEST_ASSERT(of(mortar, -20, 30) == ContactStatus::stick);
+  TEST_ASSERT(of(mortar, -20.001, 30) == ContactStatus::open);
+  TEST_ASSERT(of(dry, 10, 5.999) == ContactStatus::stick);
+  TEST_ASSERT(of(dry, 10, 6) == ContactStatus::slip);
+  TEST_ASSERT(judge(dry, 10, 7, 8) == ContactStatus::stick);  // under the pressure of another force
+  TEST_ASSERT(of(dry, std::nan(""), 0) == ContactStatus::open);
+}
+
+// A sliding point in space: its force, differentiated by automatic differentiation, is what the stiffness says.
+TEUCHOS_UNIT_TEST(PointStiffness, IsTheDerivativeOfAForceThatSlides) {
+  std::mt19937 chance(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int k = 0; k < 100; ++k) {
+    const PointLaw law{0.3 + 0.3 * number(chance), 0.5, 0};
+    const double p = 2 + number(chance), normal = 7, tangential = 3;
+    const std::array<double, 2> q{4 * number(chance), 5 + number(chance)};
+    const std::array<Dual, 3> motion{Dual(3, 0, 0.0), Dual(3, 1, 0.0), Dual(3, 2, 0.0)};
+    const Dual pressed = p - normal * motion[0];
+    const std::array<Dual, 2> trial{q[0] - tangential * motion[1], q[1] - tangential * motion[2]};
+    const Dual size = sqrt(trial[0] * trial[0] + trial[1] * trial[1]), bound = friction_bound(law, pressed);
+    const double shear = std::hypot(q[0], q[1]), s[] = {q[0] / shear, q[1] / shear};
+    PointStiffness d;
+    d.normal = normal;
+    d.slide(s, 2, law.friction * normal, tangential * friction_bound(law, p) / shear);
+    for (int c = 0; c < 3; ++c) {
+      const double step[] = {c == 0 ? 1.0 : 0.0, c == 1 ? 1.0 : 0.0, c == 2 ? 1.0 : 0.0};
+      double change[] = {0, 0, 0};
+      d.yield(step, 3, change);
+      TEST_FLOATING_EQUALITY(change[0], pressed.fastAccessDx(c), 1e-13);
+      for (int t = 0; t < 2; ++t)
+        TEST_COMPARE(std::abs(change[t + 1] - Dual(bound * trial[t] / size).fastAccessDx(c)), <=, 1e-13 * normal);
+    }
+  }
 }
 
 }  // namespace

@@ -72,8 +72,8 @@ TEUCHOS_UNIT_TEST(ContactPoints, AreThePairsOfTheReferenceSceneAndThoseBetweenHe
   const ContactPoints<2> points(*source, s);
   std::set<Pair> found;
   for (const auto& f : all_gather(facts(s, points, false), *everyone()))
-    found.insert({f.block_i, f.block_j, std::lround(1000 * f.x), std::lround(1000 * f.y), std::lround(f.nx),
-                  std::lround(f.ny)});
+    found.insert(
+        {f.block_i, f.block_j, std::lround(1000 * f.x), std::lround(1000 * f.y), std::lround(f.nx), std::lround(f.ny)});
   TEST_ASSERT(found == expected);
   TEST_EQUALITY(points.total(), 114);
 }

@@ -21,7 +21,7 @@ class Flying : public Patch {
   explicit Flying(bool helps) : Patch(parts_of_slider(friction)), helps_(helps) {}
   LinearSolveResult solve(const std::vector<PointStiffness>& resistance, double, const Teuchos::RCP<TpetraVector>&,
                           const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) override {
-    const double damping = resistance[0].tangential / stone;
+    const double damping = resistance[0].along(0, 0) / stone;
     largest_damping = std::max(largest_damping, damping);
     d->putScalar(0);
     local_view_to_write(*d)[0] = helps_ && damping > 0 ? 1e-3 / damping : 1;
@@ -54,7 +54,7 @@ TEUCHOS_UNIT_TEST(ActiveSet, DampsNoMoreWhereThatDoesNotHelp) {
 
 TEUCHOS_UNIT_TEST(ActiveSet, DampsNothingWhereThatIsSwitchedOff) {
   MethodParameters methods;
-  methods.active_set.damping = false;
+  methods.active_set.damping = 0;
   TEST_EQUALITY(damping_of(true, methods), 0.0);
 }
 

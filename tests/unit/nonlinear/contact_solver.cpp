@@ -15,7 +15,7 @@ constexpr double friction = 0.3, at_rest = (push - friction * weight) / spring; 
 
 MethodParameters none() {
   MethodParameters methods;
-  methods.solver.active_sets = methods.path.used = methods.closing.used = false;
+  methods.solver.active_sets = methods.path.used = methods.pseudo_time.used = false;
   return methods;
 }
 
@@ -48,7 +48,7 @@ TEUCHOS_UNIT_TEST(ContactSolver, MakesNoSolveWhereEveryWayIsSwitchedOff) {
 TEUCHOS_UNIT_TEST(ContactSolver, FindsRestByEachWayAlone) {
   for (const int way : {0, 1, 2}) {
     auto methods = none();
-    (way == 0 ? methods.solver.active_sets : way == 1 ? methods.path.used : methods.closing.used) = true;
+    (way == 0 ? methods.solver.active_sets : way == 1 ? methods.path.used : methods.pseudo_time.used) = true;
     const auto s = solve(methods);
     out << "way " << way << ": " << s.report.newton_iterations << " solves\n";
     TEST_ASSERT(s.report.outcome == NewtonOutcome::converged);
@@ -60,7 +60,7 @@ TEUCHOS_UNIT_TEST(ContactSolver, FindsRestByEachWayAlone) {
 TEUCHOS_UNIT_TEST(ContactSolver, BacksOffOnlyWhereThatIsSwitchedOn) {
   for (const bool back_off : {true, false}) {
     MethodParameters methods;
-    methods.solver.solves_at_rest = 1;
+    methods.solver.fast_solves = 1;
     methods.solver.back_off = back_off;
     TEST_EQUALITY(solve(methods).fast_waits, back_off ? 1 : 0);
   }

@@ -34,7 +34,6 @@ TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
 TEUCHOS_UNIT_TEST(Patch, GivesUpWhereItsMatrixIsSingularAndSaysSo) {
   auto parts = parts_of_slider(0.3);
   parts.imbalance.push_back(1);
-  parts.component.push_back(0);
   parts.start.push_back(0);
   parts.proximal_weight.push_back(0);
   Patch patch(parts);
@@ -49,7 +48,6 @@ TEUCHOS_UNIT_TEST(Patch, GivesUpWhereItsMatrixIsSingularAndSaysSo) {
 TEUCHOS_UNIT_TEST(Patch, ASolveWithoutARegularSystemNamesTheLibrary) {
   auto parts = parts_of_slider(0.3);
   parts.imbalance.push_back(1);
-  parts.component.push_back(0);
   parts.start.push_back(0);
   parts.proximal_weight.push_back(0);
   Patch patch(parts);
@@ -67,7 +65,6 @@ TEUCHOS_UNIT_TEST(Patch, ASolveWithoutARegularSystemNamesTheLibrary) {
 TEUCHOS_UNIT_TEST(Patch, KeepsTheStatusesOfItsBorder) {
   PatchParts parts;
   parts.imbalance = {-push, weight, 0, weight};
-  parts.component = {0, 1, 0, 1};
   parts.start.assign(4, 0.0);
   parts.proximal_weight.assign(4, 1e-6);
   parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}, {2, 2, spring}, {3, 3, 1e-6}};

@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(Resistances, AreTheSlopesOfTheProjectedForces) {
     TEST_COMPARE(std::abs(std::abs(at.trial[2 * k + 1]) - at.bound[k]), >, 10 * h);
     // Forces of size 1 lose nine digits of sixteen in a quotient over 1e-7.
     TEST_COMPARE(std::abs((at.forces[2 * k] - after[2 * k]) / h - slope[k].normal), <=, 1e-7);
-    TEST_COMPARE(std::abs((at.forces[2 * k + 1] - after[2 * k + 1]) / h - slope[k].tangential), <=, 1e-7);
+    TEST_COMPARE(std::abs((at.forces[2 * k + 1] - after[2 * k + 1]) / h - slope[k].along(0, 0)), <=, 1e-7);
   }
 }
 
@@ -148,7 +148,7 @@ TEUCHOS_UNIT_TEST(PointUpdate, PassesOverPointsThatAreNotSelected) {
   for (const double untouched : {trial[8], trial[9], forces[8], forces[9], bound[4]})
     TEST_EQUALITY_CONST(untouched, 77.0);
   TEST_EQUALITY_CONST(slope[4].normal, 0.0);
-  TEST_EQUALITY_CONST(slope[4].tangential, 0.0);
+  TEST_EQUALITY_CONST(slope[4].along(0, 0), 0.0);
 }
 
 }  // namespace

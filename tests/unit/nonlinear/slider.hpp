@@ -19,7 +19,6 @@ inline PatchPoint on_the_ground(double friction) {
 inline PatchParts parts_of_slider(double friction) {
   PatchParts parts;
   parts.imbalance = {-push, weight};
-  parts.component = {0, 1};
   parts.start = {0, 0};
   parts.proximal_weight = {1e-6, 1e-6};
   parts.stiffness = {{0, 0, spring}, {1, 1, 1e-6}};

@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(Construction, StonesAreBornWithoutStressOnStonesThatHaveSettle
     TEST_COMPARE(wrong(s, scene, 1, 2 * height, -3.5 * unit), <, tolerance * unit);
     TEST_COMPARE(wrong(s, scene, 2, 2 * height, -2.0 * unit), <, tolerance * unit);
     TEST_COMPARE(wrong(s, scene, 2, 3 * height, -2.5 * unit), <, tolerance * unit);  // at once it would be 4.5
-    TEST_FLOATING_EQUALITY(force_between(s, height), 2 * weight * 0.5, tolerance);     // 0.5 m wide, 1 m thick
+    TEST_FLOATING_EQUALITY(force_between(s, height), 2 * weight * 0.5, tolerance);   // 0.5 m wide, 1 m thick
     TEST_FLOATING_EQUALITY(force_between(s, 2 * height), weight * 0.5, tolerance);
     for (const auto& p : s.points) TEST_COMPARE(std::abs(p.gap), <, tolerance * unit);
   }

@@ -88,8 +88,8 @@ TEUCHOS_UNIT_TEST(TieError, CostsNothingWhereTiesHold) {
   LinearSolver solver(scene.solver);
   const auto cluster = clusters(model, tied.state().selected);
   const auto none = tied_violations(model, model.law(), tied.state(), cluster);
-  const auto error = tie_error<2>(parts_of(model, solver), model.law(), tied.state(), cluster, none, tied.load(),
-                                  tied.prescribed());
+  const auto error =
+      tie_error<2>(parts_of(model, solver), model.law(), tied.state(), cluster, none, tied.load(), tied.prescribed());
   TEST_EQUALITY(error.linear_solves, 0);
   TEST_EQUALITY(relative_error(model.structure(), tied.state().displacement, error, 0, 10), 0.0);
 }

@@ -19,7 +19,7 @@ TEUCHOS_UNIT_TEST(JointNetwork, AStackBearsWhatStandsOnEachBedWhateverItsStiffne
   const auto borne = borne_by_network(2, stack(), {{0, -10, 0}, {4, -20, 1}});
   // On the upper bed: the weight of the upper stone, its push of 4 N a metre above, and its moment.
   TEST_FLOATING_EQUALITY(borne[1][0], 20.0, held);
-  TEST_FLOATING_EQUALITY(borne[1][1], 4.0, held);   // the normal turned by +90 degrees points to -x
+  TEST_FLOATING_EQUALITY(borne[1][1], 4.0, held);  // the normal turned by +90 degrees points to -x
   TEST_FLOATING_EQUALITY(borne[1][2], -1.0 + 4 * 1, held);
   TEST_FLOATING_EQUALITY(borne[0][0], 30.0, held);
   TEST_FLOATING_EQUALITY(borne[0][1], 4.0, held);

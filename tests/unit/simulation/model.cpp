@@ -31,8 +31,7 @@ TEUCHOS_UNIT_TEST(Model, ANodeOfTwoSupportsMovesOnce) {
 // force that tolerances refer to.
 TEUCHOS_UNIT_TEST(Model, WhereSupportsHoldBothSidesOfAJointThereIsNoForce) {
   Experiment experiment(wall_scene(4));
-  for (const double push : {0.0, 0.5, 1.0})
-    TEST_ASSERT(experiment.advance({{"weight", 1.0}, {"sideways", push}}));
+  for (const double push : {0.0, 0.5, 1.0}) TEST_ASSERT(experiment.advance({{"weight", 1.0}, {"sideways", push}}));
   int held = 0;
   const auto solution = experiment.solution();
   for (const auto& p : solution.points)

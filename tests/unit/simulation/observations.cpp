@@ -20,9 +20,7 @@ Scene observed(const std::string& name, const ObservationParameters& place) {
   return scene;
 }
 
-Observations<2> observations(const Experiment& e) {
-  return {e.scene(), e.model().source(), e.model().structure()};
-}
+Observations<2> observations(const Experiment& e) { return {e.scene(), e.model().source(), e.model().structure()}; }
 
 /// u = a linear field of the place, on every local node copy.
 std::vector<double> linear_field(const Experiment& e, double a, double b, double c) {

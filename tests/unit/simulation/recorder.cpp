@@ -2,8 +2,8 @@
 #include "simulation/recorder.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
-#include <filesystem>
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <stdexcept>

@@ -52,9 +52,8 @@ TEUCHOS_UNIT_TEST(Release, AJointThatHoldsTheShareIsReleasedAsAWhole) {
   Scene scene = tied_wall();
   scene.selection.bulk = 0.7;
   Drawn wall(scene);
-  const auto released = wall.release_by([&](const Joint& joint, int) {
-    return joint.block_i == 0 ? (joint.block_j == 1 ? 0.8 : 0.2) : 0.0;
-  });
+  const auto released = wall.release_by(
+      [&](const Joint& joint, int) { return joint.block_i == 0 ? (joint.block_j == 1 ? 0.8 : 0.2) : 0.0; });
   TEST_COMPARE(released, >, 0);
   TEST_EQUALITY(wall.selected_between(0, 1)[0], wall.selected_between(0, 1)[1]);
   TEST_EQUALITY(wall.selected_between(0, 2)[0], 0);

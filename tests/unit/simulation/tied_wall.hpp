@@ -22,8 +22,8 @@ inline std::vector<int> clusters(const Model<2>& model, const std::vector<char>&
 
 inline ContactProblem<2>::Parts parts_of(const Model<2>& model, LinearSolver& solver) {
   const Scene& scene = model.scene();
-  return {model.structure(),    model.points(),     model.continuum(), model.held(),
-          model.local_stiffness(), model.initial_gap(), scene.preconditioner, scene.internals, solver};
+  return {model.structure(),   model.points(),       model.continuum(), model.held(), model.local_stiffness(),
+          model.initial_gap(), scene.preconditioner, scene.internals,   solver};
 }
 
 /// The blocks of a point.

@@ -142,8 +142,7 @@ TEUCHOS_UNIT_TEST(VelocityUpdate, PointsThatStickLoseTheirSlidingToFriction) {
   TEST_COMPARE(wall.relative(1), <=, resting);
   TEST_COMPARE(lost, >, 0);
   TEST_FLOATING_EQUALITY(wall.kinetic_energy() + lost, energy, 1e-10);
-  for (int c = 0; c < 3; ++c)
-    TEST_COMPARE(std::abs(wall.momentum()[c] - momentum[c]), <, 1e-6 * std::abs(momentum[0]));
+  for (int c = 0; c < 3; ++c) TEST_COMPARE(std::abs(wall.momentum()[c] - momentum[c]), <, 1e-6 * std::abs(momentum[0]));
 }
 
 // Otherwise the two sides of a tie swing against each other from step to step, and every step looks like an impact.
@@ -157,8 +156,7 @@ TEUCHOS_UNIT_TEST(VelocityUpdate, TiedPointsLoseTheirRelativeVelocityToFriction)
   TEST_COMPARE(std::max(wall.relative(0), wall.relative(1)), <, 1e-10);
   TEST_COMPARE(lost, >, 0.05 * energy);  // mass is local: the nodes at the joints stop, the stones go on
   TEST_FLOATING_EQUALITY(wall.kinetic_energy() + lost, energy, 1e-12);
-  for (int c = 0; c < 3; ++c)
-    TEST_COMPARE(std::abs(wall.momentum()[c] - momentum[c]), <, 1e-9 * std::abs(momentum[1]));
+  for (int c = 0; c < 3; ++c) TEST_COMPARE(std::abs(wall.momentum()[c] - momentum[c]), <, 1e-9 * std::abs(momentum[1]));
   // What is left is round-off, and stays as it is: conjugate gradients would leave the singular system by it.
   const auto before = wall.state.velocity;
   TEST_EQUALITY(wall.settle(), 0);

@@ -1,5 +1,5 @@
 // A stone that is out of balance is brought to rest with its neighbours, while the rest of the wall holds still.
-#include "simulation/local_correction.hpp"
+#include "simulation/patch_cutter.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "linalg/local_view.hpp"
 #include "nonlinear/residuals.hpp"
+#include "nonlinear/stuck_stones.hpp"
 #include "unit/simulation/tied_wall.hpp"
 
 namespace {
@@ -42,7 +43,6 @@ struct WallAtRest {
     scene.mesh.wall.cells_along = 2;
     scene.mesh.wall.cells_up = 1;
     scene.internals.methods.patches.largest_share = largest_share;
-    scene.internals.methods.patches.largest_share_of_all = 0;
     return scene;
   }
   /// Owned unknowns of the blocks for which `chosen` is true.
@@ -69,13 +69,17 @@ struct WallAtRest {
   }
   int correct(const TpetraVector& start) {
     const double scale = force_scale(*problem, lambda);
-    return problem->correct_locally(*x, lambda, {1e-4 * scale, 1e-8, scale, scale, 10 * scale, sticking, start});
+    auto& source = *problem->patches();
+    source.part_no_more_together();
+    return bring_to_rest(source, *problem->map()->getComm(), *x, lambda,
+                         {1e-4 * scale, 1e-8, scale, scale, 10 * scale, sticking, start},
+                         wall.scene().internals.methods);
   }
 };
 
 constexpr BlockId middle = 42;  // fifth of the fifth course: 9 + 10 + 9 + 10 stones are below
 
-TEUCHOS_UNIT_TEST(LocalCorrection, AWallAtRestIsLeftAlone) {
+TEUCHOS_UNIT_TEST(StuckStones, AWallAtRestIsLeftAlone) {
   WallAtRest w;
   const TpetraVector before(*w.x, Teuchos::Copy);
   TEST_COMPARE(w.off(), <, 1e-5);
@@ -86,7 +90,7 @@ TEUCHOS_UNIT_TEST(LocalCorrection, AWallAtRestIsLeftAlone) {
 }
 
 // Lifted by 1e-7 m, ten times as far as the wall is pressed together there, a stone bears nothing and is borne by none.
-TEUCHOS_UNIT_TEST(LocalCorrection, AStoneThatWasLiftedComesToRestWhereItWas) {
+TEUCHOS_UNIT_TEST(StuckStones, AStoneThatWasLiftedComesToRestWhereItWas) {
   WallAtRest w;
   const TpetraVector at_rest(*w.x, Teuchos::Copy);
   w.lift(middle, 1e-7);
@@ -101,7 +105,7 @@ TEUCHOS_UNIT_TEST(LocalCorrection, AStoneThatWasLiftedComesToRestWhereItWas) {
   for (const int i : w.unknowns_of([](BlockId b) { return b < 9 || b >= 76; })) TEST_EQUALITY(local_view(*w.x)[i], 0.0);
 }
 
-TEUCHOS_UNIT_TEST(LocalCorrection, APatchThatIsTooLargeIsNotTried) {
+TEUCHOS_UNIT_TEST(StuckStones, APatchThatIsTooLargeIsNotTried) {
   WallAtRest w(0.01);
   const TpetraVector at_rest(*w.x, Teuchos::Copy);
   w.lift(middle, 1e-7);
