@@ -1,8 +1,8 @@
 // cost_of_accuracy: computes one scene with more and more accuracy, and shows what each digit costs.
 #include <algorithm>
 #include <filesystem>
-#include <ostream>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 

@@ -97,17 +97,15 @@ std::vector<double> peaks_of(const std::string& text) {
 
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes",
-                                       "--systems",  "--motions", "--peers",    "--set",
-                                       "--out",      "--draw"};
+  const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes", "--systems",
+                                       "--motions",  "--peers",   "--set",      "--out",   "--draw"};
   for (const auto& [option, value] : options_of("scaling", words, known)) {
     if (option == "--help") a.help = true;
     if (option == "--families") a.families = words_of(option, value, a.families);
     if (option == "--largest") a.largest = count_of(option, value);
     if (option == "--smallest") a.smallest = count_of(option, value);
     if (option == "--modes") a.modes = modes_of(value);
-    if (option == "--systems")
-      a.systems = words_of(option, value, {"blocks", "cells", "contrast", "open", "spread"});
+    if (option == "--systems") a.systems = words_of(option, value, {"blocks", "cells", "contrast", "open", "spread"});
     if (option == "--motions") a.motions = peaks_of(value);
     if (option == "--peers") a.peers = value;
     if (option == "--set") a.overrides.push_back(value);
@@ -144,9 +142,9 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
   const int finest = std::max(1, a.largest / 16);
   const auto push_wall = [&](const std::string& family, int number, double push) {
     for (int finer = 1; a.asks_for(family) && finer <= finest; finer *= 2) {
-      auto scene = scene_of(a, "ferris-tin-loi-wall.xml",
-                            {"mesh/gmsh/geometry/wall=" + std::to_string(number),
-                             "mesh/gmsh/geometry/cells=" + std::to_string(finer)});
+      auto scene = scene_of(
+          a, "ferris-tin-loi-wall.xml",
+          {"mesh/gmsh/geometry/wall=" + std::to_string(number), "mesh/gmsh/geometry/cells=" + std::to_string(finer)});
       StageParameters stage;
       stage.name = "push";
       stage.factors["sideways"] = push;
@@ -167,9 +165,12 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
 /// What shakes the ground along x, by the name of a load and of the stage in which it acts.
 std::vector<std::string> shaken(const std::string& load, const std::string& stage, double peak) {
   const auto in = [](const std::string& where, const std::string& what) { return where + "/" + what; };
-  return {in("loads/" + load, "x record="), in("loads/" + load, "scale=1"),
-          in("loads/" + load, "ax=" + number_text(peak)), in("loads/" + load, "time function/type=sine"),
-          in("loads/" + load, "time function/frequency=2.5"), in("steps/stages/" + stage, "duration=0.4"),
+  return {in("loads/" + load, "x record="),
+          in("loads/" + load, "scale=1"),
+          in("loads/" + load, "ax=" + number_text(peak)),
+          in("loads/" + load, "time function/type=sine"),
+          in("loads/" + load, "time function/frequency=2.5"),
+          in("steps/stages/" + stage, "duration=0.4"),
           in("steps/stages/" + stage, "time step=5e-3")};
 }
 

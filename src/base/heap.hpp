@@ -16,7 +16,7 @@ namespace voussoir {
 /// Blocks that are freed stay with the program, for the next ones. Other C libraries than glibc do as they do.
 inline void keep_freed_memory() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_MAX, 0);  // no block of its own mapping
+  mallopt(M_MMAP_MAX, 0);         // no block of its own mapping
   mallopt(M_TRIM_THRESHOLD, -1);  // [bytes] free at the end of the heap: any number
 #endif
 }

@@ -49,8 +49,7 @@ LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane 
     const auto ke = element_stiffness(cell, cell_positions(block, cell), material, plane, thickness);
     const int n = 2 * cell.count;
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        entry(k, 2 * cell.node[i / 2] + i % 2, 2 * cell.node[j / 2] + j % 2) += ke[i * n + j];
+      for (int j = 0; j < n; ++j) entry(k, 2 * cell.node[i / 2] + i % 2, 2 * cell.node[j / 2] + j % 2) += ke[i * n + j];
   }
   return k;
 }

@@ -30,8 +30,7 @@ ShapeValues quadrilateral_values(const std::array<Vector<2>, 4>& x, const Vector
     dy = dy + x[i][1] * reference[i];
   }
   const double det = cross(dx, dy);
-  for (int i = 0; i < 4; ++i)
-    s.gradient[i] = {cross(reference[i], dy) / det, cross(dx, reference[i]) / det};
+  for (int i = 0; i < 4; ++i) s.gradient[i] = {cross(reference[i], dy) / det, cross(dx, reference[i]) / det};
   s.weight = det;
   return s;
 }

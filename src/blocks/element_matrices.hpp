@@ -14,9 +14,9 @@ namespace voussoir {
 
 /// Shape functions and their gradients at one quadrature point of a cell.
 struct ShapeValues {
-  double weight = 0;                             ///< [m2] quadrature weight times Jacobian
-  std::array<double, 4> value{};                 ///< [-]
-  std::array<Vector<2>, 4> gradient{};           ///< [1/m]
+  double weight = 0;                    ///< [m2] quadrature weight times Jacobian
+  std::array<double, 4> value{};        ///< [-]
+  std::array<Vector<2>, 4> gradient{};  ///< [1/m]
 };
 
 /// Quadrature points of a cell: one for a triangle, 2 x 2 Gauss points for a quadrilateral.

@@ -23,10 +23,10 @@ struct ModelParameters {
 };
 
 struct MaterialParameters {
-  std::string blocks = "all";    ///< a set of blocks; later materials of the scene override earlier ones
-  double young_modulus = 20e9;   ///< [Pa]
-  double poisson_ratio = 0.2;    ///< [-]
-  double density = 2200.0;       ///< [kg/m3]
+  std::string blocks = "all";   ///< a set of blocks; later materials of the scene override earlier ones
+  double young_modulus = 20e9;  ///< [Pa]
+  double poisson_ratio = 0.2;   ///< [-]
+  double density = 2200.0;      ///< [kg/m3]
   void declare(ParameterSection&);
 };
 

@@ -9,8 +9,7 @@ namespace voussoir {
 std::shared_ptr<const LocalCsr> StiffnessOfShapes::of(Block<2> block, const Material& material) {
   const auto first = block.position.front();
   for (auto& x : block.position) x = x - first;
-  std::vector<double> shape{material.young_modulus, material.poisson_ratio,
-                            static_cast<double>(block.position.size())};
+  std::vector<double> shape{material.young_modulus, material.poisson_ratio, static_cast<double>(block.position.size())};
   for (const auto& x : block.position) shape.insert(shape.end(), x.begin(), x.end());
   for (const auto& cell : block.cells) {
     shape.push_back(cell.count);

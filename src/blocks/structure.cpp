@@ -154,8 +154,7 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
     position_[node] = drawn_[node] + motion;
     for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = motion[c];
   }
-  b.stiffness = std::make_shared<const LocalCsr>(
-      block_stiffness(b.mesh, b.material, model_.plane, model_.thickness));
+  b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_.plane, model_.thickness));
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) b.mesh.position[i] = position_[b.first_local + i];
   return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
 }

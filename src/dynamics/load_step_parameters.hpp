@@ -22,8 +22,8 @@ struct StageParameters {
 
 struct LoadStepParameters {
   static constexpr int most_halvings = 30;
-  int largest_halvings = 4;        ///< how often a load step that does not converge is halved
-  bool expect_collapse = false;    ///< true: a collapse found is the aim of the scene, exit code 0
+  int largest_halvings = 4;      ///< how often a load step that does not converge is halved
+  bool expect_collapse = false;  ///< true: a collapse found is the aim of the scene, exit code 0
   void declare(ParameterSection&);
 };
 

@@ -31,8 +31,8 @@ class StepControl {
   /// @param courant_time    [s] passage of a wave through the smallest cell
   /// @param longest         [s] an automatic step
   /// @param tolerance       [-] error of an automatic step
-  StepControl(TimeStepLevel& now, double duration, double fixed, double courant_time, double longest,
-              double tolerance, int largest_halvings)
+  StepControl(TimeStepLevel& now, double duration, double fixed, double courant_time, double longest, double tolerance,
+              int largest_halvings)
       : now_(now),
         duration_(duration),
         automatic_(fixed == 0),

@@ -11,8 +11,7 @@ void TimeParameters::declare(ParameterSection& section) {
               "alpha of the Rayleigh damping alpha M + beta K; slows whole motions", "damping takes energy");
   section.add("stiffness damping", stiffness_damping, "s", at_least(0.0),
               "beta of the Rayleigh damping alpha M + beta K; slows vibrations, the fast ones most",
-              "damping takes energy",
-              "For a share z of the critical damping at the period T give z x T / pi.");
+              "damping takes energy", "For a share z of the critical damping at the period T give z x T / pi.");
   section.add("error tolerance", error_tolerance, "-", above(0.0),
               "error of one automatic time step, relative, energy norm", "an error never vanishes",
               "0.02 resolves impacts, 0.1 gives an impression.");

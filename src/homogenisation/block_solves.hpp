@@ -22,9 +22,9 @@ class BlockSolves {
   long long bytes() const;
 
  private:
-  std::vector<int> unknown_;        ///< owned unknown of each row of the block-diagonal matrix
+  std::vector<int> unknown_;  ///< owned unknown of each row of the block-diagonal matrix
   std::vector<int> block_start_;
-  std::vector<double> weight_;      ///< per row: 1 / sqrt(number of blocks with this unknown)
+  std::vector<double> weight_;  ///< per row: 1 / sqrt(number of blocks with this unknown)
   std::unique_ptr<SparseCholesky> factor_;
   mutable std::vector<double> work_;
 };

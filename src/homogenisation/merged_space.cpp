@@ -58,10 +58,10 @@ MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints<dim>&
   sort_unique(ghosts);
   cluster_.resize(nodes_);
   for (int i = 0; i < nodes_; ++i)
-    cluster_[i] = owned(number[i]) ? static_cast<int>(number[i] - first)
-                                   : owned_clusters_ + static_cast<int>(std::lower_bound(ghosts.begin(), ghosts.end(),
-                                                                                         number[i]) -
-                                                                        ghosts.begin());
+    cluster_[i] = owned(number[i])
+                      ? static_cast<int>(number[i] - first)
+                      : owned_clusters_ + static_cast<int>(std::lower_bound(ghosts.begin(), ghosts.end(), number[i]) -
+                                                           ghosts.begin());
 
   std::vector<GlobalOrdinal> ids;
   for (int k = 0; k < owned_clusters_; ++k)

@@ -36,9 +36,9 @@ class ReleasedRegion {
   void set_pattern(const OwnedRows& h);
 
   const MergedSpace<dim>& space_;
-  std::vector<int> unknown_;        ///< owned ones of the region, ascending
-  int size_ = 0;                    ///< of all ranks, numbered rank by rank
-  int first_ = 0;                   ///< number of the first owned one
+  std::vector<int> unknown_;  ///< owned ones of the region, ascending
+  int size_ = 0;              ///< of all ranks, numbered rank by rank
+  int first_ = 0;             ///< number of the first owned one
   bool pays_ = false;
   std::vector<std::size_t> entry_;  ///< of the owned rows: where in H each entry of the region stands
   LocalCsr matrix_;                 ///< of all ranks

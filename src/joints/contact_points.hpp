@@ -15,11 +15,11 @@ namespace voussoir {
 
 template <int dim>
 struct ContactPoint {
-  PointId id = 0;      ///< the same for any number of ranks: ordered by block i, block j, vertex
-  int node_i = 0;      ///< local node of block i
-  int node_j = 0;      ///< local node of block j
-  int joint = 0;       ///< local number of the joint
-  double area = 0;     ///< [m2] share of the joint, thickness included
+  PointId id = 0;                       ///< the same for any number of ranks: ordered by block i, block j, vertex
+  int node_i = 0;                       ///< local node of block i
+  int node_j = 0;                       ///< local node of block j
+  int joint = 0;                        ///< local number of the joint
+  double area = 0;                      ///< [m2] share of the joint, thickness included
   std::array<Vector<dim>, dim> axis{};  ///< [0] normal, then tangents; orthonormal, right-handed
 };
 

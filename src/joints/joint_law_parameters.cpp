@@ -33,8 +33,8 @@ void JointLawParameters::declare(ParameterSection& section) {
   check("normal stiffness", normal_stiffness);
   check("tangential stiffness", tangential_stiffness);
   section.add("initial gap", initial_gap, "m", at_least(0.0),
-              "opening of these joints at the start; the mesh shows them closed",
-              "blocks do not lie in each other", "Give 0 for blocks that touch.");
+              "opening of these joints at the start; the mesh shows them closed", "blocks do not lie in each other",
+              "Give 0 for blocks that touch.");
 }
 
 }  // namespace voussoir

@@ -11,14 +11,14 @@ class ParameterSection;
 struct JointLawParameters {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double stiffest = 1e13;  ///< [Pa/m] of mortar
-  std::string between = "all";        ///< a set of blocks
-  std::string and_ = "all";           ///< the other set; key "and". Later families override earlier ones
-  double friction_coefficient = 0.6;  ///< [-] may be inf
-  double cohesion = 0.0;              ///< [Pa] shear strength without compression, lost once opened or slipped; inf too
-  double tension_strength = 0.0;      ///< [Pa] lost likewise; may be inf
+  std::string between = "all";              ///< a set of blocks
+  std::string and_ = "all";                 ///< the other set; key "and". Later families override earlier ones
+  double friction_coefficient = 0.6;        ///< [-] may be inf
+  double cohesion = 0.0;          ///< [Pa] shear strength without compression, lost once opened or slipped; inf too
+  double tension_strength = 0.0;  ///< [Pa] lost likewise; may be inf
   /// [Pa/m] of mortar: Young's and shear modulus by its thickness; inf: none
   double normal_stiffness = infinity, tangential_stiffness = infinity;
-  double initial_gap = 0.0;           ///< [m] opening at the start of joints that are drawn closed
+  double initial_gap = 0.0;  ///< [m] opening at the start of joints that are drawn closed
   bool has_mortar() const { return normal_stiffness < infinity || tangential_stiffness < infinity; }
   void declare(ParameterSection&);
 };

@@ -13,12 +13,12 @@
 namespace voussoir {
 
 struct PointOfJoint {
-  Vector<2> position{};    ///< [m]
-  Vector<2> normal{};      ///< unit, from block i to block j
-  double normal_force = 0; ///< [N] compression positive
-  double shear = 0;        ///< [N] along the normal turned by +90 degrees
-  double gap = 0;          ///< [m] > 0 open
-  PointLaw law;            ///< as it is now: what broke has no strength
+  Vector<2> position{};     ///< [m]
+  Vector<2> normal{};       ///< unit, from block i to block j
+  double normal_force = 0;  ///< [N] compression positive
+  double shear = 0;         ///< [N] along the normal turned by +90 degrees
+  double gap = 0;           ///< [m] > 0 open
+  PointLaw law;             ///< as it is now: what broke has no strength
 };
 
 struct JointStatics {
@@ -35,9 +35,9 @@ struct JointStatics {
   /// [-] Share of the strength in shear that is left: 1 without shear, 0 when the whole joint slides; NaN where no
   /// shear could be borne.
   double friction_margin = 0;
-  double opening = 0;       ///< [m] the widest gap, 0 when none is open
-  bool hinge = false;       ///< open at one edge, the resultant at the other
-  bool slides = false;      ///< nothing of its strength in shear is left
+  double opening = 0;   ///< [m] the widest gap, 0 when none is open
+  bool hinge = false;   ///< open at one edge, the resultant at the other
+  bool slides = false;  ///< nothing of its strength in shear is left
 };
 
 /// @param points  of one joint, at least one, in any order

@@ -59,9 +59,7 @@ void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& poin
       if (cluster[points.points()[k].node_i] == cluster[points.points()[k].node_j])
         std::copy_n(before.begin() + dim * k, dim, lambda.begin() + dim * k);
   add_contact_forces(points, before.empty() ? cluster : std::vector<int>{}, lambda, -1.0, carried);
-  const auto share = [&](int k) {
-    return points.points()[k].area * (!open.empty() && open[k] ? share_of_open : 1.0);
-  };
+  const auto share = [&](int k) { return points.points()[k].area * (!open.empty() && open[k] ? share_of_open : 1.0); };
 
   std::vector<TiedPoint> tied;
   for (int k = 0; k < points.size(); ++k) {

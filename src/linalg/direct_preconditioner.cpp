@@ -28,9 +28,8 @@ DirectPreconditioner::DirectPreconditioner(const TpetraMatrix& a) : map_(a.getRo
     }
   }
   entries = all_gather(entries, *map_->getComm());
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return std::tie(x.row, x.column) < std::tie(y.row, y.column);
-  });
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& x, const Entry& y) { return std::tie(x.row, x.column) < std::tie(y.row, y.column); });
   LocalCsr whole;
   const auto end_row = [&whole] { whole.start.push_back(static_cast<int>(whole.column.size())); };
   for (const auto& e : entries) {

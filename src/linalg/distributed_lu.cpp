@@ -60,8 +60,8 @@ MPI_Fint handle_of(const Teuchos::Comm<int>& comm) {
 struct DistributedLu::Data {
   Teuchos::RCP<const TpetraMap> map;
   mutable DMUMPS_STRUC_C mumps{};
-  int first = 0;                 ///< number of the first owned row, rank by rank
-  std::vector<int> row, column;  ///< of every owned entry, counted from 1; empty before the pattern is known
+  int first = 0;                        ///< number of the first owned row, rank by rank
+  std::vector<int> row, column;         ///< of every owned entry, counted from 1; empty before the pattern is known
   bool known = false, ordered = false;  ///< the pattern is, on all ranks
 
   explicit Data(const Teuchos::RCP<const TpetraMap>& m) : map(m) {

@@ -34,8 +34,8 @@ class PreconditionerOperator : public TpetraOperator {
       : m_(std::move(m)), map_(std::move(map)) {}
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return map_; }
   Teuchos::RCP<const TpetraMap> getRangeMap() const override { return map_; }
-  void apply(const TpetraMultiVector& x, TpetraMultiVector& y, Teuchos::ETransp,
-             [[maybe_unused]] double alpha, [[maybe_unused]] double beta) const override {
+  void apply(const TpetraMultiVector& x, TpetraMultiVector& y, Teuchos::ETransp, [[maybe_unused]] double alpha,
+             [[maybe_unused]] double beta) const override {
     VOUSSOIR_EXPECT(alpha == 1.0 && beta == 0.0);
     for (std::size_t j = 0; j < x.getNumVectors(); ++j) m_->apply(*x.getVector(j), *y.getVectorNonConst(j));
   }

@@ -22,9 +22,9 @@ class LinearSolver {
   /// @param largest_iterations  of this solve, where fewer are wanted than the parameters allow; 0 = those
   [[nodiscard]] LinearSolveResult solve(const Teuchos::RCP<const TpetraOperator>& a,
                                         const std::shared_ptr<const Preconditioner>& m,
-                                        const Teuchos::RCP<const TpetraVector>& b,
-                                        const Teuchos::RCP<TpetraVector>& x, double relative_tolerance,
-                                        Symmetry = Symmetry::symmetric, int largest_iterations = 0);
+                                        const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
+                                        double relative_tolerance, Symmetry = Symmetry::symmetric,
+                                        int largest_iterations = 0);
 
  private:
   struct Data;

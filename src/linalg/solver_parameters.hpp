@@ -10,12 +10,12 @@ namespace voussoir {
 class ParameterSection;
 
 struct SolverParameters {
-  std::string method = "CG";         ///< of Belos; must suit symmetric positive definite systems
+  std::string method = "CG";                          ///< of Belos; must suit symmetric positive definite systems
   std::string unsymmetric_method = "FLEXIBLE GMRES";  ///< of Belos, for systems in which friction follows the pressure
   int largest_iterations = 2000;
-  Teuchos::ParameterList belos;      ///< sublist "Belos": overrides what Voussoir sets
+  Teuchos::ParameterList belos;              ///< sublist "Belos": overrides what Voussoir sets
   Teuchos::ParameterList belos_unsymmetric;  ///< sublist "Belos unsymmetric"
-  Teuchos::ParameterList muelu;      ///< sublist "MueLu": overrides what Voussoir sets
+  Teuchos::ParameterList muelu;              ///< sublist "MueLu": overrides what Voussoir sets
   void declare(ParameterSection&);
 };
 

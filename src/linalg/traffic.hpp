@@ -12,12 +12,12 @@ namespace voussoir {
 
 /// What is going on while messages are sent.
 enum class TrafficOf {
-  else_where,      ///< outside of linear solves
-  set_up,          ///< a linear system and its preconditioner
-  krylov,          ///< the Krylov method itself: products with the matrix, and scalar products
-  block_motions,   ///< the sum of the coarse right-hand side, or of that of a released region
-  transfer,        ///< from the selection to the continuum and back
-  continuum        ///< one V-cycle
+  else_where,     ///< outside of linear solves
+  set_up,         ///< a linear system and its preconditioner
+  krylov,         ///< the Krylov method itself: products with the matrix, and scalar products
+  block_motions,  ///< the sum of the coarse right-hand side, or of that of a released region
+  transfer,       ///< from the selection to the continuum and back
+  continuum       ///< one V-cycle
 };
 constexpr int traffic_kinds = 6;
 

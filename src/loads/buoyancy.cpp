@@ -29,8 +29,7 @@ std::array<double, 3> area_below(const std::array<Vector<2>, 3>& x, double level
   for (std::size_t i = 2; i < part.size(); ++i) {
     const double area = cross(part[i - 1] - part[0], part[i] - part[0]) / 2;
     const auto middle = (1.0 / 3) * (part[0] + part[i - 1] + part[i]);
-    for (int k = 0; k < 3; ++k)
-      share[k] += area * cross(x[(k + 1) % 3] - middle, x[(k + 2) % 3] - middle) / whole;
+    for (int k = 0; k < 3; ++k) share[k] += area * cross(x[(k + 1) % 3] - middle, x[(k + 2) % 3] - middle) / whole;
   }
   return share;
 }

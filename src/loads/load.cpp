@@ -22,8 +22,8 @@ std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<
 
 template <int dim>
 PatternLoad<dim>::PatternLoad(const std::vector<double>& unit, Of of) : of_(of) {
-  const auto count = static_cast<std::size_t>(
-      std::count_if(unit.begin(), unit.end(), [](double value) { return value != 0; }));
+  const auto count =
+      static_cast<std::size_t>(std::count_if(unit.begin(), unit.end(), [](double value) { return value != 0; }));
   index_.reserve(count);
   value_.reserve(count);
   for (std::size_t i = 0; i < unit.size(); ++i)

@@ -24,10 +24,10 @@
 namespace voussoir {
 
 /// Every type of load the program knows.
-using LoadKind = std::variant<SelfWeightParameters, AccelerationParameters, TractionParameters, SettlementParameters,
-                              PointLoadParameters, CrowdParameters, GroundMotionParameters, MovingTrainParameters,
-                              EarthPressureParameters, WaterPressureParameters, BuoyancyParameters,
-                              TemperatureParameters>;
+using LoadKind =
+    std::variant<SelfWeightParameters, AccelerationParameters, TractionParameters, SettlementParameters,
+                 PointLoadParameters, CrowdParameters, GroundMotionParameters, MovingTrainParameters,
+                 EarthPressureParameters, WaterPressureParameters, BuoyancyParameters, TemperatureParameters>;
 
 struct LoadParameters {
   std::string name;

@@ -8,9 +8,7 @@
 
 namespace voussoir {
 
-void SelfWeightParameters::declare(ParameterSection& section) {
-  declare_gravity(section, gravity);
-}
+void SelfWeightParameters::declare(ParameterSection& section) { declare_gravity(section, gravity); }
 
 std::string SelfWeightParameters::summary() const { return "self weight, gravity " + number_text(gravity) + " m/s2"; }
 bool SelfWeightParameters::is_zero() const { return gravity == 0; }

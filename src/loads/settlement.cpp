@@ -120,8 +120,7 @@ std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& given, cons
     }
     hold(s, support, set, moved);
   }
-  if (p.rotation != 0 && s.model().rotations == Rotations::finite)
-    return std::make_unique<TurningSupport>(s, p, moves);
+  if (p.rotation != 0 && s.model().rotations == Rotations::finite) return std::make_unique<TurningSupport>(s, p, moves);
   return std::make_unique<PatternLoad<2>>(unit, PatternLoad<2>::Of::displacements);
 }
 

@@ -33,15 +33,15 @@ void add_traction<2>(const Structure<2>& s, const TractionParameters& load, cons
   for (const auto& e : edges_of_set(s, facets)) {
     const Vector<2> traction{factor * (load.tx - load.pressure * e.outward[0]),
                              factor * (load.ty - load.pressure * e.outward[1])};
-    add_along(e, {0, 1}, s.model().thickness, [&](const Vector<2>&) { return traction; }, force);
+    add_along(
+        e, {0, 1}, s.model().thickness, [&](const Vector<2>&) { return traction; }, force);
   }
 }
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const TractionParameters& p, const LoadSite<2>& site) {
-  return pattern_of(site.structure, [&](auto& unit) {
-    add_traction(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit);
-  });
+  return pattern_of(site.structure,
+                    [&](auto& unit) { add_traction(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit); });
 }
 
 }  // namespace voussoir

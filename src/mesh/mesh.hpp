@@ -33,12 +33,12 @@ struct TaggedFacet {
 template <int dim>
 struct Block {
   BlockId id = -1;
-  std::string name;                    ///< for messages: "block 17 (course 3, stone 2)"
-  std::vector<Vector<dim>> position;   ///< [m] per node
-  std::vector<VertexId> vertex;        ///< per node; equal for coincident nodes of touching blocks
+  std::string name;                   ///< for messages: "block 17 (course 3, stone 2)"
+  std::vector<Vector<dim>> position;  ///< [m] per node
+  std::vector<VertexId> vertex;       ///< per node; equal for coincident nodes of touching blocks
   std::vector<Cell> cells;
-  std::vector<TaggedFacet> facets;     ///< only those in a named set
-  std::vector<int> sets;               ///< indices into BlockSource::block_sets(), ascending
+  std::vector<TaggedFacet> facets;  ///< only those in a named set
+  std::vector<int> sets;            ///< indices into BlockSource::block_sets(), ascending
 };
 
 /// Which blocks share vertices, in compressed rows: neighbours of block b are

@@ -13,10 +13,10 @@ class ParameterSection;
 enum class CellType { triangle, quadrilateral };
 
 struct GmshParameters {
-  std::string file;              ///< .geo or .msh (format 4.1); a scene that was read holds an absolute path
-  double unit = 1.0;             ///< [m] length that the file calls 1
-  double element_size = 0.0;     ///< [m] the number `element_size` of the .geo or gmsh's mesh size; 0 = the file's own
-  CellType cells = CellType::triangle;  ///< quadrilateral: passed to the .geo as `recombine` = 1
+  std::string file;           ///< .geo or .msh (format 4.1); a scene that was read holds an absolute path
+  double unit = 1.0;          ///< [m] length that the file calls 1
+  double element_size = 0.0;  ///< [m] the number `element_size` of the .geo or gmsh's mesh size; 0 = the file's own
+  CellType cells = CellType::triangle;     ///< quadrilateral: passed to the .geo as `recombine` = 1
   std::map<std::string, double> geometry;  ///< further numbers set in the .geo, by name, in its units
   void declare(ParameterSection&);
 };
@@ -45,15 +45,15 @@ struct WallParameters {
 /// Block sets: "ring", "pier left", "pier right"; facet sets: "springing left", "springing right"
 /// (the lowest faces: of the ring, or of the piers where there are any), "extrados", "intrados".
 struct ArchParameters {
-  double radius = 5.0;         ///< [m] of the middle line
-  double thickness = 1.0;      ///< [m] radial
-  double embrace = 180.0;      ///< [degree]
+  double radius = 5.0;     ///< [m] of the middle line
+  double thickness = 1.0;  ///< [m] radial
+  double embrace = 180.0;  ///< [degree]
   int voussoirs = 31;
   int cells_radial = 4;
-  int cells_along = 2;         ///< circumferential cells of a voussoir
+  int cells_along = 2;  ///< circumferential cells of a voussoir
   CellType cells = CellType::quadrilateral;
-  double pier_height = 0.0;    ///< [m] 0 = no piers (stilts); only with an embrace of 180 degrees
-  int pier_courses = 4;        ///< blocks a pier is made of
+  double pier_height = 0.0;  ///< [m] 0 = no piers (stilts); only with an embrace of 180 degrees
+  int pier_courses = 4;      ///< blocks a pier is made of
   void declare(ParameterSection&);
 };
 

@@ -160,8 +160,7 @@ std::vector<VertexId> vertices_of_nodes(const SurfaceMesh& mesh) {
       for (auto other = std::lower_bound(places.begin(), places.end(), first);
            other != places.end() && other->column == first.column && other->row <= place.row + 1; ++other) {
         const double distance = norm(mesh.position[other->node] - mesh.position[place.node]);
-        if (distance <= std::min(within(place.node), within(other->node)))
-          classes.unite(place.node, other->node);
+        if (distance <= std::min(within(place.node), within(other->node))) classes.unite(place.node, other->node);
       }
     }
 

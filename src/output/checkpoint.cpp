@@ -97,8 +97,7 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
   const int wrong = !std::all_of(stored.begin(), stored.end(), [](Stored v) { return std::isfinite(double(v)); });
   int wrong_anywhere = 0;
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, wrong, Teuchos::outArg(wrong_anywhere));
-  if (wrong_anywhere)
-    throw ResourceError(cannot_read(path_, name + " with a number that is not finite"));
+  if (wrong_anywhere) throw ResourceError(cannot_read(path_, name + " with a number that is not finite"));
 }
 
 void Checkpoint::publish() {

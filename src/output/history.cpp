@@ -105,7 +105,8 @@ std::string History::heading(const std::vector<std::string>& further) {
   for (const Column& c : columns) line += (line.empty() ? "" : ",") + std::string(c.name);
   for (std::string name : further) {
     // A name may hold anything; a row is a line.
-    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
     line += ',' + field(name);
   }
   return line;

@@ -15,23 +15,23 @@ namespace voussoir {
 struct HistoryRow {
   int step = 0;
   std::string stage;
-  double load_factor = 0.0;  ///< of the stage, 0..1
+  double load_factor = 0.0;                                ///< of the stage, 0..1
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] at the end of a time step
   long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;
   int selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
-  int failed_linear_solves = 0;  ///< of the linear solves, those that ended short of the accuracy asked for
-  int patch_solves = 0;  ///< linear solves of patches of blocks
+  int failed_linear_solves = 0;           ///< of the linear solves, those that ended short of the accuracy asked for
+  int patch_solves = 0;                   ///< linear solves of patches of blocks
   double complementarity_residual = 0.0;  ///< [-]
   double largest_penetration = 0.0;       ///< [m]
   double error_estimate = 0.0;            ///< [-] relative, energy norm
   double elastic = 0.0, kinetic = 0.0;    ///< [J] stored at the end of the step
   double external_work = 0.0;             ///< [J] since the start, like friction, fracture and imbalance
   double friction = 0.0, fracture = 0.0, damping = 0.0;  ///< [J]
-  double imbalance = 0.0;                 ///< [J] what the energy book cannot explain
-  double imbalance_in_time = 0.0;         ///< [J] the part of it that arose in time steps
-  double largest_displacement = 0.0;      ///< [m]
+  double imbalance = 0.0;                                ///< [J] what the energy book cannot explain
+  double imbalance_in_time = 0.0;                        ///< [J] the part of it that arose in time steps
+  double largest_displacement = 0.0;                     ///< [m]
   double seconds = 0.0;
-  std::vector<double> observed;           ///< a value for each further column
+  std::vector<double> observed;  ///< a value for each further column
 };
 
 class History {

@@ -9,16 +9,16 @@ namespace voussoir {
 /// A row; plain data, so that ranks can exchange it. Forces are those of block i on block j.
 struct JointRow {
   int block_i = 0, block_j = 0;
-  double x = 0, y = 0;                        ///< [m] middle of the joint
-  double length = 0;                          ///< [m]
-  double force_x = 0, force_y = 0;            ///< [N]
-  double normal_force = 0, shear = 0;         ///< [N] compression positive; along the joint
-  double through_x = 0, through_y = 0;        ///< [m] where the resultant crosses the joint; NaN without compression
-  double eccentricity = 0;                    ///< [m] from the middle; NaN without compression
-  double edge_margin = 0;                     ///< [-] 0.5 in the middle, 0 at the edge; NaN without compression
-  double friction_margin = 0;                 ///< [-] 1 without shear, 0 sliding; NaN where none could be borne
-  double opening = 0;                         ///< [m] widest
-  int hinge = 0, slides = 0;                  ///< 0 or 1
+  double x = 0, y = 0;                  ///< [m] middle of the joint
+  double length = 0;                    ///< [m]
+  double force_x = 0, force_y = 0;      ///< [N]
+  double normal_force = 0, shear = 0;   ///< [N] compression positive; along the joint
+  double through_x = 0, through_y = 0;  ///< [m] where the resultant crosses the joint; NaN without compression
+  double eccentricity = 0;              ///< [m] from the middle; NaN without compression
+  double edge_margin = 0;               ///< [-] 0.5 in the middle, 0 at the edge; NaN without compression
+  double friction_margin = 0;           ///< [-] 1 without shear, 0 sliding; NaN where none could be borne
+  double opening = 0;                   ///< [m] widest
+  int hinge = 0, slides = 0;            ///< 0 or 1
 };
 
 /// Text of the file; a number that is not finite is an empty field.

@@ -31,9 +31,14 @@ const char* word(Outcome outcome) {
 }
 
 Json energy_book(const EnergySummary& energy) {
-  return {{"elastic_J", energy.elastic},   {"kinetic_J", energy.kinetic},   {"external_work_J", energy.external_work},
-          {"friction_J", energy.friction}, {"fracture_J", energy.fracture}, {"damping_J", energy.damping},
-          {"imbalance_J", energy.imbalance}, {"imbalance_in_time_J", energy.imbalance_in_time}};
+  return {{"elastic_J", energy.elastic},
+          {"kinetic_J", energy.kinetic},
+          {"external_work_J", energy.external_work},
+          {"friction_J", energy.friction},
+          {"fracture_J", energy.fracture},
+          {"damping_J", energy.damping},
+          {"imbalance_J", energy.imbalance},
+          {"imbalance_in_time_J", energy.imbalance_in_time}};
 }
 
 Json load_factor_search(const CollapseSummary& c) {
@@ -113,8 +118,7 @@ std::string result_json(const RunSummary& run) {
   json["failed_linear_solves"] = run.failed_linear_solves;
   json["krylov_iterations"] = run.krylov_iterations;
   json["patch_solves"] = run.patch_solves;
-  json["factorisations"] = {
-      {"made", run.factorised}, {"whole", run.factorised_whole}, {"reused", run.factors_reused}};
+  json["factorisations"] = {{"made", run.factorised}, {"whole", run.factorised_whole}, {"reused", run.factors_reused}};
   json["largest_penetration_m"] = run.largest_penetration;
   json["complementarity_residual"] = run.complementarity_residual;
   json["error_estimate"] = run.error_estimate;

@@ -42,8 +42,8 @@ struct CollapseSummary {
   double upper = 0;                       ///< [-] smallest that collapses; infinite when none was found
   bool sharp = true;                      ///< no factor between them was tried without a decision
   std::vector<Attempt> attempts;
-  double certified = 0;            ///< [-] none can stand above it, by the static theorem; infinite: nothing is known
-  double estimate = 0;             ///< [-] of rigid limit analysis without dilatancy; infinite: none
+  double certified = 0;  ///< [-] none can stand above it, by the static theorem; infinite: nothing is known
+  double estimate = 0;   ///< [-] of rigid limit analysis without dilatancy; infinite: none
 };
 
 /// What rigid limit analysis alone says of the loads of a scene.
@@ -84,10 +84,10 @@ struct PartitionSummary {
 
 /// An effect the program knows, and what it cost.
 struct EffectSummary {
-  bool in_play = false;   ///< the scene names it
-  long long calls = 0;    ///< how often it was asked, all ranks
-  double seconds = 0;     ///< to make and to ask it, slowest rank
-  long long bytes = 0;    ///< held for it, all ranks
+  bool in_play = false;  ///< the scene names it
+  long long calls = 0;   ///< how often it was asked, all ranks
+  double seconds = 0;    ///< to make and to ask it, slowest rank
+  long long bytes = 0;   ///< held for it, all ranks
 };
 
 /// The same numbers on every rank, those of the whole structure; counts are sums over all steps unless a word says so.
@@ -102,7 +102,7 @@ struct RunSummary {
   double time = 0.0;  ///< [s] of stages with duration
   long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
   long long failed_linear_solves = 0;  ///< of the linear solves, those that ended short of the accuracy asked for
-  long long patch_solves = 0;  ///< linear solves of patches of blocks
+  long long patch_solves = 0;          ///< linear solves of patches of blocks
   /// Preconditioners that were factored for a linear solve, systems that were factored whole, factors used again.
   long long factorised = 0, factorised_whole = 0, factors_reused = 0;
   double largest_penetration = 0.0;       ///< [m] largest of all steps

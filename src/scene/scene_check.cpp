@@ -89,8 +89,7 @@ void check_load_factor(Scene& scene, InputProblems& problems) {
     if (load == scene.loads.end() && !loads.empty())
       problems.add(path + " > " + name, " = " + number_text(share) + " [-]\n  names no load of this scene" +
                                             did_you_mean(name, loads) + ".\n  Loads: " + list_of(loads) + ".");
-    if (load != scene.loads.end() && load_as<SettlementParameters>(*load) &&
-        scene.model.rotations == Rotations::small)
+    if (load != scene.loads.end() && load_as<SettlementParameters>(*load) && scene.model.rotations == Rotations::small)
       scene.warnings.push_back("load factor: " + in_quotes(name) +
                                " moves a support. Displacements are small ones, so what is sought is the movement at "
                                "which the structure as drawn stands no more, not as it leans by then. Give model > "
@@ -102,8 +101,9 @@ void check_load_factor(Scene& scene, InputProblems& problems) {
       problems.add(path, " is given\n  but stage " + in_quotes(stage.name) +
                              " has a duration (a load factor is one of statics).\n  Leave one of the two out.");
   if (scene.selection.mode == SelectionMode::bonded)
-    problems.add(path, " is given\n  but selection > mode = \"bonded\" (what is bonded does not collapse).\n"
-                       "  Give adaptive or all.");
+    problems.add(path,
+                 " is given\n  but selection > mode = \"bonded\" (what is bonded does not collapse).\n"
+                 "  Give adaptive or all.");
 }
 
 void check_velocities(Scene& scene) {
@@ -165,12 +165,14 @@ void check_construction(const Scene& scene, InputProblems& problems) {
   for (const StageParameters& stage : scene.stages)
     if (!scene.construction.empty() && stage.dynamic())
       problems.add("scene > steps > stages > " + stage.name + " > duration",
-                   " = " + number_text(stage.duration) + " [s]\n  does not go with construction stages (time steps "
-                   "do not know of blocks that are not there).\n  Build in a scene of its own.");
+                   " = " + number_text(stage.duration) +
+                       " [s]\n  does not go with construction stages (time steps "
+                       "do not know of blocks that are not there).\n  Build in a scene of its own.");
   if (!scene.construction.empty() && scene.selection.mode == SelectionMode::bonded)
-    problems.add("scene > selection > mode", " = \"bonded\"\n  does not go with construction stages (a joint that is "
-                                             "born later cannot be tied to where its blocks once were).\n"
-                                             "  Give adaptive or all.");
+    problems.add("scene > selection > mode",
+                 " = \"bonded\"\n  does not go with construction stages (a joint that is "
+                 "born later cannot be tied to where its blocks once were).\n"
+                 "  Give adaptive or all.");
 }
 
 /// Stones that turn far do so in load steps alone.
@@ -179,15 +181,18 @@ void check_rotations(const Scene& scene, InputProblems& problems) {
   const std::string key = "scene > model > rotations", value = " = \"finite\"\n  does not go with ";
   for (const StageParameters& stage : scene.stages)
     if (stage.dynamic())
-      problems.add(key, value + "stage " + in_quotes(stage.name) + ", which has a duration (time steps know of small "
-                                "rotations only).\n  Give \"small\", or leave the duration out.");
+      problems.add(key, value + "stage " + in_quotes(stage.name) +
+                            ", which has a duration (time steps know of small "
+                            "rotations only).\n  Give \"small\", or leave the duration out.");
   if (!scene.construction.empty())
-    problems.add(key, value + "construction stages (stones that are not there yet cannot be followed).\n"
-                              "  Give \"small\", or leave the construction out.");
+    problems.add(key, value +
+                          "construction stages (stones that are not there yet cannot be followed).\n"
+                          "  Give \"small\", or leave the construction out.");
   for (const auto& load : scene.loads)
     if (load_as<TemperatureParameters>(load))
-      problems.add(key, value + "load " + in_quotes(load.name) + " (heat presses along the axes of the drawing).\n"
-                                "  Give \"small\", or leave this load out.");
+      problems.add(key, value + "load " + in_quotes(load.name) +
+                            " (heat presses along the axes of the drawing).\n"
+                            "  Give \"small\", or leave this load out.");
 }
 
 void check_mortar(const Scene& scene, InputProblems& problems) {
@@ -203,8 +208,9 @@ void check_mortar(const Scene& scene, InputProblems& problems) {
                                ", which has a duration (time steps do not know of mortar).\n"
                                "  Leave the stiffness or the duration out.");
     if (scene.selection.mode == SelectionMode::bonded)
-      problems.add(path, value + "  does not go with selection > mode = \"bonded\" (a bond is rigid).\n"
-                                 "  Give adaptive or all.");
+      problems.add(path, value +
+                             "  does not go with selection > mode = \"bonded\" (a bond is rigid).\n"
+                             "  Give adaptive or all.");
   }
 }
 

@@ -28,16 +28,14 @@ std::vector<Effect> effects_of(const Scene& scene) {
   joints("friction", &JointLawParameters::friction_coefficient);
   joints("cohesion", &JointLawParameters::cohesion);
   joints("tension strength", &JointLawParameters::tension_strength);
-  effects.push_back({"joint stiffness", names_with(scene.joints, [](const auto& j) {
-                       return j.parameters.has_mortar();
-                     })});
+  effects.push_back(
+      {"joint stiffness", names_with(scene.joints, [](const auto& j) { return j.parameters.has_mortar(); })});
   const auto in_time = names_with(scene.stages, [](const StageParameters& stage) { return stage.dynamic(); });
   const bool damped = scene.time.mass_damping > 0 || scene.time.stiffness_damping > 0;
   effects.push_back({"inertia", in_time});
   effects.push_back({"damping", damped ? in_time : ""});
-  effects.push_back({"initial velocities", in_time.empty() ? "" : names_with(scene.velocities, [](const auto&) {
-                       return true;
-                     })});
+  effects.push_back(
+      {"initial velocities", in_time.empty() ? "" : names_with(scene.velocities, [](const auto&) { return true; })});
   effects.push_back({"construction", names_with(scene.construction, [](const auto&) { return true; })});
   return effects;
 }

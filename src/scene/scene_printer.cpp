@@ -70,8 +70,7 @@ std::string stage_text(const StageParameters& stage) {
 
 std::string load_factor_text(const LoadFactorParameters& p) {
   std::string text;
-  for (const auto& [load, share] : p.pattern)
-    text += (text.empty() ? "" : " + ") + number_text(share) + " x " + load;
+  for (const auto& [load, share] : p.pattern) text += (text.empty() ? "" : " + ") + number_text(share) + " x " + load;
   return text + " raised from " + number_text(p.first) + " until no equilibrium exists, at most to " +
          number_text(p.largest) + ", accuracy " + number_text(p.accuracy);
 }

@@ -14,7 +14,7 @@ struct SelectionParameters {
   bool whole_joints = true;       ///< release all points of the joint of a marked point
   double largest_share = 0.5;     ///< [-] share of selected points above which all are selected
   int largest_rounds = 50;
-  int rest = 10;                  ///< time steps of rest after which a point is bonded again; 0 = never
+  int rest = 10;  ///< time steps of rest after which a point is bonded again; 0 = never
   void declare(ParameterSection&);
 };
 

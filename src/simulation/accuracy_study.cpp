@@ -181,14 +181,15 @@ void AccuracyStudy::sweep_element_size(std::vector<double> factors, double affor
   for (std::size_t k = first; k < rows_.size(); ++k) {
     if (!solved(rows_[k])) continue;
     rows_[k].error_energy = std::sqrt(std::abs(rows_[k].energy - best.energy) / best.energy);
-    rows_[k].error_displacement = std::abs(rows_[k].largest_displacement - best.largest_displacement) /
-                                  best.largest_displacement;
+    rows_[k].error_displacement =
+        std::abs(rows_[k].largest_displacement - best.largest_displacement) / best.largest_displacement;
   }
   write();
 }
 
 void AccuracyStudy::begin(const std::string& what) const {
-  say_ << "\n" << what << "\n  mode      threshold  size [m]  unknowns  selected      candidates  error      estimate"
+  say_ << "\n"
+       << what << "\n  mode      threshold  size [m]  unknowns  selected      candidates  error      estimate"
        << "   solves  krylov  seconds  outcome\n";
 }
 

@@ -27,22 +27,22 @@ namespace voussoir {
 /// One run of a study and what it is worth; unknown numbers are NaN.
 struct AccuracyRow {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::string sweep;                    ///< "selection" or "element size"
-  std::string mode;                     ///< "bonded", "adaptive" or "all"
-  double threshold = unknown;           ///< [-] error tolerance of an adaptive run
-  double element_size = unknown;        ///< [m] longest side of the cells, or as asked of gmsh
+  std::string sweep;              ///< "selection" or "element size"
+  std::string mode;               ///< "bonded", "adaptive" or "all"
+  double threshold = unknown;     ///< [-] error tolerance of an adaptive run
+  double element_size = unknown;  ///< [m] longest side of the cells, or as asked of gmsh
   long long blocks = 0;
-  long long unknowns = 0;               ///< of the linear systems, after the last selection
+  long long unknowns = 0;  ///< of the linear systems, after the last selection
   long long candidate_points = 0, selected_points = 0;
   double error_energy = unknown;        ///< [-]
   double error_displacement = unknown;  ///< [-]
   double estimate = unknown;            ///< [-] the program's own: the largest of all load steps
   double seconds = 0;                   ///< from mesh to solution, the slowest rank
   long long linear_solves = 0, krylov_iterations = 0;
-  std::string outcome;                  ///< "equilibrium", "collapse", "not converged" or "refused"
-  double last_estimate = unknown;       ///< [-] of the last load step
+  std::string outcome;                    ///< "equilibrium", "collapse", "not converged" or "refused"
+  double last_estimate = unknown;         ///< [-] of the last load step
   double largest_displacement = unknown;  ///< [m]
-  double energy = unknown;              ///< [J] elastic
+  double energy = unknown;                ///< [J] elastic
 };
 
 class AccuracyStudy {

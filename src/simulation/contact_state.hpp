@@ -28,9 +28,9 @@ struct ContactState {
   std::vector<double> velocity;      ///< [m/s] like displacement; empty before time begins
   std::vector<double> acceleration;  ///< [m/s2] mean of the last time step, for errors; empty likewise
   std::vector<double> acceleration_before;  ///< [m/s2] of the time step before it
-  double largest_energy = 0;         ///< [J] of the structure since time began, what that error is relative to
-  FastWay fast_way;                  ///< what the nonlinear solver remembers
-  Rest rest;                         ///< of points in time steps
+  double largest_energy = 0;                ///< [J] of the structure since time began, what that error is relative to
+  FastWay fast_way;                         ///< what the nonlinear solver remembers
+  Rest rest;                                ///< of points in time steps
 };
 
 /// What a point does; one that is not selected is held by ties.

@@ -31,7 +31,8 @@ Scene with_element_size(Scene scene, double factor) {
                      "\n  is a finished mesh, whose element size cannot be changed.\n"
                      "  Give the geometry (.geo) it was made from, or leave this sweep out: --sizes=none.");
   if (mesh.gmsh.element_size == 0)
-    throw InputError(scene.file + ": scene > mesh > gmsh > element size = 0 [m]\n"
+    throw InputError(scene.file +
+                     ": scene > mesh > gmsh > element size = 0 [m]\n"
                      "  leaves the size to the file, so that it cannot be multiplied.\n"
                      "  Give the size in the scene or with --set, or leave this sweep out: --sizes=none.");
   mesh.gmsh.element_size *= factor;

@@ -76,8 +76,7 @@ std::vector<double> predicted_decrease(const TiedViolations& violations, const s
 
 double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, double largest,
                          const Teuchos::Comm<int>& comm) {
-  const double sum =
-      total_over_ranks(comm, std::accumulate(predicted_decrease.begin(), predicted_decrease.end(), 0.0));
+  const double sum = total_over_ranks(comm, std::accumulate(predicted_decrease.begin(), predicted_decrease.end(), 0.0));
   return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest;
 }
 
@@ -89,9 +88,9 @@ std::vector<char> open_points(const Model<dim>& model) {
 }
 
 template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const PointLaws& law,
-                   const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations,
-                   const std::vector<double>& load, const std::vector<double>& prescribed) {
+TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const PointLaws& law, const ContactState& state,
+                   const std::vector<int>& cluster, const TiedViolations& violations, const std::vector<double>& load,
+                   const std::vector<double>& prescribed) {
   if (violations.largest == 0) return {};
   auto released = state.selected;
   release_violating(parts.points, cluster, violations, released);

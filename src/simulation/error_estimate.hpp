@@ -67,12 +67,12 @@ template <int dim>
 double largest_normal_force(const Model<dim>&, const PointField& lambda);
 
 extern template double largest_normal_force<2>(const Model<2>&, const PointField&);
-extern template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&,
-                                                  const ContactState&, const std::vector<int>&);
+extern template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
+                                                  const std::vector<int>&);
 extern template std::vector<char> open_points<2>(const Model<2>&);
-extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&,
-                                      const ContactState&, const std::vector<int>&, const TiedViolations&,
-                                      const std::vector<double>&, const std::vector<double>&);
+extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&, const ContactState&,
+                                      const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
+                                      const std::vector<double>&);
 extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double,
                                          double);
 

@@ -18,7 +18,8 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
     if (turned <= numbers.negligible_turn) return report;
     if (round == numbers.rounds_of_rotations) {
       report.newton.outcome = NewtonOutcome::not_converged;
-      report.newton.reason = "stones turn by " + number_text(turned) + " rad each time they are followed to where they "
+      report.newton.reason = "stones turn by " + number_text(turned) +
+                             " rad each time they are followed to where they "
                              "have turned to; smaller load steps may find where they stand";
       break;
     }

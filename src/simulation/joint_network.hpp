@@ -10,10 +10,10 @@ namespace voussoir {
 
 /// A joint as a spring against parting, sliding and turning at its middle.
 struct NetworkJoint {
-  int i = -1, j = -1;                   ///< stones; -1 for what does not move
-  Vector<2> arm_i{}, arm_j{};           ///< [m] from the centres of the stones to the middle of the joint
-  Vector<2> normal{};                   ///< unit, from i to j
-  std::array<double, 3> stiffness{};    ///< of parting, sliding, turning; joints without bear nothing
+  int i = -1, j = -1;                 ///< stones; -1 for what does not move
+  Vector<2> arm_i{}, arm_j{};         ///< [m] from the centres of the stones to the middle of the joint
+  Vector<2> normal{};                 ///< unit, from i to j
+  std::array<double, 3> stiffness{};  ///< of parting, sliding, turning; joints without bear nothing
 };
 
 /// Normal force (compression > 0), shear along the normal turned by +90 degrees and moment on stone j.

@@ -114,19 +114,18 @@ class LimitRun {
     if (limit.verdict == LimitVerdict::limited) {
       found.certified = found.upper = limit.factor;
       if (const auto estimate = limits.without_dilatancy(search.largest, limit)) found.estimate = *estimate;
-      summary.message = "above " + six_digits(limit.factor) +
-                        " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip "
-                        "dilates stand up to there" +
-                        (std::isfinite(found.estimate)
-                             ? ", an estimate where it does not is " + six_digits(found.estimate)
-                             : "");
+      summary.message =
+          "above " + six_digits(limit.factor) +
+          " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip "
+          "dilates stand up to there" +
+          (std::isfinite(found.estimate) ? ", an estimate where it does not is " + six_digits(found.estimate) : "");
       falls(limits, limit, limit.factor);
     } else if (limit.verdict == LimitVerdict::unlimited) {
       found.lower = search.largest;
-      summary.message += "; so they do at " +
-                         (limits.borne_at_any_factor()
-                              ? std::string("any factor of the pattern, since joints balance it alone")
-                              : six_digits(search.largest) + " times the pattern, the largest asked for");
+      summary.message +=
+          "; so they do at " + (limits.borne_at_any_factor()
+                                    ? std::string("any factor of the pattern, since joints balance it alone")
+                                    : six_digits(search.largest) + " times the pattern, the largest asked for");
     } else {
       summary.outcome = Outcome::not_converged;
       summary.message += "; how far the pattern can be raised could not be solved exactly enough";

@@ -160,8 +160,8 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
 
 void LoadFactorAnalysis::judge(const Attempting& run) {
   auto& summary = run.recorder.summary();
-  summary.collapse = CollapseSummary{p_.pattern, search_.lower(), search_.upper(), search_.sharp(), {},
-                                     search_.certified(), search_.guess()};
+  summary.collapse = CollapseSummary{p_.pattern, search_.lower(),     search_.upper(), search_.sharp(),
+                                     {},         search_.certified(), search_.guess()};
   constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
   for (const auto& a : search_.attempts())
     summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});

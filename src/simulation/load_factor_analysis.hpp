@@ -90,11 +90,11 @@ class LoadFactorAnalysis {
   LoadFactorParameters p_;
   FactorSearch search_;
   bool asked_theorem_ = false;
-  std::vector<double> limit_mechanism_;  ///< that proves the limit, on node copies
-  PointField limit_lambda_;              ///< [N] forces that balance loads there
-  int most_solves_ = 0;  ///< linear solves of the dearest attempt that stands
+  std::vector<double> limit_mechanism_;                    ///< that proves the limit, on node copies
+  PointField limit_lambda_;                                ///< [N] forces that balance loads there
+  int most_solves_ = 0;                                    ///< linear solves of the dearest attempt that stands
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range
-  std::string beyond_;                                      ///< why that is; empty when there is none
+  std::string beyond_;                                     ///< why that is; empty when there is none
   std::vector<double> mechanism_;  ///< of the smallest factor that collapses with a clear one, on node copies
   ContactState failed_;            ///< forces and selection there
 };

@@ -77,8 +77,12 @@ EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vect
   elastic += model_.mortar_energy(after.lambda);
   const auto points = of_points(after);
   const auto& comm = *s.comm();
-  return {total_over_ranks(comm, elastic),         0, total_over_ranks(comm, work + points.to_work),
-          total_over_ranks(comm, points.friction), total_over_ranks(comm, points.fracture), 0};
+  return {total_over_ranks(comm, elastic),
+          0,
+          total_over_ranks(comm, work + points.to_work),
+          total_over_ranks(comm, points.friction),
+          total_over_ranks(comm, points.fracture),
+          0};
 }
 
 template class LoadStepBook<2>;

@@ -88,8 +88,7 @@ void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
   for (; !steps.finished() && row.outcome == "done"; steps.accept()) {
     if (!steps.dynamic()) {
       model.loads(steps.factors(), 0.0, load, prescribed);
-      if (!advance(at_rest, state, {load, prescribed}).converged())
-        row.outcome = "not converged";
+      if (!advance(at_rest, state, {load, prescribed}).converged()) row.outcome = "not converged";
       continue;
     }
     if (!in_motion(*comm_, state)) {

@@ -25,10 +25,10 @@ struct MotionRow {
   double selected = 0;  ///< points, after a step
   double changed = 0;   ///< points that open, close, begin or cease to slip, are released or bonded in a step
   double seconds = 0, solves = 0, krylov = 0;  ///< of a step; solves with those of estimates
-  double in_bonded = 0;         ///< [-] seconds by those of a bonded step
-  double krylov_in_bonded = 0;  ///< [-]
-  double estimate = 0;          ///< [-] largest of all steps
-  std::string outcome;          ///< "done" or "not converged"
+  double in_bonded = 0;                        ///< [-] seconds by those of a bonded step
+  double krylov_in_bonded = 0;                 ///< [-]
+  double estimate = 0;                         ///< [-] largest of all steps
+  std::string outcome;                         ///< "done" or "not converged"
 };
 
 class MotionStudy {

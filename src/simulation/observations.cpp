@@ -55,8 +55,7 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
   for (const auto& [name, p] : scene.observations) {
     std::vector<char> observed(s.nodes(), 0);
     for (const auto& b : s.blocks())
-      if (in_set(source, b.mesh, p.blocks))
-        std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
+      if (in_set(source, b.mesh, p.blocks)) std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
     const std::string where = scene.file + ": scene > observations > " + name;
     places_.push_back(p.place == ObservationParameters::Place::mean ? mean_of(s, observed)
                                                                     : node_near(p, where, s, observed));

@@ -28,8 +28,9 @@ void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const 
   for (const auto& load : scene.loads) factors[load.name] = 1.0;
   std::vector<double> force(2 * structure.nodes()), prescribed(force.size());
   loads.add(factors, 0.0, force, prescribed);
-  say << "effects\n" << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16)
-      << "[s] per step" << "\n";
+  say << "effects\n"
+      << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16) << "[s] per step"
+      << "\n";
   int absent = 0;
   for (const auto& [name, cost] : effect_costs(scene, loads, structure, points.size())) {
     const auto before = made.find(name);
@@ -56,8 +57,12 @@ void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RC
   std::vector<int> owner(source.block_count());
   for (BlockId b = 0; b < source.block_count(); ++b)  // equal shares are enough for counting
     owner[b] = static_cast<int>(static_cast<long long>(b) * comm->getSize() / source.block_count());
-  const Structure<2> structure(source, owner, scene.model, [](const Block<2>&) { return Material{1.0, 0.0, 1.0}; },
-                               comm);
+  const Structure<2> structure(
+      source, owner, scene.model,
+      [](const Block<2>&) {
+        return Material{1.0, 0.0, 1.0};
+      },
+      comm);
   const ContactPoints<2> points(source, structure);
   int load_steps = 0;
   int time_steps = 0;

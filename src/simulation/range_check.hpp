@@ -20,11 +20,11 @@ namespace voussoir {
 /// What is looked at: a state at the end of a step.
 struct StepEnd {
   const ContactState& state;
-  const std::vector<double>& load;   ///< [N] on node copies
-  const std::vector<char>& absent;   ///< per local block; empty when all are there
-  std::string when;                  ///< stage and load factor or time, for the reader
+  const std::vector<double>& load;  ///< [N] on node copies
+  const std::vector<char>& absent;  ///< per local block; empty when all are there
+  std::string when;                 ///< stage and load factor or time, for the reader
   bool in_time = false;
-  bool outlines = true;              ///< whether outlines of stones are compared too
+  bool outlines = true;  ///< whether outlines of stones are compared too
 };
 
 /// What a step leaves open; the same on every rank.
@@ -46,8 +46,7 @@ std::string at_factor(const std::string& stage, double);
 class RangeCheck {
  public:
   /// @param warn  where warnings go
-  RangeCheck(const Model<2>& model, std::function<void(const Warning&)> warn)
-      : model_(model), warn_(std::move(warn)) {}
+  RangeCheck(const Model<2>& model, std::function<void(const Warning&)> warn) : model_(model), warn_(std::move(warn)) {}
 
   /// Warns of what a step leaves open; why it would be a mistake to carry on, empty when it is none. Collective.
   std::string beyond(const StepEnd&);
@@ -55,9 +54,9 @@ class RangeCheck {
  private:
   /// What is measured once, of this rank's owned blocks and joints and of the whole.
   struct Sizes {
-    std::vector<double> shortest_side;   ///< [m] per owned block, of its cells
-    double smallest_side = 0;            ///< [m] of the structure
-    double smallest_half_joint = 0;      ///< [m] of the structure
+    std::vector<double> shortest_side;  ///< [m] per owned block, of its cells
+    double smallest_side = 0;           ///< [m] of the structure
+    double smallest_half_joint = 0;     ///< [m] of the structure
   };
   void measure();
 

@@ -30,10 +30,7 @@ double tangential(const PointField& f, int k, int dim) {
 template <int dim>
 Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, const std::string& folder,
                         const Record& so_far)
-    : model_(model),
-      step_(step),
-      observations_(model.scene(), model.source(), model.structure()),
-      record_(so_far) {
+    : model_(model), step_(step), observations_(model.scene(), model.source(), model.structure()), record_(so_far) {
   Phase phase("output");
   const auto& comm = model.structure().comm();
   history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps, observations_.columns());
@@ -142,8 +139,8 @@ template <int dim>
 void Recorder<dim>::record(const ContactState& after, const TimeStepReport& report, const std::string& stage,
                            double stage_share, double time, bool write_fields, double seconds) {
   Phase phase("output");
-  record_.energy.advance({report.elastic, report.kinetic, report.external_work, report.friction, report.fracture,
-                   report.damping}, true);
+  record_.energy.advance(
+      {report.elastic, report.kinetic, report.external_work, report.friction, report.fracture, report.damping}, true);
   record_.summary.time = time;
   finish(after, report.step, stage, stage_share, time, write_fields, seconds);
 }
@@ -221,17 +218,15 @@ void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, do
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);
   sum.largest_displacement = largest_displacement;
-  sum.energy = {energy.elastic(),  energy.kinetic(),  energy.external_work(),
-                energy.friction(), energy.fracture(), energy.imbalance(),
-                energy.damping(),  energy.imbalance_in_time()};
+  sum.energy = {energy.elastic(),  energy.kinetic(),   energy.external_work(), energy.friction(),
+                energy.fracture(), energy.imbalance(), energy.damping(),       energy.imbalance_in_time()};
   sum.load_factor = load_factor;
 }
 
 /// Counts, the row of the history, the sums of the run, and the fields.
 template <int dim>
 void Recorder<dim>::finish(const ContactState& after, const StepReport& report, const std::string& stage,
-                           double load_factor, std::optional<double> time,
-                           bool write_fields, double seconds) {
+                           double load_factor, std::optional<double> time, bool write_fields, double seconds) {
   std::vector<int> status;
   for (int k = 0; k < model_.points().owned(); ++k) status.push_back(static_cast<int>(status_of(after, k)));
   count(status);
@@ -264,8 +259,8 @@ template <int dim>
 void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const ContactState& state,
                                      const std::string& stage, double load_factor) {
   Phase phase("output");
-  write_step(state, mechanism, mechanism, statuses_of_motion(step_.gaps(mechanism)), stage + ": mechanism",
-             load_factor, {});
+  write_step(state, mechanism, mechanism, statuses_of_motion(step_.gaps(mechanism)), stage + ": mechanism", load_factor,
+             {});
 }
 
 template <int dim>

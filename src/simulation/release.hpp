@@ -11,8 +11,8 @@ namespace voussoir {
 /// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
 /// @return how many were newly selected
 template <int dim>
-long long release(const Model<dim>&, const PointLaws&, const std::vector<int>& cluster,
-                  const std::vector<double>& eta, ContactState&);
+long long release(const Model<dim>&, const PointLaws&, const std::vector<int>& cluster, const std::vector<double>& eta,
+                  ContactState&);
 
 /// Selects every point, with admissible forces; false when all were selected already. Collective.
 template <int dim>
@@ -36,8 +36,7 @@ extern template long long release<2>(const Model<2>&, const PointLaws&, const st
                                      const std::vector<double>&, ContactState&);
 extern template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
 extern template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
-extern template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&,
-                                            ContactState&);
+extern template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&, ContactState&);
 extern template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -66,8 +66,7 @@ std::vector<SupportRow> supports_of(const Model<2>& model, const std::vector<Sto
           if (!held[2 * n + c] || known[2 * n + c]) continue;
           known[2 * n + c] = 1;
           const Vector<2> direction{c == 0 ? 1.0 : 0.0, c == 1 ? 1.0 : 0.0};
-          rows.push_back({block.mesh.id,
-                          {0, place_of(s, n) - stones[b].stone.middle, direction, static_cast<int>(k)}});
+          rows.push_back({block.mesh.id, {0, place_of(s, n) - stones[b].stone.middle, direction, static_cast<int>(k)}});
         }
     }
   }
@@ -118,8 +117,8 @@ RigidLimits::RigidLimits(const Model<2>& model, const RigidTask& task) : model_(
     middle_.push_back(row.stone.middle);
   }
   const auto number = [&](BlockId block) {
-    const auto at = std::lower_bound(stones.begin(), stones.end(), block,
-                                     [](const StoneRow& a, BlockId b) { return a.block < b; });
+    const auto at =
+        std::lower_bound(stones.begin(), stones.end(), block, [](const StoneRow& a, BlockId b) { return a.block < b; });
     return static_cast<int>(at - stones.begin());
   };
   int joint = -1;
@@ -201,8 +200,7 @@ std::vector<std::array<ReactionRange, 2>> RigidLimits::reactions(int supports, d
       ends[2 * k] = range.least.value_or(-none), ends[2 * k + 1] = range.most.value_or(none);
     }
   }
-  if (!ends.empty())
-    Teuchos::broadcast(*model_.structure().comm(), 0, static_cast<int>(ends.size()), ends.data());
+  if (!ends.empty()) Teuchos::broadcast(*model_.structure().comm(), 0, static_cast<int>(ends.size()), ends.data());
   std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
   for (std::size_t k = 0; k < 2 * ranges.size(); ++k) {
     if (ends[2 * k] > -none) ranges[k / 2][k % 2].least = ends[2 * k];
@@ -221,8 +219,7 @@ std::vector<double> RigidLimits::on_nodes(const LimitAnswer& answer) const {
     motion[2 * n] = v[0], motion[2 * n + 1] = v[1];
   }
   double largest = 0;
-  for (int n = 0; n < s.owned_nodes(); ++n)
-    largest = std::max(largest, std::hypot(motion[2 * n], motion[2 * n + 1]));
+  for (int n = 0; n < s.owned_nodes(); ++n) largest = std::max(largest, std::hypot(motion[2 * n], motion[2 * n + 1]));
   largest = largest_over_ranks(*s.comm(), largest);
   for (auto& m : motion) m /= largest;
   return motion;

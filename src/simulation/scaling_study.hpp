@@ -30,8 +30,7 @@ struct ContinuumPrice {
 
 /// Least of three times, one after the other, so that what disturbs one of them does not count. Collective.
 /// @param load  nodal forces [N]
-ContinuumPrice continuum_price(const Model<2>&, const std::vector<double>& load,
-                               const std::vector<double>& prescribed);
+ContinuumPrice continuum_price(const Model<2>&, const std::vector<double>& load, const std::vector<double>& prescribed);
 
 /// One load step of one run, and what it is worth in bonded solves.
 struct ScalingRow {
@@ -51,7 +50,7 @@ struct ScalingRow {
   PartitionQuality partition;
   double points_imbalance = 1;    ///< [-] selected points of a rank, largest over mean
   Traffic per_solve, per_krylov;  ///< busiest rank: linear solves with their set-up; Krylov iterations alone
-  std::string outcome;        ///< "equilibrium", "collapse" or "not converged"
+  std::string outcome;            ///< "equilibrium", "collapse" or "not converged"
 
   double in_continua() const { return seconds / price.seconds(); }
   double krylov_in_continua() const {

@@ -35,7 +35,8 @@ void check_fit(const Scene& scene, const BlockSource<dim>& source) {
       const auto& other = blocks[graph.neighbour[k]];
       if (graph.shared_vertices[k] < dim || family_of(scene, source, block, other) >= 0) continue;
       throw InputError(scene.file + ": scene > joints: no law for the joint between " + block.name + " and " +
-                       other.name + ".\n  Every joint needs one: no family names the sets of these blocks.\n"
+                       other.name +
+                       ".\n  Every joint needs one: no family names the sets of these blocks.\n"
                        "  Add one with between = \"all\" and = \"all\" first; later ones override it.");
     }
 }

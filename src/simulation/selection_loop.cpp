@@ -251,8 +251,8 @@ void SelectionLoop<dim>::estimate() {
 template <int dim>
 void SelectionLoop<dim>::solve_for_error() {
   if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
-  const auto error = tie_error<dim>(tools_.parts(), law_, state_, seen_.cluster, seen_.violations, input_.load,
-                                    input_.prescribed);
+  const auto error =
+      tie_error<dim>(tools_.parts(), law_, state_, seen_.cluster, seen_.violations, input_.load, input_.prescribed);
   report_.estimate_solves += error.linear_solves;
   report_.newton.krylov_iterations += error.krylov_iterations;
   report_.newton.failed_solves += !error.known;

@@ -113,7 +113,7 @@ class SelectionLoop {
   const StepParameters& numbers_;
   const StepInput& input_;
   Progress& progress_;
-  const PointLaws law_;  ///< with the bonds that are left
+  const PointLaws law_;               ///< with the bonds that are left
   const double tolerance_, allowed_;  ///< [-] of equilibria; error of ties
   const ContactState before_;
   const long long selected_before_;

@@ -14,14 +14,14 @@
 namespace voussoir {
 
 struct RunOptions {
-  std::string folder;        ///< where results go
-  bool overwrite = false;    ///< remove earlier results instead of keeping them beside
-  bool restart = false;      ///< go on from the checkpoint in the folder
-  std::string restart_from;  ///< or from that in this folder, which stays as it is
-  bool validate = false;     ///< check the scene and its mesh, then stop
-  bool dry_run = false;      ///< also count unknowns and predict the cost, then stop
+  std::string folder;           ///< where results go
+  bool overwrite = false;       ///< remove earlier results instead of keeping them beside
+  bool restart = false;         ///< go on from the checkpoint in the folder
+  std::string restart_from;     ///< or from that in this folder, which stays as it is
+  bool validate = false;        ///< check the scene and its mesh, then stop
+  bool dry_run = false;         ///< also count unknowns and predict the cost, then stop
   bool limit_analysis = false;  ///< ask rigid limit analysis alone
-  bool verbose = false;      ///< a line for every linear solve
+  bool verbose = false;         ///< a line for every linear solve
 };
 
 /// The mesh of the scene, checked; messages name the scene. Collective; throws InputError on every rank alike.

@@ -22,13 +22,13 @@ constexpr double weighs = 0.5;
 /// A joint whose points have slipped beyond their cells.
 struct LongSlip {
   BlockId block_i, block_j;
-  int points;           ///< that have
-  double slip, cell;    ///< [m] the longest beside its cell
-  double x, y;          ///< [m] where that is
-  double uncovered;     ///< [-] share of the force that passes beyond the ends of both faces
-  double outside;       ///< [m] how far the resultant passes beyond the end of a face; 0 where it does not
-  bool on_others;       ///< part of the force passes where other stones continue a face that has ended
-  Box<2> place;         ///< [m] of the nodes of both sides, and a cell around them
+  int points;         ///< that have
+  double slip, cell;  ///< [m] the longest beside its cell
+  double x, y;        ///< [m] where that is
+  double uncovered;   ///< [-] share of the force that passes beyond the ends of both faces
+  double outside;     ///< [m] how far the resultant passes beyond the end of a face; 0 where it does not
+  bool on_others;     ///< part of the force passes where other stones continue a face that has ended
+  Box<2> place;       ///< [m] of the nodes of both sides, and a cell around them
 
   bool past_an_end() const { return uncovered > borne_by_nothing || outside > 0; }
 };
@@ -256,17 +256,21 @@ RangeFindings look_at_slips(const Model<2>& model, const StepEnd& end) {
            " slipped by up to " + three_digits(worst.slip) + " m, near " + place_text({worst.x, worst.y}) +
            ", where cells are " + three_digits(worst.cell) +
            " m long: contact stays with the nodes that were drawn together, so forces and margins of this joint are "
-           "those of pieces of face that are no longer opposite" + and_in_others(slips.size() - 1) +
-           (on_others == 0 ? "" : "; " + std::to_string(on_others) + (on_others == 1 ? " joint has" : " joints have") +
-            " slipped past the end of a face that other stones continue flush: points stay with the stones they were "
-            "drawn on, so forces go to the wrong ones of the stones in line")});
+           "those of pieces of face that are no longer opposite" +
+           and_in_others(slips.size() - 1) +
+           (on_others == 0 ? ""
+                           : "; " + std::to_string(on_others) + (on_others == 1 ? " joint has" : " joints have") +
+                                 " slipped past the end of a face that other stones continue flush: points stay with "
+                                 "the stones they were "
+                                 "drawn on, so forces go to the wrong ones of the stones in line")});
   for (const auto& s : slips) {
     if (s.uncovered <= borne_by_nothing && s.outside <= 0) continue;
     const auto where = s.uncovered > borne_by_nothing
                            ? three_digits(100 * s.uncovered) + " % of its force passes beyond the ends of its faces"
                            : "its force passes " + three_digits(s.outside) + " m beyond the end of a face";
     found.out_of_range = "joint " + names_of(model, s.block_i, s.block_j) + " has slipped by " + three_digits(s.slip) +
-                         " m, and " + where + ": contact stays with the nodes that were drawn together, so whether the "
+                         " m, and " + where +
+                         ": contact stays with the nodes that were drawn together, so whether the "
                          "stones still bear each other there cannot be told";
     break;
   }

@@ -55,9 +55,10 @@ StepReport StaticTheorem::solve(AdaptiveStep<2>& step, Model<2>& model, ContactS
     report.newton.newton_iterations = solves_;
   }
   report.newton.outcome = NewtonOutcome::collapse;
-  report.newton.reason = "no forces that joints admit balance the loads, so that no equilibrium exists, by the static "
-                         "theorem (rigid limit analysis); " + six_digits(100 * refusal_->share) +
-                         " % of the way here from the loads before can be borne";
+  report.newton.reason =
+      "no forces that joints admit balance the loads, so that no equilibrium exists, by the static "
+      "theorem (rigid limit analysis); " +
+      six_digits(100 * refusal_->share) + " % of the way here from the loads before can be borne";
   state.lambda = refusal_->lambda;
   return report;
 }

@@ -18,9 +18,9 @@ bool theorem_applies(const Model<2>&);
 
 /// Loads that no admissible forces balance.
 struct Refusal {
-  double share = 0;                ///< [-] of the way from the loads before to these that can be borne
-  std::vector<double> mechanism;   ///< on local nodes, largest component 1
-  PointField lambda;               ///< [N] forces at that share
+  double share = 0;               ///< [-] of the way from the loads before to these that can be borne
+  std::vector<double> mechanism;  ///< on local nodes, largest component 1
+  PointField lambda;              ///< [N] forces at that share
 };
 
 /// What the theorem says of one load step at a time.

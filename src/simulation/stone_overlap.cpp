@@ -188,11 +188,13 @@ RangeFindings look_at_outlines(const Model<2>& model, const StepEnd& end, const 
   });
   const auto& worst = found.front();
   RangeFindings findings;
-  findings.warnings.push_back(
-      {"stones_overlap", names_of(model, worst.a, worst.b), end.when, worst.depth,
-       "these stones lie " + three_digits(worst.depth) + " m in each other: contact is known between stones that are "
-       "drawn touching, along the joint they are drawn with; from where they met on, forces and motions are not those "
-       "of stones that press each other" + and_in_others(found.size() - 1)});
+  findings.warnings.push_back({"stones_overlap", names_of(model, worst.a, worst.b), end.when, worst.depth,
+                               "these stones lie " + three_digits(worst.depth) +
+                                   " m in each other: contact is known between stones that are "
+                                   "drawn touching, along the joint they are drawn with; from where they met on, "
+                                   "forces and motions are not those "
+                                   "of stones that press each other" +
+                                   and_in_others(found.size() - 1)});
   return findings;
 }
 

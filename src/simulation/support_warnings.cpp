@@ -11,9 +11,7 @@ namespace voussoir {
 namespace {
 
 /// Whether a settlement moves component c.
-bool moves(const SettlementParameters& load, int c) {
-  return load.rotation != 0 || (c == 0 ? load.ux : load.uy) != 0;
-}
+bool moves(const SettlementParameters& load, int c) { return load.rotation != 0 || (c == 0 ? load.ux : load.uy) != 0; }
 
 /// Whether a scene moves a support as this load does another.
 bool moves_alike(const Scene& scene, const std::string& support, const SettlementParameters& load) {

@@ -20,11 +20,11 @@
 namespace voussoir {
 
 struct SystemCase {
-  std::string family;    ///< what grows from row to row
-  double size = 0;       ///< courses, or how many times finer the cells are
-  double contrast = 1;   ///< [-] half of the stones, drawn by lot, are so many times as stiff
-  double open = 0;       ///< [-] share of joints that are open
-  double spread = 1;     ///< [-] resistances of closed points: between 1 / spread and spread times the stiffness
+  std::string family;   ///< what grows from row to row
+  double size = 0;      ///< courses, or how many times finer the cells are
+  double contrast = 1;  ///< [-] half of the stones, drawn by lot, are so many times as stiff
+  double open = 0;      ///< [-] share of joints that are open
+  double spread = 1;    ///< [-] resistances of closed points: between 1 / spread and spread times the stiffness
 };
 
 struct SystemRow {
@@ -32,16 +32,16 @@ struct SystemRow {
   int ranks = 1;
   long long blocks = 0, unknowns = 0, candidate_points = 0, entries = 0, coarse_unknowns = 0;
   int iterations = 0;
-  double residual = 0;  ///< [-] of the solution, relative to the right-hand side
+  double residual = 0;                          ///< [-] of the solution, relative to the right-hand side
   double setup_seconds = 0, solve_seconds = 0;  ///< of the processor, slowest rank
   /// Of block motions, which every rank does whole: one factorisation, and one solution.
   double motions_factor_seconds = 0, motions_solve_seconds = 0;
   PartitionQuality partition;
-  double points_imbalance = 1;                  ///< [-] selected points
+  double points_imbalance = 1;  ///< [-] selected points
   std::vector<MultigridLevel> levels;
   std::array<Traffic, traffic_kinds> total, largest;  ///< over ranks, of this solve
-  long long motions_bytes = 0;  ///< of the rank with most
-  double peak_memory_MB = 0;    ///< of the process so far, likewise
+  long long motions_bytes = 0;                        ///< of the rank with most
+  double peak_memory_MB = 0;                          ///< of the process so far, likewise
 };
 
 class SystemStudy {

@@ -22,7 +22,7 @@ constexpr double negligible = 1e-6;
 struct StoneRecord {
   BlockId block;
   bool held;
-  double x, y, turn;        ///< [m] centre of mass as drawn; [rad]
+  double x, y, turn;                           ///< [m] centre of mass as drawn; [rad]
   double load_x, load_y, load_moment, virial;  ///< of the loads: force, moment about the centre, sum of place x force
 };
 
@@ -58,8 +58,8 @@ std::vector<StoneRecord> stones_here(const Model<2>& model, const StepEnd& end) 
     if (!end.absent.empty() && end.absent[b]) continue;
     const auto& block = s.blocks()[b];
     const auto centre = centre_of_mass(s, b);
-    StoneRecord r{block.mesh.id, is_held(model, b), centre[0], centre[1], turn_of(s, b, end.state.displacement),
-                  0, 0, 0, 0};
+    StoneRecord r{
+        block.mesh.id, is_held(model, b), centre[0], centre[1], turn_of(s, b, end.state.displacement), 0, 0, 0, 0};
     for (int n = block.first_local; n < block.first_local + static_cast<int>(block.mesh.position.size()); ++n) {
       const Vector<2> f{end.load[2 * n], end.load[2 * n + 1]}, arm = s.drawn_position()[n] - centre;
       r.load_x += f[0], r.load_y += f[1];
@@ -130,8 +130,12 @@ struct Network {
     joints.erase(std::remove_if(joints.begin(), joints.end(), missing), joints.end());
     for (const auto& r : joints) {
       const auto i = stone_of(r.block_i), j = stone_of(r.block_j);
-      springs.push_back({free[i], free[j], {r.x - stones[i].x, r.y - stones[i].y},
-                         {r.x - stones[j].x, r.y - stones[j].y}, {r.normal_x, r.normal_y}, {}});
+      springs.push_back({free[i],
+                         free[j],
+                         {r.x - stones[i].x, r.y - stones[i].y},
+                         {r.x - stones[j].x, r.y - stones[j].y},
+                         {r.normal_x, r.normal_y},
+                         {}});
     }
   }
 
@@ -249,11 +253,10 @@ RangeFindings look_at_turns(const Model<2>& model, const StepEnd& end, double sm
   const std::string advice = end.in_time ? "" : "; model > rotations = finite follows the stones";
   const auto& joint = network.joints[worst];
   RangeFindings found;
-  found.warnings.push_back({"turn_beyond_first_order", names_of(model, joint.block_i, joint.block_j), end.when,
-                            share[worst],
-                            what + ": small rotations, which are all that is computed" +
-                                (end.in_time ? " in time" : "") + ", overrate what holds it by that share" + advice +
-                                and_in_others(static_cast<std::size_t>(others))});
+  found.warnings.push_back(
+      {"turn_beyond_first_order", names_of(model, joint.block_i, joint.block_j), end.when, share[worst],
+       what + ": small rotations, which are all that is computed" + (end.in_time ? " in time" : "") +
+           ", overrate what holds it by that share" + advice + and_in_others(static_cast<std::size_t>(others))});
   for (std::size_t k = 0; k < share.size(); ++k)
     if (share[k] >= past_balance && touches[k]) {
       found.out_of_range = what + ": it is past its point of balance, and small rotations would let it stand" + advice;

@@ -125,10 +125,7 @@ class VelocityProjection<dim>::ByMass : public Preconditioner {
 
 template <int dim>
 VelocityProjection<dim>::VelocityProjection(const Model<dim>& model, const Structure<dim>& mass)
-    : model_(model),
-      mass_(mass),
-      solver_(model.scene().solver),
-      by_mass_(std::make_shared<ByMass>(model, mass)) {}
+    : model_(model), mass_(mass), solver_(model.scene().solver), by_mass_(std::make_shared<ByMass>(model, mass)) {}
 
 template <int dim>
 VelocityProjection<dim>::~VelocityProjection() = default;

@@ -26,10 +26,9 @@ TEUCHOS_UNIT_TEST(EnergyWithFriction, IsBookedAtEveryStepWhateverItsSize) {
   for (const auto& [courant, steps, least_closings] :
        {Sweep{0.1, 400, 90}, Sweep{1, 300, 250}, Sweep{10, 300, 500}, Sweep{100, 60, 150}}) {
     const double time_step = courant * courant_time;
-    Motion arch("bouncing-arch",
-                {"joints/smooth/friction coefficient=0.6", "initial velocities/thrown up/vx=0.5",
-                 "steps/stages/bouncing/time step=" + number_text(time_step),
-                 "steps/stages/bouncing/duration=" + number_text(steps * time_step)});
+    Motion arch("bouncing-arch", {"joints/smooth/friction coefficient=0.6", "initial velocities/thrown up/vx=0.5",
+                                  "steps/stages/bouncing/time step=" + number_text(time_step),
+                                  "steps/stages/bouncing/duration=" + number_text(steps * time_step)});
     int done = 0, closings = 0, solves = 0;
     auto pressing = arch.state().selected;  // of the step before
     TEST_ASSERT(arch.run([&] {

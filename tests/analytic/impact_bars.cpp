@@ -88,12 +88,12 @@ TEUCHOS_UNIT_TEST(ImpactBars, KeepEnergyWithAnyTimeStep) {
 // A bar of 0.2 m at 100 m/s meets a wall 2 mm away at 20 microseconds, stays until its wave is back 80 microseconds
 // later, and presses with rho c v = 4 GPa; E 200 GPa, nu 0, rho 8000.
 TEUCHOS_UNIT_TEST(ImpactBars, ABarOnAWallLeavesWhenItsWaveIsBack) {
-  Motion bar("impact-bars", {"mesh/gmsh/geometry/left=0.004", "mesh/gmsh/geometry/right=0.2",
-                             "mesh/gmsh/geometry/height=0.004", "mesh/gmsh/element size=0.004",
-                             "materials/steel/Poisson ratio=0", "materials/steel/density=8000",
-                             "joints/faces/initial gap=2e-3", "supports/built in/on=left bar but its face",
-                             "initial velocities/flying bar/vx=-100", "steps/stages/impact/duration=150e-6",
-                             "steps/stages/impact/time step=0.5e-6"});
+  Motion bar("impact-bars",
+             {"mesh/gmsh/geometry/left=0.004", "mesh/gmsh/geometry/right=0.2", "mesh/gmsh/geometry/height=0.004",
+              "mesh/gmsh/element size=0.004", "materials/steel/Poisson ratio=0", "materials/steel/density=8000",
+              "joints/faces/initial gap=2e-3", "supports/built in/on=left bar but its face",
+              "initial velocities/flying bar/vx=-100", "steps/stages/impact/duration=150e-6",
+              "steps/stages/impact/time step=0.5e-6"});
   double first = 0, last = 0, sum = 0;
   int count = 0;
   TEST_ASSERT(bar.run([&] {

@@ -50,8 +50,9 @@ class Motion {
       if (report.step.newton.outcome != NewtonOutcome::converged) return false;
       steps.accept();
       time = steps.time();
-      book_.advance({report.elastic, report.kinetic, report.external_work, report.friction, report.fracture,
-                     report.damping}, true);
+      book_.advance(
+          {report.elastic, report.kinetic, report.external_work, report.friction, report.fracture, report.damping},
+          true);
       largest_energy = std::max(largest_energy, report.elastic + report.kinetic);
       largest_imbalance = std::max(largest_imbalance, std::abs(book_.imbalance_in_time()));
       least_friction = std::min(least_friction, report.friction);

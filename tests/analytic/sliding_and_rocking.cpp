@@ -36,10 +36,10 @@ TEUCHOS_UNIT_TEST(SlidingBlock, ComesToRestWhereFrictionHasTakenItsEnergy) {
 TEUCHOS_UNIT_TEST(SlidingBlock, NeverGainsEnergyByFrictionWhateverTheTimeStep) {
   for (const char* time_step : {"4.5e-6", "45e-6", "0.45e-3", "4.5e-3"}) {
     const double value = std::stod(time_step);
-    Motion block("sliding-block", {"selection/mode=all", "joints/dry/friction coefficient=0.6",
-                                   "steps/time/stiffness damping=0",
-                                   "steps/stages/sliding/time step=" + std::string(time_step),
-                                   "steps/stages/sliding/duration=" + std::to_string(20 * value)});
+    Motion block("sliding-block",
+                 {"selection/mode=all", "joints/dry/friction coefficient=0.6", "steps/time/stiffness damping=0",
+                  "steps/stages/sliding/time step=" + std::string(time_step),
+                  "steps/stages/sliding/duration=" + std::to_string(20 * value)});
     TEST_ASSERT(block.run([] {}));
     TEST_COMPARE(block.least_friction, >, -1e-9);
     TEST_COMPARE(block.book().friction(), >, 0);

@@ -56,7 +56,7 @@ Mechanism rigid_mechanism() {
 }
 
 struct Settled {
-  double crown_drop = 0;  ///< [m] of the extrados, from the springings' level
+  double crown_drop = 0;                           ///< [m] of the extrados, from the springings' level
   std::vector<double> gap_intrados, gap_extrados;  ///< [m] per joint 1 .. voussoirs - 1
 };
 

@@ -61,7 +61,8 @@ struct Run {
         if (!steps.finished() && steps.target() < steps.reached()) std::abort();
       } while (control.halve());
       control.accept(0, 0.1);
-      while (!steps.finished() && steps.halve()) {}
+      while (!steps.finished() && steps.halve()) {
+      }
       if (!steps.finished()) steps.accept();
       if (search.next()) search.add(Verdict::undecided, fast_way.wait + fast_way.next_wait);
     }

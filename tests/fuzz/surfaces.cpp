@@ -47,8 +47,13 @@ class Drawing {
     const int where = next();
     Vector<2> x{0.5 * (where % 8), 0.5 * (where / 8 % 8)};
     if (where < 192) return x;  // of 256: the others lie elsewhere
-    const double places[] = {1e-7, 1e-3,  -4.0,   1e7,
-                             1e-300, 1e300, std::numeric_limits<double>::infinity(),
+    const double places[] = {1e-7,
+                             1e-3,
+                             -4.0,
+                             1e7,
+                             1e-300,
+                             1e300,
+                             std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()};
     const int axis = where % 2;
     x[axis] += places[next() % 8];

@@ -38,8 +38,9 @@ class TwoSteps {
   /// Whether the last step costs what the table says.
   bool as_in_table(const std::string& row) const {
     const StepReport step = last();
-    return test::as_in_table(row, {step.newton.newton_iterations, step.newton.krylov_iterations, step.cost.whole,
-                                   step.newton.local_solves}, out_);
+    return test::as_in_table(
+        row, {step.newton.newton_iterations, step.newton.krylov_iterations, step.cost.whole, step.newton.local_solves},
+        out_);
   }
 
  private:
@@ -143,8 +144,9 @@ TEUCHOS_UNIT_TEST(SolveCounts, TheBridge) {
   Teuchos::oblackholestream nowhere;
   const RunSummary bridge = run(scene, options, Tpetra::getDefaultComm(), nowhere);
   TEST_ASSERT(bridge.outcome == Outcome::equilibrium);
-  TEST_ASSERT(as_in_table("Clare College Bridge", {bridge.linear_solves, bridge.krylov_iterations,
-                                                   bridge.factorised_whole, bridge.patch_solves}, out));
+  TEST_ASSERT(
+      as_in_table("Clare College Bridge",
+                  {bridge.linear_solves, bridge.krylov_iterations, bridge.factorised_whole, bridge.patch_solves}, out));
 }
 
 }  // namespace

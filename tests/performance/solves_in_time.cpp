@@ -18,8 +18,8 @@ TEUCHOS_UNIT_TEST(SolvesInTime, OfAShakenWall) {
   SystemCost cost;
   TEST_ASSERT(wall.run([&] {
     const auto& step = wall.report.step;
-    counts.add({step.newton.newton_iterations, step.newton.krylov_iterations, step.cost.whole,
-                step.newton.local_solves});
+    counts.add(
+        {step.newton.newton_iterations, step.newton.krylov_iterations, step.cost.whole, step.newton.local_solves});
     cost.add(step.cost);
   }));
   out << cost.factorised << " factorised, " << cost.reused << " reused\n";

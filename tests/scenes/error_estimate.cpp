@@ -77,8 +77,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsNearTheErrorOfABondedArch) {
   const auto& structure = all.model().structure();
   auto e = bonded.state().displacement;
   for (std::size_t i = 0; i < e.size(); ++i) e[i] -= all.state().displacement[i];
-  const double error =
-      std::sqrt(elastic_energy(structure, e) / elastic_energy(structure, all.state().displacement));
+  const double error = std::sqrt(elastic_energy(structure, e) / elastic_energy(structure, all.state().displacement));
   const double estimate = bonded.solution().last.error_estimate;
   out << "error " << error << ", estimate " << estimate << "\n";
   TEST_COMPARE(error, >, 1);

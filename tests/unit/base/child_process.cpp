@@ -1,9 +1,9 @@
 // Work in a process of its own: what it returns, what it throws, and how it dies.
 #include "base/child_process.hpp"
 
-#include <Teuchos_UnitTestHarness.hpp>
 #include <mpi.h>
 #include <unistd.h>
+#include <Teuchos_UnitTestHarness.hpp>
 
 #include <csignal>
 #include <fstream>
@@ -56,7 +56,10 @@ TEUCHOS_UNIT_TEST(ChildProcess, ThrowsHereWhatIsThrownThere) {
 TEUCHOS_UNIT_TEST(ChildProcess, TellsOfItsDeathAndTheNextOneWorks) {
   std::string how;
   const auto died = [&](const std::string& signal) { throw InputError(how = signal); };
-  const auto raised = [](const std::string& signal) -> std::string { std::raise(std::stoi(signal)); return ""; };
+  const auto raised = [](const std::string& signal) -> std::string {
+    std::raise(std::stoi(signal));
+    return "";
+  };
   for (const int signal : {SIGSEGV, SIGTERM, SIGKILL})
     TEST_THROW(in_child_process(raised, std::to_string(signal), died), InputError);
   TEST_EQUALITY(how, "Killed");

@@ -39,7 +39,10 @@ double kinetic_energy(const Block<2>& block, Mass kind, const Velocity& at) {
 TEUCHOS_UNIT_TEST(BlockMass, ATranslationHasTheEnergyOfTheWholeMassHoweverMeshed) {
   for (const bool triangles : {false, true})
     for (const auto kind : {Mass::consistent, Mass::lumped})  // some hundred terms of one size
-      TEST_FLOATING_EQUALITY(kinetic_energy(square(triangles), kind, [](const Vector<2>&) { return Vector<2>{3, -4}; }),
+      TEST_FLOATING_EQUALITY(kinetic_energy(square(triangles), kind,
+                                            [](const Vector<2>&) {
+                                              return Vector<2>{3, -4};
+                                            }),
                              whole * 25 / 2, 1e-13);
 }
 

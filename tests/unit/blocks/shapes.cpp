@@ -48,8 +48,8 @@ TEUCHOS_UNIT_TEST(StiffnessOfShapes, TheMatrixIsThatOfTheBlock) {
   StiffnessOfShapes shapes(model);
   // Differences of places are rounded once more or less.
   const auto block = moved(block_of_cells(0, rectangle(0, 0, 2, 1), 0.3), 1.0 / 3, 0.7, 1.1);
-  const auto k = shapes.of(block, stone), expected =
-      std::make_shared<const LocalCsr>(block_stiffness(block, stone, model.plane, model.thickness));
+  const auto k = shapes.of(block, stone),
+             expected = std::make_shared<const LocalCsr>(block_stiffness(block, stone, model.plane, model.thickness));
   TEST_ASSERT(k->start == expected->start && k->column == expected->column);
   for (std::size_t e = 0; e < k->value.size(); ++e)
     TEST_COMPARE(std::abs(k->value[e] - expected->value[e]), <=, 1e-14 * expected->value[0]);

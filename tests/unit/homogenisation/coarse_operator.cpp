@@ -102,8 +102,8 @@ TEUCHOS_UNIT_TEST(BlockMotions, AddToWhatIsThere) {
   TEST_COMPARE(twice.norm2(), <=, 1e-14 * once.norm2());  // the same sums
 }
 
-const PreconditionerParameters parts[] = {{true, true, true},  {false, true, true},  {true, false, true},
-                                          {true, true, false}, {false, false, true}, {true, false, false},
+const PreconditionerParameters parts[] = {{true, true, true},   {false, true, true},      {true, false, true},
+                                          {true, true, false},  {false, false, true},     {true, false, false},
                                           {false, true, false}, {true, true, true, false}};
 
 TEUCHOS_UNIT_TEST(CoarseOperator, IsSymmetricAndPositiveWhateverIsSelectedAndSwitchedOn) {

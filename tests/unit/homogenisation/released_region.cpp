@@ -58,8 +58,8 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, SavesIterations) {
     for (const bool region : {false, true}) {
       PreconditionerParameters parameters;
       parameters.released_region = region;
-      const auto m = std::make_shared<CoarseOperator<2>>(w.structure, w.points, w.selected, w.space, continuum,
-                                                         parameters);
+      const auto m =
+          std::make_shared<CoarseOperator<2>>(w.structure, w.points, w.selected, w.space, continuum, parameters);
       h.update(stiffness, nothing);
       m->update(h, stiffness, nothing);
       const auto symmetry = h.couple(stiffness) ? Symmetry::none : Symmetry::symmetric;

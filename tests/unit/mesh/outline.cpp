@@ -92,14 +92,14 @@ TEUCHOS_UNIT_TEST(Outline, AFaceGoesOnAlongStonesThatLieFlushWithIt) {
     row.insert(row.begin(), more.begin(), more.end());
   TEST_FLOATING_EQUALITY(length(top, row), 5.0, round_off);
   TEST_FLOATING_EQUALITY(length(turned(top, 1e3), turned(row, 1e3)), 5.0, 1e-10);
-  TEST_FLOATING_EQUALITY(length(top, rectangle(1.1, 0, 2, 1)), 1.9, round_off);     // a gap a point stands across
-  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 0.998)), 2.0, round_off);   // a step as two stones may have
-  TEST_FLOATING_EQUALITY(length(top, rectangle(1.2, 0, 2, 1)), 1.0, round_off);     // a gap
-  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 0.98)), 1.0, round_off);    // a step down
-  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 1.02)), 1.0, round_off);    // and up
-  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 1, 2, 2)), 1.0, round_off);       // a face that looks the other way
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1.1, 0, 2, 1)), 1.9, round_off);    // a gap a point stands across
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 0.998)), 2.0, round_off);  // a step as two stones may have
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1.2, 0, 2, 1)), 1.0, round_off);    // a gap
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 0.98)), 1.0, round_off);   // a step down
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 0, 2, 1.02)), 1.0, round_off);   // and up
+  TEST_FLOATING_EQUALITY(length(top, rectangle(1, 1, 2, 2)), 1.0, round_off);      // a face that looks the other way
   TEST_FLOATING_EQUALITY(length(top, polygon({{1, 0}, {2, 0}, {2, 0.9}, {1, 1}})), 1.0, round_off);  // a slope
-  TEST_FLOATING_EQUALITY(length(top, rectangle(2, 0, 3, 1)), 1.0, round_off);       // with nothing between
+  TEST_FLOATING_EQUALITY(length(top, rectangle(2, 0, 3, 1)), 1.0, round_off);  // with nothing between
 }
 
 }  // namespace

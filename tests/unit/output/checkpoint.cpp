@@ -167,9 +167,9 @@ TEUCHOS_UNIT_TEST(Checkpoint, TablesOfAnotherSizeAndNumbersThatAreNoneAreErrorsO
   save(path, saved, rows);
   Checkpoint archive(path, world(), Way::restore);
   std::vector<double> field;
-  TEST_THROW(archive.rows("field", rows, 3, field), ResourceError);            // it has 2 columns
-  TEST_THROW(archive.rows("field", with_halo(6), 2, field), ResourceError);    // it has 7 rows
-  TEST_THROW(archive.rows("field", rows, 2, field), ResourceError);            // not finite
+  TEST_THROW(archive.rows("field", rows, 3, field), ResourceError);          // it has 2 columns
+  TEST_THROW(archive.rows("field", with_halo(6), 2, field), ResourceError);  // it has 7 rows
+  TEST_THROW(archive.rows("field", rows, 2, field), ResourceError);          // not finite
   int count = 0;
   bool flag = false;
   TEST_THROW(archive.value("text", flag), ResourceError);

@@ -65,8 +65,7 @@ RunSummary complete_summary() {
 /// every effect is "effects.*".
 void collect_keys(const Json& json, const std::string& prefix, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
-    const std::set<std::string> free{"effects.", "collapse.pattern.", "statics.reactions.",
-                                     "rigid.reactions."};
+    const std::set<std::string> free{"effects.", "collapse.pattern.", "statics.reactions.", "rigid.reactions."};
     const bool any = free.count(prefix) > 0 || (prefix == "seconds." && key != "total");
     const std::string name = prefix + (any ? "*" : key);
     keys.insert(name);
@@ -122,7 +121,7 @@ TEUCHOS_UNIT_TEST(ResultJson, KeepsValuesAndWritesNullForWhatIsNotFinite) {
   TEST_EQUALITY(json["statics"]["widest_hinges"][0]["blocks"][1].get<int>(), 3);
   TEST_EQUALITY(json["statics"]["reactions"]["ground"]["y_N"].get<double>(), 1e3);
   TEST_EQUALITY(json["rigid"]["reactions"]["ground"]["most_y_N"].get<double>(), 2e3);
-  run.collapse->upper = std::numeric_limits<double>::infinity();  // nothing collapsed
+  run.collapse->upper = std::numeric_limits<double>::infinity();                       // nothing collapsed
   run.rigid->reactions["ground"][0].least = -std::numeric_limits<double>::infinity();  // a range without an end
   TEST_ASSERT(Json::parse(result_json(run))["rigid"]["reactions"]["ground"]["least_x_N"].is_null());
   TEST_ASSERT(Json::parse(result_json(run))["collapse"]["upper"].is_null());

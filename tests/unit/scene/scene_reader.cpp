@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(SceneReader, NamesOfSetsAreCheckedAgainstTheMesh) {
   Scene scene = read_scene(path_of("reference"));
   const std::vector<std::string> blocks{"ring west"};
   const std::vector<std::string> facets{"foundation abutment west", "foundation pier west", "foundation pier east",
-                                        "foundation abutment east", "deck central", "back west"};
+                                        "foundation abutment east", "deck central",         "back west"};
   TEST_NOTHROW(check_names(scene, blocks, facets));
   scene.materials.at(0).parameters.blocks = "ring wets";
   scene.joints.at(0).parameters.and_ = "spandrel";
