@@ -3,6 +3,7 @@
 #include <suitesparse/umfpack.h>
 
 #include <new>
+#include <vector>
 
 #include "base/check.hpp"
 #include "linalg/solver_failure.hpp"
@@ -39,6 +40,15 @@ bool regular(int status, const char* what) {
   return status == UMFPACK_OK;
 }
 
+/// Values for the pattern of a matrix in which pivots stay on the diagonal.
+std::vector<double> with_strong_diagonal(const LocalCsr& a) {
+  std::vector<double> value(a.column.size(), -1.0);
+  for (int i = 0; i < a.rows(); ++i)
+    for (int e = a.start[i]; e < a.start[i + 1]; ++e)
+      if (a.column[e] == i) value[e] = a.start[i + 1] - a.start[i];
+  return value;
+}
+
 }  // namespace
 
 SparseLu::SparseLu() : data_(std::make_unique<Data>()) {}
@@ -49,8 +59,10 @@ bool SparseLu::factor(const LocalCsr& a) {
   auto& d = *data_;
   if (!d.order) {
     d.rows = a.rows();
-    // By the pattern alone, so that factors are the same whichever values came first.
-    regular(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), nullptr, &d.order, nullptr, nullptr),
+    // By the pattern alone, so that factors are the same whichever values came first: as if the diagonal were strong.
+    const auto pattern = with_strong_diagonal(a);
+    regular(umfpack_di_symbolic(d.rows, d.rows, a.start.data(), a.column.data(), pattern.data(), &d.order, nullptr,
+                                nullptr),
             "order a matrix");
   }
   VOUSSOIR_EXPECT(a.rows() == d.rows);
