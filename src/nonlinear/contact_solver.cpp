@@ -35,16 +35,19 @@ double ContactSolver::measure(const TpetraVector& x, const PointField& lambda, N
   return std::max(report.residual, report.complementarity);
 }
 
-/// Without contact points one linear solve is the answer, but for what its proximal term holds.
-void ContactSolver::solve_linear(TpetraVector& x, const PointField& lambda, double tolerance,
-                                 NewtonReport& report) const {
+/// Without contact points one linear solve is the answer, but for what its proximal term holds. Where that does not gain
+/// the structure may be free to move.
+void ContactSolver::solve_linear(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
   constexpr double finest = 1e-12, coarsest = 1e-2;  // round-off of a residual; no less than shows the answer
   TpetraVector residual(problem_.map());
   const auto b = Teuchos::rcp(new TpetraVector(problem_.map())), d = Teuchos::rcp(new TpetraVector(problem_.map()));
   PointField gap;
-  while (measure(x, lambda, report) > tolerance) {
-    if (report.newton_iterations >= parameters_.largest_iterations)
-      return report.fail("the largest number of linear solves was reached");
+  double size = measure(x, lambda, report);
+  for (double last = 2 * size; size > tolerance; last = std::exchange(size, measure(x, lambda, report))) {
+    const int left = parameters_.largest_iterations - report.newton_iterations;
+    if (left <= 0) return report.fail("the largest number of linear solves was reached");
+    if (size > methods_.pseudo_time.unchanged * last)
+      return in_pseudo_time(x, lambda, tolerance, nullptr, left, report);
     problem_.carry(x, tolerance * force_scale(problem_, lambda));
     problem_.evaluate(x, *b, gap);
     problem_.subtract_contact_forces(lambda, *b);

@@ -35,7 +35,7 @@ class ContactSolver {
 
  private:
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&) const;
-  void solve_linear(TpetraVector& x, const PointField& lambda, double tolerance, NewtonReport&) const;
+  void solve_linear(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   /// The ways in their order. Leaves the outcome in the report.
   void go_the_ways(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, NewtonReport&);
   /// Where it leads away from equilibrium the state stays as it was.

@@ -14,6 +14,8 @@ namespace {
 
 // Blocks and joints that move by less than this share of the largest motion do not take part.
 constexpr double noticeable = 0.01;
+// Of a motion: round-off of a linear programme.
+constexpr double flow = 1e-6;
 // So many joints of a kind are named, the widest; the report draws all.
 constexpr std::size_t named = 3;
 
@@ -36,6 +38,7 @@ struct BlockMotion {
 std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<double>& motion, double least) {
   struct Extremes {
     double narrowest = INFINITY, widest = -INFINITY, slip = 0;
+    bool dilates = true;  ///< opens by friction times slip, as the flow rule of limit analysis has it: it slides
   };
   const auto& points = model.points();
   std::vector<Extremes> of_joint(points.joints().size());
@@ -46,11 +49,14 @@ std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<
     e.narrowest = std::min(e.narrowest, opening);
     e.widest = std::max(e.widest, opening);
     e.slip = std::max(e.slip, std::abs(slip));
+    const double off = std::abs(opening - model.law()[k].friction * std::abs(slip));
+    e.dilates = e.dilates && off <= flow * std::max(std::abs(opening), std::abs(slip));
   }
   std::vector<MovingJoint> moving;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {
-    const auto& [narrowest, widest, slip] = of_joint[k];
-    const int kind = narrowest > least ? parts : widest > std::max(least, slip) ? hinges : slides;
+    const auto& [narrowest, widest, slip, dilates] = of_joint[k];
+    const bool flows = dilates && slip > least;
+    const int kind = flows ? slides : narrowest > least ? parts : widest > std::max(least, slip) ? hinges : slides;
     const double size = kind == slides ? slip : widest;
     if (size > least) moving.push_back({kind, points.joints()[k].block_i, points.joints()[k].block_j, size});
   }

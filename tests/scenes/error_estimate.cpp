@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsNearTheErrorOnAWallOf16) {
 }
 
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsNearTheErrorOnAnArch) {
-  hold_estimate_to_the_error(arch_scene(31), {0.99, 0.1, 0.01}, out, success);
+  hold_estimate_to_the_error(arch_scene(31), {0.3, 0.1, 0.01}, out, success);
 }
 
 // On an arch whose springing has moved nearly all the stress of the bonded continuum is error.

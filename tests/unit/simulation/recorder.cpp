@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "simulation/point_status.hpp"
 #include "unit/output/folders.hpp"
 #include "unit/simulation/tied_wall.hpp"
 
@@ -90,6 +91,7 @@ TEUCHOS_UNIT_TEST(Recorder, StatusesAreThoseOfForcesAndGaps) {
   std::fill(state.displacement.begin(), state.displacement.end(), 0.0);
   for (int i = 0; i < s.nodes(); ++i)
     if (s.blocks()[s.block_of_node()[i]].mesh.id == 2) state.displacement[2 * i] = 1e-3;
+  state.status = point_statuses(model, state, model.gaps(state.displacement, state.lambda), {});
   r.recorder->record(book, state, r.wall.load(), {}, "by hand", 1, false, 0);
   long long all[3];
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, by_hand, all);
