@@ -35,8 +35,8 @@ double ContactSolver::measure(const TpetraVector& x, const PointField& lambda, N
   return std::max(report.residual, report.complementarity);
 }
 
-/// Without contact points one linear solve is the answer, but for what its proximal term holds. Where that does not gain
-/// the structure may be free to move.
+/// Without contact points one linear solve is the answer, but for what its proximal term holds. Where that does not
+/// gain the structure may be free to move.
 void ContactSolver::solve_linear(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
   constexpr double finest = 1e-12, coarsest = 1e-2;  // round-off of a residual; no less than shows the answer
   TpetraVector residual(problem_.map());
