@@ -46,8 +46,15 @@ void ContactSolver::solve_linear(TpetraVector& x, PointField& lambda, double tol
   for (double last = 2 * size; size > tolerance; last = std::exchange(size, measure(x, lambda, report))) {
     const int left = parameters_.largest_iterations - report.newton_iterations;
     if (left <= 0) return report.fail("the largest number of linear solves was reached");
-    if (size > methods_.pseudo_time.unchanged * last)
-      return in_pseudo_time(x, lambda, tolerance, nullptr, left, report);
+    if (size > methods_.pseudo_time.unchanged * last) {
+      const double moved = d->normInf();
+      if (moved < methods_.pseudo_time.run_away * problem_.length_scale())
+        return in_pseudo_time(x, lambda, tolerance, nullptr, left, report);
+      mechanism_->update(1 / moved, *d, 0.0);  // only what the proximal term holds goes so far
+      report.outcome = NewtonOutcome::collapse;
+      report.reason = "the structure moves without end: no equilibrium exists under this load";
+      return;
+    }
     problem_.carry(x, tolerance * force_scale(problem_, lambda));
     problem_.evaluate(x, *b, gap);
     problem_.subtract_contact_forces(lambda, *b);
