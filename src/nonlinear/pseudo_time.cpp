@@ -129,13 +129,14 @@ void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, c
       }
       continue;
     }
-    known_gap = nullptr;
+    const bool supports_moved = std::exchange(known_gap, nullptr) != nullptr;
     refused = false;
     ++report.outer_iterations;
     drag /= numbers.factor;
     const double before = std::exchange(size, measure(x, lambda, report));
     const bool stays = size > numbers.unchanged * before;
-    if (size > tolerance && report.complementarity < numbers.believable && leads_nowhere(x, from, lambda, stays)) {
+    if (size > tolerance && !supports_moved && report.complementarity < numbers.believable &&
+        leads_nowhere(x, from, lambda, stays)) {
       report.outcome = NewtonOutcome::collapse;
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return;
