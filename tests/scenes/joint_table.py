@@ -82,8 +82,10 @@ class JointTable(unittest.TestCase):
             for pair, joint in joints.items():
                 for key in ("force_x_N", "force_y_N"):
                     self.near(others[pair][key], joint[key], 1e-5 * total)
-            for key in ("hinges", "sliding_joints"):
-                self.assertEqual(summary[key], statics[key])
+                # Friction between stones of the held course is not unique: a joint may be just at its cone or just below.
+                if others[pair]["slides"] != joint["slides"]:
+                    self.assertLess(max(others[pair]["friction_margin"], joint["friction_margin"]), 0.01)
+            self.assertEqual(summary["hinges"], statics["hinges"])
 
     def test_three_hinges_of_an_arch_and_its_thrust(self):
         joints, statics = run("arch", "three-hinge-arch")
