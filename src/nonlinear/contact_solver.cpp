@@ -1,6 +1,8 @@
 #include "nonlinear/contact_solver.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
@@ -20,11 +22,7 @@ ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& 
 double ContactSolver::measure(const TpetraVector& x, const PointField& lambda, NewtonReport& report) const {
   TpetraVector residual(problem_.map());
   PointField gap;
-  problem_.evaluate(x, residual, gap);
-  const auto [equilibrium, contact] = imbalance(problem_, lambda, gap, residual);
-  const double scale = force_scale(problem_, lambda);
-  report.residual = equilibrium / scale;
-  report.complementarity = contact / scale;
+  const double size = judge_state(problem_, x, lambda, residual, gap, report);
   double penetration = 0;
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -32,28 +30,22 @@ double ContactSolver::measure(const TpetraVector& x, const PointField& lambda, N
     penetration = std::max(penetration, -gap[normal] - compliance_of(problem_, k, 0) * lambda[normal]);
   }
   report.penetration = largest_over_ranks(problem_, penetration);
-  return std::max(report.residual, report.complementarity);
+  return size;
 }
 
-/// Without contact points one linear solve is the answer, but for what its proximal term holds. Where that does not
-/// gain the structure may be free to move.
+/// Without contact points one linear solve is the answer. Where solves do not gain, supports may leave the structure
+/// free to move: it is let go.
 void ContactSolver::solve_linear(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
-  constexpr double finest = 1e-12, coarsest = 1e-2;  // round-off of a residual; no less than shows the answer
-  TpetraVector residual(problem_.map());
   const auto b = Teuchos::rcp(new TpetraVector(problem_.map())), d = Teuchos::rcp(new TpetraVector(problem_.map()));
   PointField gap;
   double size = measure(x, lambda, report);
-  for (double last = 2 * size; size > tolerance; last = std::exchange(size, measure(x, lambda, report))) {
+  for (double last = std::numeric_limits<double>::infinity(); size > tolerance;
+       last = std::exchange(size, measure(x, lambda, report))) {
     const int left = parameters_.largest_iterations - report.newton_iterations;
     if (left <= 0) return report.fail("the largest number of linear solves was reached");
-    if (size > methods_.pseudo_time.unchanged * last) {
-      const double moved = d->normInf();
-      if (moved < methods_.pseudo_time.run_away * problem_.length_scale())
-        return in_pseudo_time(x, lambda, tolerance, nullptr, left, report);
-      mechanism_->update(1 / moved, *d, 0.0);  // only what the proximal term holds goes so far
-      report.outcome = NewtonOutcome::collapse;
-      report.reason = "the structure moves without end: no equilibrium exists under this load";
-      return;
+    if (size > methods_.pseudo_time.unchanged * last && methods_.pseudo_time.used) {
+      x.update(-1.0, *d, 1.0);  // of a system that may have no solution
+      return in_pseudo_time(x, lambda, tolerance, nullptr, left, report);
     }
     problem_.carry(x, tolerance * force_scale(problem_, lambda));
     problem_.evaluate(x, *b, gap);
@@ -63,12 +55,9 @@ void ContactSolver::solve_linear(TpetraVector& x, PointField& lambda, double tol
     // The norm of what a solve leaves bounds the largest residual.
     const double aim = tolerance * force_scale(problem_, lambda) / b->norm2();
     const auto solved =
-        problem_.solve(std::vector<PointStiffness>(problem_.points()), 1.0, b, d, {std::clamp(aim, finest, coarsest)});
+        problem_.solve(std::vector<PointStiffness>(problem_.points()), 0.0, b, d,
+                       {std::clamp(aim, methods_.solver.finest_accuracy, methods_.path.solve_accuracy)});
     report.count(solved);
-    if (solved.nothing) {
-      report.no_way_on = true;
-      return report.fail("a linear system has no solution");
-    }
     x.update(1.0, *d, 1.0);
     if (narrate) narrate({report.newton_iterations, report.residual, 0, 0, 0, solved.iterations});
   }

@@ -73,26 +73,20 @@ PseudoTime::PseudoTime(NonlinearProblem& problem, const NewtonParameters& parame
 
 /// Residuals of the structure itself, without drag; leaves the imbalance and the gaps.
 double PseudoTime::measure(const TpetraVector& x, const PointField& lambda, NewtonReport& report) {
-  problem_.evaluate(x, *imbalance_, gap_);
   scale_ = force_scale(problem_, lambda);
-  const auto [equilibrium, contact] = imbalance(problem_, lambda, gap_, *imbalance_);
-  report.residual = equilibrium / scale_;
-  report.complementarity = contact / scale_;
-  return std::max(report.residual, report.complementarity);
+  return judge_state(problem_, x, lambda, *imbalance_, gap_, report);
 }
 
-/// Does the last motion go on for ever? Far along it forces and imbalance must be as they are here: nothing stiffens,
-/// opens or closes. The test does not wait until round-off (Young's modulus x motion) hides the imbalance. Stones in
-/// flight collide: where forces do not obey the contact law, a motion proves nothing, however far it went.
-/// @param stays  the imbalance stays as it was
-bool PseudoTime::leads_nowhere(const TpetraVector& x, const TpetraVector& from, const PointField& lambda, bool stays) {
+/// Does the last motion, along which the imbalance has stayed, go on for ever? Far along it forces and imbalance must
+/// be as they are here: nothing stiffens, opens or closes. The test does not wait until round-off (Young's modulus x
+/// motion) hides the imbalance.
+bool PseudoTime::leads_nowhere(const TpetraVector& x, const TpetraVector& from, const PointField& lambda) {
   const auto& numbers = methods_.pseudo_time;
   mechanism_->update(1.0, x, -1.0, from, 0.0);
   const double size = mechanism_->normInf(), far = numbers.run_away * problem_.length_scale();
   if (!(size > 0)) return false;
   mechanism_->scale(1 / size);
   if (size >= far) return true;
-  if (!stays) return false;
   const double allowance = numbers.unchanged * imbalance_->normInf();
   if (!parameters_.has_inertia && is_rigid_mechanism(problem_, *mechanism_, lambda, gap_, far, allowance)) return true;
   TpetraVector end(x, Teuchos::Copy), there(problem_.map());
@@ -129,14 +123,15 @@ void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, c
       }
       continue;
     }
-    const bool supports_moved = std::exchange(known_gap, nullptr) != nullptr;
+    known_gap = nullptr;
     refused = false;
     ++report.outer_iterations;
     drag /= numbers.factor;
     const double before = std::exchange(size, measure(x, lambda, report));
-    const bool stays = size > numbers.unchanged * before;
-    if (size > tolerance && !supports_moved && report.complementarity < numbers.believable &&
-        leads_nowhere(x, from, lambda, stays)) {
+    // Stones in flight collide: where forces do not obey the contact law, a motion proves nothing, however far it went.
+    // Nor does one along which the imbalance falls, as when supports have moved.
+    const bool stays = size > std::max(tolerance, numbers.unchanged * before);
+    if (stays && report.complementarity < numbers.believable && leads_nowhere(x, from, lambda)) {
       report.outcome = NewtonOutcome::collapse;
       report.reason = "the structure moves without end: no equilibrium exists under this load";
       return;

@@ -40,7 +40,7 @@ class PseudoTime {
 
  private:
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
-  bool leads_nowhere(const TpetraVector& x, const TpetraVector& from, const PointField& lambda, bool stays);
+  bool leads_nowhere(const TpetraVector& x, const TpetraVector& from, const PointField& lambda);
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;

@@ -55,4 +55,14 @@ Imbalance imbalance(NonlinearProblem& problem, const PointField& lambda, const P
   return {residual.normInf(), contact_residual(problem, lambda, gap)};
 }
 
+double judge_state(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,
+                   PointField& gap, NewtonReport& report) {
+  problem.evaluate(x, residual, gap);
+  const auto [equilibrium, contact] = imbalance(problem, lambda, gap, residual);
+  const double scale = force_scale(problem, lambda);
+  report.residual = equilibrium / scale;
+  report.complementarity = contact / scale;
+  return std::max(report.residual, report.complementarity);
+}
+
 }  // namespace voussoir

@@ -1,6 +1,7 @@
 // Karush-Kuhn-Tucker residuals of a state: what is out of balance, and what the contact law would change.
 #pragma once
 
+#include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 
 namespace voussoir {
@@ -29,5 +30,12 @@ double contact_residual(const NonlinearProblem&, const PointField& lambda, const
 /// How far a state with these gaps is from a solution. Collective.
 /// @param residual  K x - f, from which the contact forces are taken
 Imbalance imbalance(NonlinearProblem&, const PointField& lambda, const PointField& gap, TpetraVector& residual);
+
+/// A state as a solve is judged: its residuals relative to the largest force, which the report keeps. Returns the
+/// larger of the two. Collective.
+/// @param residual  becomes K x - f - B^T lambda
+/// @param gap       [m] becomes that of x
+double judge_state(NonlinearProblem&, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,
+                   PointField& gap, NewtonReport&);
 
 }  // namespace voussoir

@@ -76,10 +76,6 @@ template <int dim>
 void ContactProblem<dim>::set_proximal_weights() {
   const auto& s = parts_.structure;
   proximal_weight_.assign(static_cast<std::size_t>(dim) * space_->owned_clusters(), 0.0);
-  const int mine = std::find(selection_.begin(), selection_.end(), 1) != selection_.end();
-  int any = 0;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  if (!any) return;            // the bonded continuum cannot run away
   std::vector<double> volume;  // of local node copies [m3]
   for (const auto& b : s.blocks()) {
     const auto more = nodal_volumes(b.mesh, s.model().thickness);

@@ -66,4 +66,23 @@ TEUCHOS_UNIT_TEST(ContactSolver, BacksOffOnlyWhereThatIsSwitchedOn) {
   }
 }
 
+// Without contact points the system is linear: a spring holds the node after one solve; without it nothing does.
+TEUCHOS_UNIT_TEST(ContactSolver, WithoutPointsASpringHoldsAndWhatNothingHoldsFalls) {
+  for (const bool held : {true, false}) {
+    auto parts = parts_of_slider(friction);
+    parts.points.clear();
+    parts.imbalance[1] = 0;
+    if (!held) parts.stiffness[0].value = 0;
+    Patch problem(parts);
+    TpetraVector x(problem.map());
+    PointField lambda;
+    FastWay fast;
+    ContactSolver solver(problem, {}, {}, fast);
+    const auto report = solver.solve(x, lambda, 1e-9);
+    TEST_ASSERT(report.outcome == (held ? NewtonOutcome::converged : NewtonOutcome::collapse));
+    TEST_COMPARE(report.newton_iterations, <=, held ? 1 : 3);
+    TEST_FLOATING_EQUALITY(held ? local_view(x)[0] * spring / push : local_view(solver.mechanism())[0], 1.0, 1e-9);
+  }
+}
+
 }  // namespace
