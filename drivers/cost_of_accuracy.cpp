@@ -11,7 +11,7 @@
 #include "drivers/study.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_reader.hpp"
-#include "simulation/accuracy_study.hpp"
+#include "study/accuracy_study.hpp"
 
 namespace {
 

@@ -25,9 +25,9 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "mesh/generators.hpp"
-#include "simulation/adaptive_step.hpp"
-#include "simulation/model.hpp"
-#include "simulation/rigid_limits.hpp"
+#include "run/rigid_limits.hpp"
+#include "step/adaptive_step.hpp"
+#include "step/model.hpp"
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include "drivers/study.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_reader.hpp"
-#include "simulation/accuracy_study.hpp"
-#include "simulation/motion_study.hpp"
-#include "simulation/scaling_study.hpp"
-#include "simulation/system_study.hpp"
+#include "study/accuracy_study.hpp"
+#include "study/motion_study.hpp"
+#include "study/scaling_study.hpp"
+#include "study/system_study.hpp"
 
 namespace {
 

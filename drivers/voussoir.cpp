@@ -18,10 +18,10 @@
 #include "linalg/blas_memory.hpp"
 #include "linalg/gather.hpp"
 #include "output/hdf5_file.hpp"
+#include "run/simulation.hpp"
+#include "run/stop_signals.hpp"
 #include "scene/scene_printer.hpp"
 #include "scene/scene_reader.hpp"
-#include "simulation/simulation.hpp"
-#include "simulation/stop_signals.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws what accuracy costs: draw_accuracy.py DIR
 
-Reads DIR/accuracy.csv (see src/simulation/accuracy_study.hpp), writes DIR/accuracy.png and DIR/accuracy.svg.
+Reads DIR/accuracy.csv (see src/study/accuracy_study.hpp), writes DIR/accuracy.png and DIR/accuracy.svg.
 """
 import csv
 import sys

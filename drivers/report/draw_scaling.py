@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws what a structure costs beside a continuum: draw_scaling.py DIR
 
-Reads DIR/scaling.csv (see src/simulation/scaling_study.hpp), writes DIR/scaling.png and DIR/scaling.svg.
+Reads DIR/scaling.csv (see src/study/scaling_study.hpp), writes DIR/scaling.png and DIR/scaling.svg.
 """
 import csv
 import sys

@@ -3,7 +3,7 @@
 //   imbalance = elastic + kinetic + friction + fracture + damping - external work        [J]
 //
 // In load steps friction takes the force at the end of the step times the slip, and the imbalance tells what the rule
-// for work and loss leaves (simulation/load_step_book): it vanishes with the size of the steps. In time steps all is
+// for work and loss leaves (run/load_step_book): it vanishes with the size of the steps. In time steps all is
 // exact, so the part of the imbalance that arose in them shows how well they were solved.
 #pragma once
 

@@ -8,9 +8,9 @@
 #include "homogenisation/coarse_operator_parameters.hpp"
 #include "nonlinear/method_parameters.hpp"
 #include "selection/rest_parameters.hpp"
-#include "simulation/step_parameters.hpp"
-#include "simulation/tie_parameters.hpp"
-#include "simulation/time_step_parameters.hpp"
+#include "step/step_parameters.hpp"
+#include "step/tie_parameters.hpp"
+#include "step/time_step_parameters.hpp"
 
 namespace voussoir {
 

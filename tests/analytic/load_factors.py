@@ -12,7 +12,7 @@ Expected  the arch 0.3700; the walls between the two published values, 0.640 to 
           static theorem, is the upper published value; of the sixth wall too, whose values are 0.297 and 0.347.
 Came out  brackets of 0.5 %: arch 0.3688 to 0.3703, wall 1 0.6375 to 0.6406, wall 2 0.5625 to 0.5641, wall 3 0.3547 to
           0.3563, wall 5 0.2141 to 0.2148: on the values without dilatancy, which stones that slide follow. Brackets of
-          0.1 %, other stiffnesses, cells and ways of the loads: src/simulation/README.md. Certified: 0.37000 with 24
+          0.1 %, other stiffnesses, cells and ways of the loads: src/run/README.md. Certified: 0.37000 with 24
           cells along a voussoir, 0.64286, 0.58000, 0.40369, 0.23964 and 0.34783.
 Tolerance the upper end of the bracket must reach the lower published value less 0.5 %, the lower end must not pass the
           upper one: a mechanism found too early or an equilibrium where none can be fails.

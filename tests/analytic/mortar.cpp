@@ -3,7 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "simulation/effect_costs.hpp"
+#include "run/effect_costs.hpp"
 #include "support/scenes.hpp"
 
 namespace {

@@ -9,8 +9,8 @@
 
 #include "mesh/mesh.hpp"
 #include "scene/scene.hpp"
-#include "simulation/adaptive_step.hpp"
-#include "simulation/model.hpp"
+#include "step/adaptive_step.hpp"
+#include "step/model.hpp"
 
 namespace voussoir::test {
 

@@ -17,8 +17,10 @@ SEES = {
     "loads": ["blocks"],
     "output": ["base"],
     "scene": ["base"],
-    "simulation": ["scene", "homogenisation", "selection", "statics", "dynamics", "loads", "output"],
-    "drivers": ["simulation"],
+    "step": ["scene", "homogenisation", "selection", "dynamics", "loads", "output"],
+    "run": ["step", "statics"],
+    "study": ["run"],
+    "drivers": ["study"],
 }
 
 # Pure functions of numbers, without geometry: the one header of joints that all folders from linalg up may see.

@@ -22,7 +22,7 @@ class IncludesPointDown(unittest.TestCase):
     def test_a_module_may_include_itself_and_what_is_below(self):
         self.assertIsNone(include("src/mesh/mesh.hpp", "mesh/cell.hpp"))
         self.assertIsNone(include("src/joints/joint.hpp", "mesh/mesh.hpp"))
-        self.assertIsNone(include("src/simulation/simulation.cpp", "output/history.hpp"))
+        self.assertIsNone(include("src/run/simulation.cpp", "output/history.hpp"))
         self.assertIsNone(include("drivers/voussoir.cpp", "scene/scene.hpp"))
 
     def test_a_module_may_not_include_what_is_above_or_beside(self):

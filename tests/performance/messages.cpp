@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "simulation/system_study.hpp"
+#include "study/system_study.hpp"
 #include "support/scenes.hpp"
 
 namespace {

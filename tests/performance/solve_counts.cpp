@@ -4,8 +4,8 @@
 #include <Tpetra_Core.hpp>
 
 #include "performance/count_table.hpp"
+#include "run/simulation.hpp"
 #include "scene/scene_reader.hpp"
-#include "simulation/simulation.hpp"
 #include "support/scenes.hpp"
 
 namespace {

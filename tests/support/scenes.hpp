@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "simulation/adaptive_step.hpp"
-#include "simulation/construction.hpp"
+#include "step/adaptive_step.hpp"
+#include "step/construction.hpp"
 
 namespace voussoir::test {
 

@@ -1,0 +1,39 @@
+// The mesh of a scene, made and checked before anything is computed.
+#include "base/error.hpp"
+#include "dynamics/load_steps.hpp"
+#include "mesh/block_source.hpp"
+#include "mesh/mesh_check.hpp"
+#include "run/joint_sides.hpp"
+#include "run/simulation.hpp"
+#include "step/phase.hpp"
+#include "step/scene_fit.hpp"
+
+namespace voussoir {
+
+std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  Phase phase("mesh");
+  std::unique_ptr<BlockSource<2>> source;
+  try {
+    source = make_block_source<2>(scene.mesh, *comm);
+    check_fit(scene, *source);
+    check_sides(scene, *source);
+    std::vector<FacetNames> supported;
+    // Blocks may fly where no static equilibrium is sought: then no support is asked for.
+    if (!only_time(scene.stages))
+      for (const auto& [name, support] : scene.supports) supported.emplace_back(support.on, support.blocks);
+    if (scene.mesh.type == MeshType::gmsh)
+      check_blocks(*source, supported, *comm);
+    else
+      check_supports(*source, supported);
+  } catch (const InputError& error) {
+    std::string what = error.what();
+    if (what.rfind(scene.file, 0) == 0) throw;
+    const std::string mesh = "mesh: ";
+    if (scene.mesh.type == MeshType::gmsh && what.rfind(mesh, 0) == 0)
+      what = "mesh > gmsh > file = " + scene.mesh.gmsh.file + "\n  " + what.substr(mesh.size());
+    throw InputError(scene.file + ": " + what);
+  }
+  return source;
+}
+
+}  // namespace voussoir

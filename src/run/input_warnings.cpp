@@ -1,0 +1,169 @@
+#include "run/input_warnings.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/text.hpp"
+#include "run/joint_sides.hpp"
+#include "run/support_warnings.hpp"
+#include "step/scene_fit.hpp"
+
+namespace voussoir {
+namespace {
+
+// Largest stones laid in masonry are some 20 m long (Baalbek); beyond 50 m a drawing is in millimetres or centimetres.
+constexpr double large_stone = 50;  // [m]
+// Where even the largest stone is smaller than this, metres were taken for millimetres or centimetres.
+constexpr double small_stone = 0.01;  // [m]
+
+void append(Warnings& all, Warnings more) {
+  for (auto& warning : more) all.push_back(std::move(warning));
+}
+
+std::string stones_in_words(long long count) { return std::to_string(count) + (count == 1 ? " block" : " blocks"); }
+
+void warn_of_no_joints(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  if (model.points().total() > 0 || scene.joints.empty()) return;
+  const auto blocks = model.source().block_count();
+  all.push_back({"no_joints", scene.file + ": scene > joints", "", static_cast<double>(blocks),
+                 "the scene has laws for joints and the mesh has none: nothing can open or slip between its " +
+                     stones_in_words(blocks) +
+                     "; draw every stone as a surface of its own, stones that touch sharing the curve between them"});
+}
+
+void warn_of_bonds(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  if (scene.selection.mode != SelectionMode::bonded || model.points().total() == 0) return;
+  all.push_back({"bonded", scene.file + ": scene > selection > mode = bonded", "",
+                 static_cast<double>(model.points().total()),
+                 "no joint that is closed at first opens or slips: what stands so is a continuum, not an equilibrium "
+                 "of stones"});
+}
+
+/// The longer side of the box around a block [m].
+double extent(const Block<2>& block) {
+  double longest = 0;
+  for (int c = 0; c < 2; ++c) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto& x : block.position) {
+      low = std::min(low, x[c]);
+      high = std::max(high, x[c]);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
+
+void warn_of_sizes(const Scene& scene, const BlockSource<2>& source, Warnings& all) {
+  const bool from_file = scene.mesh.type == MeshType::gmsh;
+  double largest = 0;
+  BlockId where = 0;
+  long long large = 0;
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    if (!from_file && b != 0 && b != source.block_count() - 1) continue;  // generated stones are alike
+    const double size = extent(source.block(b));
+    large += size > large_stone && (from_file || b == 0);
+    if (size > largest) {
+      largest = size;
+      where = b;
+    }
+  }
+  const std::string key = from_file ? "mesh > gmsh > unit" : "mesh";
+  const std::string size = number_text(largest) + " m", name = source.block(where).name;
+  const std::string question =
+      from_file ? "; is the file drawn in metres? If not say so by mesh > gmsh > unit = mm, cm or ft (now: " +
+                      std::string(scene.mesh.gmsh.unit == 1 ? "m" : number_text(scene.mesh.gmsh.unit) + " m") + ")"
+                : "; lengths of a scene are in metres";
+  if (large > 0)
+    all.push_back(
+        {"large_stones", scene.file + ": scene > " + key, "", largest,
+         name + " is " + size + " long" +
+             (large > 1 && from_file ? " and " + std::to_string(large - 1) + " more exceed " : ", more than ") +
+             number_text(large_stone) + " m" + question});
+  else if (largest < small_stone)
+    all.push_back({"small_stones", scene.file + ": scene > " + key, "", largest,
+                   "the largest stone, " + name + ", is " + size + " long" + question});
+}
+
+/// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
+void warn_of_lone_stones(const Scene& scene, const BlockSource<2>& source, Warnings& all) {
+  const auto& graph = source.graph();
+  const BlockId blocks = source.block_count();
+  long long lone = 0;
+  BlockId first = 0;
+  for (BlockId b = blocks - 1; b >= 0; --b) {
+    const auto begin = graph.shared_vertices.begin();
+    const bool joined = std::any_of(begin + graph.start[b], begin + graph.start[b + 1], [](int n) { return n >= 2; });
+    if (joined) continue;
+    ++lone;
+    first = b;
+  }
+  if (lone == 0 || lone == blocks) return;  // where all stand alone there are no joints, which is said
+  all.push_back({"stones_without_joint", scene.file + ": scene > mesh", "", static_cast<double>(lone),
+                 source.block(first).name +
+                     (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
+                     " no joint with any other stone: nothing passes between, and nothing keeps stones from moving "
+                     "through each other; let stones that touch share the curve between them"});
+}
+
+/// Laws that hold for no joint: for none of the mesh, or for none that later laws leave.
+void warn_of_idle_laws(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  const auto& s = model.structure();
+  if (model.points().total() == 0) return;
+  const std::size_t laws = scene.joints.size();
+  std::vector<long long> mine(2 * laws, 0), total(2 * laws);  // joints a law holds for; joints its sets name
+  for (const Joint& joint : model.points().joints()) {
+    if (s.owner_of_block()[joint.block_i] != s.comm()->getRank()) continue;
+    ++mine[joint.family];
+    const auto& i = s.blocks()[s.local_block(joint.block_i)].mesh;
+    const auto& j = s.blocks()[s.local_block(joint.block_j)].mesh;
+    for (std::size_t f = 0; f < laws; ++f) mine[laws + f] += joins(model.source(), scene.joints[f].parameters, i, j);
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), total.data());
+  for (std::size_t f = 0; f < laws; ++f) {
+    const auto& law = scene.joints[f].parameters;
+    const bool fallback = law.between == "all" && law.and_ == "all";  // needed, also where others hold everywhere
+    const long long named = total[laws + f];
+    if (total[f] > 0 || (fallback && named > 0)) continue;
+    const std::string sets = in_quotes(law.between) + " and " + in_quotes(law.and_);
+    all.push_back({"law_without_joint", scene.file + ": scene > joints > " + scene.joints[f].name, "",
+                   static_cast<double>(named),
+                   named == 0 ? "no joint of the mesh is between " + sets +
+                                    ", so the law holds nowhere; look whether these stones share a curve"
+                              : "all " + std::to_string(named) + " joints between " + sets +
+                                    " are taken by later laws, so the law holds nowhere; put it behind them"});
+  }
+}
+
+}  // namespace
+
+Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
+  Warnings all = source.warnings();
+  for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
+  warn_of_sizes(scene, source, all);
+  warn_of_lone_stones(scene, source, all);
+  append(all, warnings_of_sides(scene, source));
+  return all;
+}
+
+Warnings input_warnings(const Model<2>& model) {
+  Warnings all;
+  warn_of_no_joints(model, all);
+  warn_of_bonds(model, all);
+  append(all, mesh_warnings(model.scene(), model.source()));
+  warn_of_idle_laws(model, all);
+  append(all, model.loads().warnings());
+  append(all, support_warnings(model));
+  return all;
+}
+
+void forget_input_warnings(Warnings& warnings) {
+  const auto of_input = [](const Warning& w) { return w.when.empty(); };
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), of_input), warnings.end());
+}
+
+}  // namespace voussoir

@@ -1,0 +1,170 @@
+#include "run/limit_run.hpp"
+
+#include <Teuchos_Time.hpp>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "output/output_folder.hpp"
+#include "run/mechanism_words.hpp"
+#include "run/recorder.hpp"
+#include "run/rigid_limits.hpp"
+#include "step/adaptive_step.hpp"
+#include "step/construction.hpp"
+
+namespace voussoir {
+namespace {
+
+/// The scene for a model that is not solved: one in time alone has no continuum.
+Scene without_load_steps(Scene scene) {
+  for (auto& stage : scene.stages) stage.duration = 1;
+  return scene;
+}
+
+/// The stages before the first that takes time.
+std::size_t static_stages(const Scene& scene) {
+  std::size_t count = 0;
+  while (count < scene.stages.size() && !scene.stages[count].dynamic()) ++count;
+  return count;
+}
+
+std::map<std::string, double> factors_after(const Scene& scene, std::size_t stages) {
+  std::map<std::string, double> factors;
+  for (std::size_t k = 0; k < stages; ++k)
+    for (const auto& [load, factor] : scene.stages[k].factors) factors[load] = factor;
+  return factors;
+}
+
+/// What is asked of a scene's rigid stones, and where the answers go.
+class LimitRun {
+ public:
+  /// @param scene  as the user wrote it
+  LimitRun(const Scene& scene, Model<2>& model, const std::string& folder, std::ostream& say)
+      : model_(model), scene_(scene), say_(say), step_(model), recorder_(model, step_, folder) {}
+
+  RunSummary answer() {
+    const auto stages = static_stages(scene_);
+    std::vector<char> absent;
+    if (!scene_.construction.empty() && stages > 0) {
+      Construction<2> construction(model_);
+      auto state = step_.initial_state();
+      construction.begin(scene_.stages[stages - 1].name, model_, state);
+      absent = construction.absent();
+    }
+    const auto factors = factors_after(scene_, stages);
+    RigidTask task{&absent, nullptr, {}, {}};
+    std::vector<double> prescribed;
+    model_.loads(factors, 0, task.fixed, prescribed);
+    const auto& search = scene_.load_factor;
+    if (search.asked()) task.raised = loads_of_pattern(model_, factors, search.pattern, 0);
+    const RigidLimits limits(model_, task);
+    const auto at_rest = limits.bears(0);
+    auto& summary = recorder_.summary();
+    summary.rigid.emplace();
+    if (at_rest.verdict == LimitVerdict::refused) {
+      summary.message =
+          "no forces that joints admit balance the loads, so that no equilibrium exists, by the static theorem";
+      falls(limits, at_rest, 0);
+    } else if (at_rest.verdict == LimitVerdict::unknown) {
+      summary.message = "the linear programme could not be solved exactly enough to prove anything";
+    } else {
+      stands(limits);
+      if (search.asked()) raise(limits);
+    }
+    return summary;
+  }
+
+ private:
+  static constexpr auto stage = "limit analysis";  ///< as fields call its steps
+
+  /// Forces that balance loads: the most balanced ones, and between which ends those of supports can be.
+  void stands(const RigidLimits& limits) {
+    auto& summary = recorder_.summary();
+    auto& rigid = *summary.rigid;
+    summary.outcome = Outcome::equilibrium;
+    const auto forces = limits.most_balanced(0, &rigid.free_share);
+    summary.message = "forces that joints admit balance the loads; they can leave " +
+                      six_digits(100 * rigid.free_share) + " % of every dry joint free, a geometric factor of " +
+                      "safety of " + six_digits(1 / (1 - rigid.free_share)) + " or more";
+    recorder_.record_forces(limits.on_points(forces), stage, scene_.load_factor.asked() ? 0 : 1);
+    const int supports = static_cast<int>(scene_.supports.size());
+    const auto ranges = limits.reactions(supports, 0);
+    const auto force = [](double f) { return std::isfinite(f) ? six_digits(f) + " N" : std::string("any force"); };
+    for (int k = 0; k < supports; ++k) {
+      const auto& name = scene_.supports[static_cast<std::size_t>(k)].name;
+      auto& range = rigid.reactions[name];
+      std::string words;
+      for (std::size_t c = 0; c < 2; ++c) {
+        const auto& found = ranges[static_cast<std::size_t>(k)][c];
+        range[c] = {found.least.value_or(-INFINITY), found.most.value_or(INFINITY)};
+        if (range[c].least == 0 && range[c].most == 0) continue;
+        words += std::string(words.empty() ? " can push from " : ", from ") + force(range[c].least) + " to " +
+                 force(range[c].most) + (c == 0 ? " to the right" : " upwards");
+      }
+      say_ << "Support '" << name << "'" << (words.empty() ? " bears nothing" : words) << ".\n";
+    }
+  }
+
+  /// How far the pattern of a load factor search can be raised.
+  void raise(const RigidLimits& limits) {
+    const auto& search = scene_.load_factor;
+    auto& summary = recorder_.summary();
+    const auto limit = limits.largest_factor(search.largest);
+    summary.collapse = CollapseSummary{search.pattern, 0, INFINITY, true, {}, INFINITY, INFINITY};
+    auto& found = *summary.collapse;
+    if (limit.verdict == LimitVerdict::limited) {
+      found.certified = found.upper = limit.factor;
+      if (const auto estimate = limits.without_dilatancy(search.largest, limit)) found.estimate = *estimate;
+      summary.message =
+          "above " + six_digits(limit.factor) +
+          " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip "
+          "dilates stand up to there" +
+          (std::isfinite(found.estimate) ? ", an estimate where it does not is " + six_digits(found.estimate) : "");
+      falls(limits, limit, limit.factor);
+    } else if (limit.verdict == LimitVerdict::unlimited) {
+      found.lower = search.largest;
+      summary.message +=
+          "; so they do at " + (limits.borne_at_any_factor()
+                                    ? std::string("any factor of the pattern, since joints balance it alone")
+                                    : six_digits(search.largest) + " times the pattern, the largest asked for");
+    } else {
+      summary.outcome = Outcome::not_converged;
+      summary.message += "; how far the pattern can be raised could not be solved exactly enough";
+    }
+  }
+
+  /// The mechanism that proves it, with the forces that balance as much of the loads as can be.
+  void falls(const RigidLimits& limits, const LimitAnswer& answer, double factor) {
+    const auto mechanism = limits.on_nodes(answer);
+    auto state = step_.initial_state();
+    state.lambda = limits.on_points(answer);
+    recorder_.record_forces(state.lambda, std::string(stage) + ": limit", factor);
+    recorder_.record_mechanism(mechanism, state, stage, factor);
+    auto& summary = recorder_.summary();
+    summary.outcome = Outcome::collapse;
+    summary.mechanism = largest_mover(model_, mechanism);
+    summary.message += "; " + mechanism_in_words(model_, mechanism);
+  }
+
+  Model<2>& model_;
+  const Scene& scene_;
+  std::ostream& say_;
+  AdaptiveStep<2> step_;
+  Recorder<2> recorder_;
+};
+
+}  // namespace
+
+RunSummary limit_run(const Scene& scene, const BlockSource<2>& source, const std::string& folder,
+                     const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
+  Teuchos::Time clock("limit analysis", true);
+  const auto unsolved = without_load_steps(scene);
+  Model<2> model(unsolved, source, comm);
+  auto summary = LimitRun(scene, model, folder, say).answer();
+  summary.scene = scene.file;
+  summary.seconds["total"] = clock.totalElapsedTime(true);
+  summary.peak_memory = peak_memory_per_rank(*comm);
+  write_result_json(folder + "/" + result_file, summary, *comm);
+  return summary;
+}
+
+}  // namespace voussoir

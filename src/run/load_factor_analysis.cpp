@@ -1,0 +1,206 @@
+#include "run/load_factor_analysis.hpp"
+
+#include <Teuchos_Time.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "base/text.hpp"
+#include "linalg/reduce.hpp"
+#include "run/mechanism_words.hpp"
+#include "run/settling_in_time.hpp"
+#include "run/static_theorem.hpp"
+#include "step/finite_rotations.hpp"
+#include "step/tie_balance.hpp"
+
+namespace voussoir {
+namespace {
+
+// Attempts that stand rarely take five times the linear solves of the dearest that did; the first may need hundreds.
+constexpr int patience = 5, fewest_solves = 300;
+
+/// Beyond this share of the structure displacements change what bears what, which small ones leave out.
+constexpr double small_displacements = 0.01;
+
+// A mechanism whose stones overlap by less of its largest motion than this is one: those found far from the limit 1e-5.
+constexpr double believable_overlap = 1e-3;
+
+/// How far stones that press on each other would move into each other, relative to the largest motion of a mechanism.
+double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const Model<2>& model) {
+  std::vector<double> motion;
+  relative_motions(model.points(), mechanism, motion);
+  double overlap = 0;
+  for (int k = 0; k < model.points().owned(); ++k)
+    if (state.lambda[2 * k] > 0) overlap = std::max(overlap, -motion[2 * k]);
+  return largest_over_ranks(*model.structure().comm(), overlap);
+}
+
+}  // namespace
+
+/// What the static theorem and the estimate without dilatancy say, before anything is tried.
+void LoadFactorAnalysis::certify(const Attempting& run) {
+  asked_theorem_ = true;
+  if (!theorem_applies(run.model)) return;
+  const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p_.pattern, run.steps.time());
+  const RigidLimits limits(run.model, {&run.construction.absent(), &run.state.broken, run.load, raised});
+  const auto limit = limits.largest_factor(p_.largest);
+  if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
+  if (limit.verdict == LimitVerdict::refused) {
+    const Warning held{"held_by_ties", "the structure", at_factor(stage, 0), 0,
+                       "no admissible forces balance the loads of the last stage, by the static theorem: ties bear "
+                       "them beyond the law of their joints; take selection > mode = all"};
+    if (run.recorder.warn(held)) run.narrator.warn(held);
+  }
+  search_.certify(limit.verdict == LimitVerdict::limited ? std::max(0.0, limit.factor) : 0.0);
+  limit_mechanism_ = limits.on_nodes(limit);
+  limit_lambda_ = limits.on_points(limit);
+  if (const auto estimate = limits.without_dilatancy(p_.largest, limit)) search_.guess(*estimate);
+  run.narrator.say("  Above load factor " + six_digits(search_.certified()) +
+                   " no equilibrium exists, by the static theorem (rigid limit analysis).");
+}
+
+/// A load step by statics, or else in time. The state is where it ends.
+LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, const ContactState& before,
+                                                     const LoadIncrement& increment) {
+  Found found;
+  const bool in_time = can_settle_in_time(run.model);
+  const int most = in_time ? std::max(fewest_solves, patience * most_solves_) : std::numeric_limits<int>::max();
+  {
+    SolveBudget budget(run.step, most);
+    try {
+      found.report = solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
+      found.mechanism = run.step.mechanism();
+    } catch (const OutOfSolves&) {
+      found.report.newton.newton_iterations = budget.solves();
+      found.report.newton.reason = "no equilibrium within " + std::to_string(most) + " linear solves, " +
+                                   std::to_string(patience) + " times those of the dearest attempt that stands";
+    }
+  }
+  if (found.report.newton.outcome == NewtonOutcome::converged)
+    most_solves_ = std::max(most_solves_, found.report.newton.newton_iterations);
+  if (found.report.newton.outcome != NewtonOutcome::not_converged || !in_time) return found;
+  int all = found.report.newton.newton_iterations;
+  for (const auto& a : search_.attempts()) all += a.linear_solves;
+  run.narrator.say("  Undecided by statics (" + found.report.newton.reason + "): let go in time.");
+  auto settled = settle_in_time(run.model, run.step, before, increment, all);
+  found.solves = settled.solves;
+  const auto seconds = six_digits(settled.time) + " s";
+  if (settled.verdict == Verdict::undecided) {
+    run.narrator.say("  Not decided in " + seconds + " of time, " + std::to_string(settled.solves) + " linear solves.");
+    return found;
+  }
+  const bool stands = settled.verdict == Verdict::equilibrium;
+  run.narrator.say((stands ? "  Came to rest within " : "  Moves on with growing speed after ") + seconds + ".");
+  run.state = std::move(settled.state);
+  if (stands) {
+    found.solves -= settled.report.newton.newton_iterations;
+    settled.report.newton.newton_iterations += found.report.newton.newton_iterations;
+    found.report = settled.report;
+  } else {
+    run.state.velocity.clear();
+    found.report.newton.outcome = NewtonOutcome::collapse;
+    found.report.newton.reason = "let go under these loads it moves on with growing speed, as seen in time";
+    found.mechanism = std::move(settled.mechanism);
+  }
+  return found;
+}
+
+void LoadFactorAnalysis::attempt(const Attempting& run) {
+  if (!asked_theorem_) certify(run);
+  const auto next = search_.next();
+  if (!next) return;
+  const double factor = *next;
+  auto factors = run.steps.last_factors();
+  for (const auto& [load, share] : p_.pattern) factors[load] += factor * share;
+  const double time = run.steps.time();
+  std::vector<double> next_load, prescribed;
+  run.model.loads(factors, time, next_load, prescribed);
+  run.construction.restrict(run.state, next_load, prescribed);
+  const auto& summary = run.recorder.summary();
+  run.narrator.begin(summary.steps + 1, stage, factor, 1.0);
+  Teuchos::Time clock("attempt", true);
+  const ContactState before = run.state;
+  const LoadStepBook<2> book(run.model, run.step, before, run.load);
+  const auto found = decide(run, before, {run.load, next_load, prescribed});
+  const auto& report = found.report;
+  const double seconds = clock.totalElapsedTime(true);
+  const int solves = report.newton.newton_iterations + report.estimate_solves + found.solves;
+  const bool stands = report.newton.outcome == NewtonOutcome::converged;
+  const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
+  const auto beyond = stands ? run.range.beyond(end) : "";
+  if (stands && !beyond.empty()) {  // neither an equilibrium nor a mechanism: it cannot be told
+    run.narrator.say("  Out of range at load factor " + six_digits(factor) + ": " + beyond + ".");
+    if (factor < beyond_at_) beyond_at_ = factor, beyond_ = beyond;
+    run.state = before;
+    go_back(run.model, before);
+    search_.add(Verdict::undecided, solves);
+    return;
+  }
+  if (stands) {
+    search_.add(Verdict::equilibrium, solves);
+    for (const auto& w : held_by_ties(report.tied_share, report.tied_block, end.when))
+      if (run.recorder.warn(w)) run.narrator.warn(w);
+    run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
+    run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
+    run.narrator.end(report, run.recorder.status(), seconds, summary);
+    run.load = next_load;
+    return;
+  }
+  run.narrator.failed(report, stage, factor);
+  const auto failed = std::exchange(run.state, before);
+  const bool collapse = report.newton.outcome == NewtonOutcome::collapse, first = !search_.has_mechanism();
+  search_.add(collapse ? Verdict::collapse : Verdict::undecided, solves);
+  if (!collapse) return;
+  // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
+  const auto& mechanism = found.mechanism;
+  const auto overlap = [&](const auto& motion, const auto& state) { return overlap_of(motion, state, run.model); };
+  if (!first && overlap(mechanism, failed) > std::max(believable_overlap, overlap(mechanism_, failed_))) return;
+  mechanism_ = mechanism;
+  failed_ = failed;
+}
+
+void LoadFactorAnalysis::judge(const Attempting& run) {
+  auto& summary = run.recorder.summary();
+  summary.collapse = CollapseSummary{p_.pattern, search_.lower(),     search_.upper(), search_.sharp(),
+                                     {},         search_.certified(), search_.guess()};
+  constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
+  for (const auto& a : search_.attempts())
+    summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
+  const std::string stands = "it stands at " + six_digits(search_.lower());
+  if (!search_.found()) {
+    summary.outcome = search_.lower() >= p_.largest ? Outcome::equilibrium : Outcome::not_converged;
+    summary.message = summary.outcome == Outcome::equilibrium
+                          ? stands + ", the largest load factor asked for"
+                          : stands + " times the pattern; beyond that neither an equilibrium nor a mechanism was found";
+    if (beyond_.empty()) return;
+    summary.outcome = Outcome::out_of_range;
+    summary.message = stands + " times the pattern; at " + six_digits(beyond_at_) + " times it " + beyond_;
+    return;
+  }
+  summary.outcome = Outcome::collapse;
+  const bool theorem_alone = !search_.has_mechanism();
+  summary.message = theorem_alone ? "above " + six_digits(search_.upper()) +
+                                        " times the pattern no equilibrium exists, by the static theorem; " + stands
+                                  : "at " + six_digits(search_.upper()) + " times the pattern it collapses; " + stands;
+  if (!search_.sharp()) summary.message += "; factors between were tried and could not be decided";
+  if (!beyond_.empty() && beyond_at_ > search_.lower() && beyond_at_ < search_.upper())
+    summary.message += ": at " + six_digits(beyond_at_) + " " + beyond_;
+  if (theorem_alone) {
+    mechanism_ = limit_mechanism_;
+    failed_ = run.state;
+    failed_.lambda = limit_lambda_;
+  }
+  run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
+  summary.mechanism = largest_mover(run.model, mechanism_);
+  summary.message += "; " + mechanism_in_words(run.model, mechanism_);
+}
+
+void LoadFactorAnalysis::conclude(const Attempting& run) {
+  judge(run);
+  auto& summary = run.recorder.summary();
+  const double share = summary.largest_displacement / run.model.structure().size();
+  if (share > small_displacements && run.model.scene().model.rotations == Rotations::small)
+    summary.message += "; by then displacements are " + six_digits(100 * share) +
+                       " % of the structure, more than small displacements, which are all that is computed, can tell";
+}
+
+}  // namespace voussoir

@@ -1,0 +1,288 @@
+#include "run/run.hpp"
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "run/coarse_joints.hpp"
+#include "run/input_warnings.hpp"
+#include "run/masonry_statics.hpp"
+#include "run/mechanism_words.hpp"
+#include "run/shares_of_ranks.hpp"
+#include "run/stop_signals.hpp"
+#include "step/finite_rotations.hpp"
+#include "step/halved_step.hpp"
+#include "step/phase.hpp"
+#include "step/tie_balance.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
+
+struct StopWithinStep {};  ///< thrown when a signal is seen within a step, which is given up
+
+}  // namespace
+
+Run::Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branched, const Teuchos::Time& clock,
+         std::ostream& say)
+    : model_(model),
+      clock_(clock),
+      say_(say),
+      step_(model),
+      progress_(*step_.progress()),
+      steps_(model.scene().stages, model.scene().load_steps),
+      state_(step_.initial_state()),
+      construction_(model),
+      theorem_(model),
+      refuse_(progress_, [this] { theorem_.count_solve(); }),
+      stop_(progress_,
+            [this] {
+              if (stop_signal_on_any_rank(*model_.structure().comm())) throw StopWithinStep{};
+            }),
+      range_(model, [this](const Warning& w) { warn(w); }),
+      load_(state_.displacement.size(), 0.0),
+      saved_(model, options.folder, options.restart_from) {
+  const auto& search = model.scene().load_factor;
+  if (search.asked()) load_factor_ = std::make_unique<LoadFactorAnalysis>(search);
+  for (const char* phase : phases) seconds_[phase] = 0;
+  seconds_["total"] = 0;
+  Record so_far;
+  if (options.restart || branched) restore(so_far);
+  nothing_left_ = options.restart && finished() && holds_result(options.folder, *model.structure().comm());
+  if (nothing_left_) return;
+  if (branched) branched->copy_records(model.scene().output.fields);
+  recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
+  if (recorder_->fields_lost())
+    say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
+  narrator_ = std::make_unique<Narrator>(say, options.verbose);
+  progress_.print = [this](const NewtonProgress& p) { narrator_->solve(p); };
+  progress_.print_round = [this](int round, long long selected, double estimate) {
+    narrator_->round(round, selected, estimate);
+  };
+}
+
+void Run::warn(const Warning& warning) {
+  if (recorder_->warn(warning)) narrator_->warn(warning);
+}
+
+const RunSummary& Run::all_steps() {
+  auto& summary = recorder_->summary();
+  summary.outcome = Outcome::equilibrium;
+  while (!finished()) {
+    if (!one_step()) return summary;
+    if (finished()) break;
+    if (stop_signal_on_any_rank(*model_.structure().comm())) return interrupted();
+    saved_.save_when_due(here());
+  }
+  const bool keep = model_.scene().output.checkpoint_at_end;
+  if (keep) keep_last_state();  // without the mechanism, which is no step to go on from
+  if (load_factor_) load_factor_->conclude(attempting());
+  const bool undecided = summary.outcome == Outcome::not_converged || summary.outcome == Outcome::out_of_range;
+  if (!keep && undecided) saved_.save(here());
+  return summary;
+}
+
+bool Run::one_step() {
+  const bool in_time = !steps_.finished() && steps_.dynamic();
+  const auto stage = steps_.finished() ? model_.scene().stages.back().name : steps_.stage();
+  construction_.begin(stage, model_, state_);
+  if (in_time) begin_time();  // initial velocities belong to the state a failed step goes back to
+  const auto before = state_;
+  try {
+    if (steps_.finished())
+      load_factor_->attempt(attempting());
+    else if (!(in_time ? time_step(before) : load_step(before)))
+      return false;
+  } catch (const StopWithinStep&) {
+    state_ = before;
+    interrupted();
+    return false;
+  }
+  if (model_.brittle())
+    for (const auto& w : coarse_joints(model_, state_, at_factor(stage, recorder_->summary().load_factor))) warn(w);
+  return true;
+}
+
+void Run::write_joints(const std::string& folder) {
+  auto& summary = recorder_->summary();
+  if (!in_motion(*model_.structure().comm(), state_) && summary.steps > 0)
+    summary.statics = write_statics(model_, step_, state_, load_, folder);
+}
+
+void Run::end() {
+  if (model_.scene().output.checkpoint_at_end) return;
+  const auto& summary = recorder_->summary();
+  const bool found = summary.collapse && summary.outcome == Outcome::collapse;
+  if (summary.outcome == Outcome::equilibrium || found) saved_.remove();
+}
+
+PartitionSummary Run::partition() const {
+  const auto quality = partition_quality(model_);
+  return {quality.cut, quality.neighbours, quality.imbalance, imbalance_of_selected(model_, state_)};
+}
+
+std::map<std::string, double> Run::seconds() const {
+  auto all = seconds_;
+  for (const auto& [phase, seconds] : seconds_of_phases(phases)) all[phase] += seconds;
+  all["total"] += clock_.totalElapsedTime(true);
+  return all;
+}
+
+bool Run::load_step(const ContactState& before) {
+  const auto& summary = recorder_->summary();
+  dynamics_.reset();
+  if (!state_.velocity.empty()) untie_what_moved(model_, state_);
+  state_.velocity.clear();
+  std::vector<double> next_load, prescribed;
+  model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);
+  construction_.restrict(state_, next_load, prescribed);
+  narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
+  Teuchos::Time clock("step", true);
+  const LoadStepBook<2> book(model_, step_, before, load_);
+  theorem_.begin(construction_.absent(), before.broken, load_, next_load, steps_.target() == 1);
+  const auto report = theorem_.solve(step_, model_, state_, prescribed);
+  const double seconds = clock.totalElapsedTime(true);
+  const std::string stage = steps_.stage();
+  const double target = steps_.target();
+  if (report.newton.outcome != NewtonOutcome::converged) {
+    narrator_->failed(report, stage, target);
+    const auto failed = std::exchange(state_, before);
+    if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target}, target);
+    if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
+      failure_ = Failure{failed, report, step_.mechanism(), target};
+    const bool same = half_asks_the_same(model_, construction_, steps_, before, next_load, prescribed);
+    if (!same && steps_.halve()) return true;
+    return fail(*failure_, target);
+  }
+  if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
+  for (const auto& w : held_by_ties(report.tied_share, report.tied_block, at_factor(stage, target))) warn(w);
+  failure_.reset();
+  recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
+  steps_.accept();
+  recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
+  narrator_->end(report, recorder_->status(), seconds, summary);
+  load_ = next_load;
+  return true;
+}
+
+bool Run::time_step(const ContactState& before) {
+  const double time_step = control_->time_step();
+  steps_.set_time_step(time_step);
+  dynamics_->set_time_step(time_step);
+  const std::string stage = steps_.stage();
+  const double target = steps_.target(), time = steps_.time(target);
+  std::vector<double> load, prescribed;
+  loads_of_time_step(model_, steps_, load, prescribed);
+  narrator_->begin(recorder_->summary().steps + 1, stage, time, steps_.progress());
+  Teuchos::Time clock("step", true);
+  const auto report = advance(*dynamics_, state_, {load, prescribed});
+  const double seconds = clock.totalElapsedTime(true);
+  if (report.step.newton.outcome != NewtonOutcome::converged) {
+    narrator_->failed(report.step, stage, time);
+    const auto failed = std::exchange(state_, before);
+    if (control_->halve()) {
+      narrator_->say("  Time step halved to " + number_text(control_->time_step()) + " s.");
+      return true;
+    }
+    return fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
+  }
+  const bool compares = target == 1 || writes();  // outlines of stones
+  if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
+  for (const auto& w : held_by_ties(report.step.tied_share, report.step.tied_block, at_time(stage, time))) warn(w);
+  recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
+  const double duration = steps_.stage_parameters().duration;
+  steps_.accept();
+  model_.loads(steps_.last_factors(), time, load_, prescribed);
+  const bool write = writes();
+  recorder_->record(state_, report, stage, target, time, write, seconds);
+  narrator_->end(report.step, recorder_->status(), seconds, recorder_->summary(), write);
+  control_->accept(report.error, target * duration);
+  if (steps_.stage_reached()) {
+    control_.reset();
+    level_ = {};
+  }
+  return true;
+}
+
+void Run::begin_time() {
+  if (!dynamics_) {
+    dynamics_ = std::make_unique<DynamicStep<2>>(model_, step_.progress());
+    recorder_->give(dynamics_->begin(state_));
+  }
+  if (control_) return;
+  const auto& stage = steps_.stage_parameters();
+  const auto& time = model_.scene().time;
+  const double courant_time = dynamics_->courant_time();
+  const double longest = std::min(time.largest_courant * courant_time, model_.loads().resolution());
+  control_ = std::make_unique<StepControl>(level_, stage.duration, stage.time_step, courant_time, longest,
+                                           time.error_tolerance, time.largest_halvings);
+}
+
+Attempting Run::attempting() {
+  return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
+}
+
+bool Run::writes() const {
+  return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
+}
+
+bool Run::in_range(const StepEnd& end, const ContactState& before) {
+  const auto beyond = range_.beyond(end);
+  if (beyond.empty()) return true;
+  state_ = before;
+  go_back(model_, before);
+  saved_.save(here());
+  auto& summary = recorder_->summary();
+  summary.outcome = Outcome::out_of_range;
+  summary.load_factor = steps_.reached();
+  summary.message = end.when + ": " + beyond;
+  return false;
+}
+
+bool Run::fail(const Failure& failure, double last) {
+  auto& summary = recorder_->summary();
+  saved_.save(here());
+  summary.outcome = failure.collapse() ? Outcome::collapse : Outcome::not_converged;
+  summary.load_factor = steps_.reached();
+  summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(failure.target) + ": " +
+                    failure.report.newton.reason;
+  if (!failure.collapse()) return false;
+  if (last < failure.target)
+    summary.message += "; smaller steps, down to load factor " + std::to_string(last) + ", could not be decided";
+  recorder_->record_mechanism(failure.mechanism, failure.state, steps_.stage(), failure.target);
+  summary.mechanism = largest_mover(model_, failure.mechanism);
+  summary.message += "; " + mechanism_in_words(model_, failure.mechanism);
+  return false;
+}
+
+RunState Run::here() {
+  seconds_so_far_ = seconds();
+  return {steps_, state_, load_, level_, recorder_->so_far(), seconds_so_far_, load_factor_.get()};
+}
+
+void Run::keep_last_state() {
+  try {
+    saved_.save(here());
+  } catch (const ResourceError& error) {
+    narrator_->say(std::string("No further stage can follow this run: ") + error.what());
+  }
+}
+
+const RunSummary& Run::interrupted() {
+  saved_.save(here());
+  recorder_->summary().outcome = Outcome::interrupted;
+  return recorder_->summary();
+}
+
+void Run::restore(Record& so_far) {
+  const RunState state{steps_, state_, load_, level_, so_far, seconds_, load_factor_.get()};
+  const auto changed = saved_.restore(state);
+  if (model_.scene().model.rotations == Rotations::finite) model_.follow(state_.displacement);
+  say_ << words_of(state, changed);
+  forget_input_warnings(so_far.summary.warnings);
+  const auto& stages = model_.scene().stages;
+  if (finished() && !stages.empty()) construction_.begin(stages.back().name, model_, state_);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,123 @@
+// The steps of a scene: load steps, time steps and the search for a load factor, from where a run begins or goes on.
+#pragma once
+
+#include <Teuchos_Time.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "dynamics/load_steps.hpp"
+#include "dynamics/step_control.hpp"
+#include "output/output_folder.hpp"
+#include "run/load_factor_analysis.hpp"
+#include "run/narrator.hpp"
+#include "run/range_check.hpp"
+#include "run/recorder.hpp"
+#include "run/saved_run.hpp"
+#include "run/simulation.hpp"
+#include "run/static_theorem.hpp"
+#include "step/construction.hpp"
+#include "step/dynamic_step.hpp"
+
+namespace voussoir {
+
+/// The steps of a scene.
+class Run {
+ public:
+  /// @param clock  of the whole run
+  /// @param branched  the folder to go on from, where that is another
+  Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branched, const Teuchos::Time& clock,
+      std::ostream& say);
+
+  const RunSummary& summary() const { return recorder_->summary(); }
+  /// The run that was to be gone on with has come to its end, and the scene asks for no more: nothing was touched.
+  bool nothing_left() const { return nothing_left_; }
+
+  /// Tells and keeps what the result leaves open. The same on all ranks.
+  void warn(const Warning& warning);
+
+  const RunSummary& all_steps();
+
+  /// What joints and supports carry in the last equilibrium; nothing of a run that ends in time, or found none.
+  void write_joints(const std::string& folder);
+  /// What nobody wants to go on with is removed.
+  void end();
+  /// How evenly ranks share what is there now.
+  PartitionSummary partition() const;
+  /// Seconds by phase, of all parts of the run.
+  std::map<std::string, double> seconds() const;
+
+ private:
+  struct Failure {
+    ContactState state;
+    StepReport report;
+    std::vector<double> mechanism;
+    double target = 0;
+    bool collapse() const { return report.newton.outcome == NewtonOutcome::collapse; }
+  };
+
+  /// A load step, a time step or an attempt at a load factor. False when the run ends here.
+  bool one_step();
+
+  /// False when the run ends here.
+  bool load_step(const ContactState& before);
+
+  /// False when the run ends here.
+  bool time_step(const ContactState& before);
+
+  /// Mass matrices and initial velocities before the first time step, the time step before every stage.
+  void begin_time();
+
+  bool finished() const { return steps_.finished() && (!load_factor_ || load_factor_->finished()); }
+
+  Attempting attempting();
+
+  bool writes() const;
+
+  /// False when a step that was solved is beyond what the model can tell; then the run ends in the state before it.
+  bool in_range(const StepEnd& end, const ContactState& before);
+
+  /// The run ends here: false.
+  /// @param last  the load tried last; where a smaller one is not decided, the collapse under a larger one is told
+  bool fail(const Failure& failure, double last);
+
+  RunState here();
+
+  /// The results of a run that is done do not depend on whether its state can be kept.
+  void keep_last_state();
+
+  const RunSummary& interrupted();
+
+  void restore(Record& so_far);
+
+  Model<2>& model_;
+  const Teuchos::Time& clock_;
+  std::ostream& say_;
+  AdaptiveStep<2> step_;
+  Progress& progress_;
+  LoadSteps steps_;
+  std::unique_ptr<DynamicStep<2>> dynamics_;  ///< in stages with a duration
+  std::unique_ptr<StepControl> control_;      ///< of the stage
+  TimeStepLevel level_;
+  ContactState state_;
+  Construction<2> construction_;
+  StaticTheorem theorem_;
+  Progress::Judging refuse_, stop_;  ///< what no forces can bear is not tried; a signal ends a step
+  RangeCheck range_;
+  std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
+  /// The load step that failed while smaller ones are tried: a collapse where one was found. Not in checkpoints: a run
+  /// stopped and restarted meanwhile tells what its last attempt came to.
+  std::optional<Failure> failure_;
+  std::vector<double> load_;
+  SavedRun saved_;
+  bool nothing_left_ = false;
+  std::map<std::string, double> seconds_;         ///< by phase, of earlier parts of the run
+  std::map<std::string, double> seconds_so_far_;  ///< the same with this part
+  std::unique_ptr<Recorder<2>> recorder_;
+  std::unique_ptr<Narrator> narrator_;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,21 @@
+#include "run/scene_file.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+#include "output/output_folder.hpp"
+#include "output/safe_file.hpp"
+#include "scene/scene_printer.hpp"
+
+namespace voussoir {
+
+void write_scene_file(const Scene& scene, const std::string& folder, const Teuchos::Comm<int>& comm) {
+  on_first_rank(comm, [&] {
+    std::filesystem::remove(folder + "/" + result_file);
+    std::ostringstream text;
+    write_scene(text, scene);
+    replace_file(folder + "/scene.xml", text.str());
+  });
+}
+
+}  // namespace voussoir

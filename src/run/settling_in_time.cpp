@@ -1,0 +1,129 @@
+#include "run/settling_in_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/reduce.hpp"
+#include "step/dynamic_step.hpp"
+#include "step/finite_rotations.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// The slowest vibration of a compact body takes four passages of a wave. Slender structures vibrate more slowly, which
+// more time resolves all the better.
+constexpr double passages_in_period = 4;
+// A quarter of that period at first: vibrations are not to be seen, but to be damped.
+constexpr double steps_in_period = 4;
+// Steps of one length; the next ones are twice as long. The first of them bring the loads, over four periods.
+constexpr int steps_of_a_length = 16;
+constexpr int lengths = 10;
+// A mechanism has gone a thousand times as far as loads deform a compact body, and at least doubles its kinetic energy
+// in each of the last two lengths; falling freely it grows fourfold.
+constexpr double far = 1000, growth = 2;
+constexpr int lengths_of_growth = 2;
+// Near rest kinetic energy is so small a share of the elastic one that what is left moves stones by a hundredth of what
+// loads do. The midpoint rule lets stiff vibrations ring on at such a level when time steps are long. Asked again when
+// it is ten times calmer.
+constexpr double near_rest = 1e-4, calmer = 0.1;
+// A load step from a place of rest that is an equilibrium takes dozens of linear solves.
+constexpr int solves_to_confirm = 200;
+
+/// Total of the sizes of nodal loads [N].
+double size_of(const Structure<2>& s, const std::vector<double>& load) {
+  double sum = 0;
+  for (int n = 0; n < s.owned_nodes(); ++n) sum += std::hypot(load[2 * n], load[2 * n + 1]);
+  return total_over_ranks(*s.comm(), sum);
+}
+
+double largest_motion(const Structure<2>& s, const std::vector<double>& a, const std::vector<double>* b = nullptr) {
+  double largest = 0;
+  for (int n = 0; n < s.owned_nodes(); ++n)
+    largest = std::max(largest, b ? std::hypot(a[2 * n] - (*b)[2 * n], a[2 * n + 1] - (*b)[2 * n + 1])
+                                  : std::hypot(a[2 * n], a[2 * n + 1]));
+  return largest_over_ranks(*s.comm(), largest);
+}
+
+/// A load step from where the structure has come to rest. Says whether that is an equilibrium.
+bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increment, int most_solves,
+             Settled& settled) {
+  auto state = settled.state;
+  untie_what_moved(model, state);
+  state.velocity.clear();
+  const SolveBudget budget(step, std::min(solves_to_confirm, most_solves));
+  try {
+    settled.report = solve_load_step(model, step, state, increment.load, increment.prescribed);
+  } catch (const OutOfSolves&) {
+    settled.solves += budget.solves();
+    return false;
+  }
+  settled.solves += budget.solves();
+  if (settled.report.newton.outcome != NewtonOutcome::converged) return false;
+  settled.state = state;
+  settled.verdict = Verdict::equilibrium;
+  return true;
+}
+
+}  // namespace
+
+bool can_settle_in_time(const Model<2>& model) {
+  double lightest = INFINITY;
+  for (const auto& block : model.structure().blocks()) lightest = std::min(lightest, block.material.density);
+  const bool heavy = largest_over_ranks(*model.structure().comm(), -lightest) < 0;
+  return heavy && model.scene().velocities.empty() && model.scene().model.rotations == Rotations::small &&
+         model.scene().selection.mode != SelectionMode::bonded;
+}
+
+Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactState& equilibrium,
+                       const LoadIncrement& increment, int most_solves) {
+  const auto& s = model.structure();
+  Settled settled;
+  settled.state = equilibrium;
+  settled.state.velocity.clear();
+  auto& state = settled.state;
+  DynamicStep<2> dynamics(model, step.progress());
+  const double crossing = dynamics.crossing_time(), period = passages_in_period * crossing;
+  dynamics.set_stiffness_damping(period / pi);  // critical at that period
+  dynamics.begin(state);
+  const double acceleration = size_of(s, increment.load) / dynamics.total_mass();
+  const double deforms = acceleration * std::pow(period / (2 * pi), 2);
+  double time_step = period / steps_in_period, energy_before = 0, rests_below = near_rest;
+  int grown = 0;
+  for (int length = 0; length < lengths; ++length, time_step *= 2) {
+    dynamics.set_time_step(time_step);
+    double elastic = 0, kinetic = 0;
+    for (int k = 0; k < steps_of_a_length; ++k) {
+      const double share = length > 0 ? 1.0 : (k + 0.5) / steps_of_a_length;
+      auto load = increment.load_before;
+      for (std::size_t i = 0; i < load.size(); ++i) load[i] += share * (increment.load[i] - load[i]);
+      SolveBudget budget(dynamics, most_solves - settled.solves);
+      TimeStepReport report;
+      try {
+        report = advance(dynamics, state, {load, increment.prescribed});
+      } catch (const OutOfSolves&) {
+        report.step.newton.outcome = NewtonOutcome::not_converged;
+      }
+      settled.solves += budget.solves();
+      if (report.step.newton.outcome != NewtonOutcome::converged) return settled;
+      settled.time += time_step;
+      elastic = report.elastic, kinetic = report.kinetic;
+    }
+    grown = kinetic > growth * energy_before && length > 0 ? grown + 1 : 0;
+    energy_before = kinetic;
+    const bool moves_on = grown >= lengths_of_growth;
+    if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > far * deforms) {
+      settled.verdict = Verdict::collapse;
+      settled.mechanism = state.velocity;
+      const double largest = largest_motion(s, state.velocity);
+      for (auto& v : settled.mechanism) v /= largest;
+      return settled;
+    }
+    if (length == 0 || kinetic > rests_below * elastic) continue;
+    if (confirm(model, step, increment, most_solves - settled.solves, settled)) return settled;
+    rests_below = calmer * kinetic / elastic;
+  }
+  return settled;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,84 @@
+#include "run/simulation.hpp"
+
+#include <Teuchos_Time.hpp>
+#include <optional>
+
+#include "output/output_folder.hpp"
+#include "run/effect_costs.hpp"
+#include "run/input_warnings.hpp"
+#include "run/limit_run.hpp"
+#include "run/prediction.hpp"
+#include "run/run.hpp"
+#include "run/scene_file.hpp"
+#include "scene/scene_printer.hpp"
+
+namespace voussoir {
+namespace {
+
+using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
+
+/// What is wanted without a run; nothing where that is not all.
+std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& options, const BlockSource<2>& source,
+                                         const Comm& comm, std::ostream& say) {
+  if (!options.validate && !options.dry_run) return {};
+  for (const auto& w : mesh_warnings(scene, source)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
+  if (options.validate)
+    say << "The scene is valid: " << source.block_count() << " blocks.\n";
+  else
+    predict(scene, source, comm, say);
+  return RunSummary{};
+}
+
+void say_sizes(const Model<2>& model, std::ostream& say) {
+  const int ranks = model.structure().comm()->getSize();
+  say << model.source().block_count() << " blocks, " << model.points().total_joints() << " joints, "
+      << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on " << ranks
+      << (ranks == 1 ? " rank\n" : " ranks\n");
+  for (const auto& remark : model.loads().remarks()) say << remark << "\n";
+}
+
+/// All steps, then what is told at the end of a run that was not interrupted.
+RunSummary run_to_the_end(Run& run, const Model<2>& model, const std::string& folder) {
+  if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
+  run.write_joints(folder);
+  auto summary = run.summary();
+  summary.seconds = run.seconds();
+  summary.effects = effect_costs(model);
+  summary.partition = run.partition();
+  const auto& comm = *model.structure().comm();
+  summary.peak_memory = peak_memory_per_rank(comm);
+  write_result_json(folder + "/" + result_file, summary, comm);
+  run.end();
+  return summary;
+}
+
+}  // namespace
+
+RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, std::ostream& say) {
+  Teuchos::Time clock("total", true);
+  print_scene(say, scene, options.verbose);
+  const auto source = checked_blocks(scene, comm);
+  if (const auto seen = only_looked_at(scene, options, *source, comm, say)) return *seen;
+  const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
+  std::optional<BranchedFolder> branched;
+  if (!options.restart_from.empty()) branched.emplace(options.restart_from, options.folder, *comm);
+  const OutputFolder folder(options.folder, earlier, *comm);
+  if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
+  const bool goes_on = options.restart || branched;
+  if (!goes_on) write_scene_file(scene, options.folder, *comm);
+  if (options.limit_analysis) return limit_run(scene, *source, options.folder, comm, say);
+  Model<2> model(scene, *source, comm);
+  say_sizes(model, say);
+  Run run(model, options, branched ? &*branched : nullptr, clock, say);
+  if (run.nothing_left()) {
+    say << "Nothing is left to compute, and nothing was changed: the run in " << options.folder
+        << " has come to its end.\nGive a scene with further stages to go on, or leave --restart out to compute it "
+           "again.\n";
+    return {};
+  }
+  for (const auto& warning : input_warnings(model)) run.warn(warning);
+  if (goes_on) write_scene_file(scene, options.folder, *comm);
+  return run_to_the_end(run, model, options.folder);
+}
+
+}  // namespace voussoir

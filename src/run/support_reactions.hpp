@@ -1,0 +1,19 @@
+// What each support of a scene bears.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "output/result_json.hpp"
+#include "step/model.hpp"
+
+namespace voussoir {
+
+/// Force of each support on the structure, and a point on its line of action: the one nearest to the support's middle.
+/// A force belongs, component by component, to the support that holds the component. Where two hold the same one of a
+/// node they bear it in the proportion of their edges there, in whichever order the scene names them. Collective.
+/// @param residual  [N] on node copies, what is left of equilibrium without supports
+std::map<std::string, ReactionSummary> support_reactions(const Model<2>&, const std::vector<double>& residual);
+
+}  // namespace voussoir

@@ -1,0 +1,12 @@
+// Supports that hold the same and do not move alike.
+#pragma once
+
+#include "base/warning.hpp"
+#include "step/model.hpp"
+
+namespace voussoir {
+
+/// Nodes of two supports of which a settlement moves one. The same on every rank. Collective.
+Warnings support_warnings(const Model<2>&);
+
+}  // namespace voussoir

@@ -1,0 +1,96 @@
+#include "step/adaptive_step.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
+#include "step/point_status.hpp"
+
+namespace voussoir {
+
+template <int dim>
+AdaptiveStep<dim>::AdaptiveStep(const Model<dim>& model, std::shared_ptr<Progress> progress)
+    : model_(model), progress_(std::move(progress)), tools_(model) {}
+
+template <int dim>
+ContactState AdaptiveStep<dim>::initial_state() const {
+  ContactState state;
+  const int points = model_.points().size();
+  state.displacement.assign(static_cast<std::size_t>(dim) * model_.structure().nodes(), 0.0);
+  state.lambda.assign(static_cast<std::size_t>(dim) * points, 0.0);
+  if (model_.rubs()) state.slip_origin = state.lambda;
+  state.selected.assign(points, 0);
+  // Open joints cannot begin bonded.
+  const auto& gap = model_.initial_gap();
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
+  state.broken.assign(points, 0);
+  state.status.assign(points, static_cast<char>(PointStatus::stick));
+  return state;
+}
+
+template <int dim>
+std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const std::vector<double>& load) const {
+  auto r = borne_by_joints(model_.structure(), state.displacement, load);
+  add_contact_forces(model_.points(), {}, state.lambda, -1.0, r);
+  return r;
+}
+
+/// Whether the bond of a point cannot bear what it would have to.
+template <int dim>
+bool AdaptiveStep<dim>::breaks(const ContactState& state, const PointField& gap, int k) const {
+  const auto& law = model_.law()[k];
+  if (!state.selected[k] || state.broken[k] || (law.cohesion == 0 && law.tension == 0)) return false;
+  const double sigma = model_.local_stiffness()[k], normal = state.lambda[dim * k];
+  double slip = 0, q = 0;
+  for (int c = 1; c < dim; ++c) {
+    const double origin = state.slip_origin.empty() ? 0.0 : state.slip_origin[dim * k + c];
+    slip += std::abs(gap[dim * k + c] - origin);
+    q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
+  }
+  const bool opened = normal - sigma * gap[dim * k] <= -law.tension;
+  const bool slipped = std::sqrt(q) + sigma * slip > friction_bound(law, normal);
+  return opened || slipped;
+}
+
+/// Takes cohesion and tension strength from points that opened or slipped; false when none did. Collective.
+template <int dim>
+bool AdaptiveStep<dim>::break_points(ContactState& state) const {
+  const auto gap = stone_gaps(state);
+  long long broken = 0;
+  for (int k = 0; k < model_.points().size(); ++k) {
+    if (!breaks(state, gap, k)) continue;
+    state.broken[k] = 1;
+    broken += k < model_.points().owned();
+  }
+  return total_over_ranks(*model_.structure().comm(), broken) > 0;
+}
+
+/// With the bonds there are.
+template <int dim>
+StepReport AdaptiveStep<dim>::find_equilibrium(ContactState& state, const StepInput& input) {
+  SelectionLoop<dim> loop(tools_, state, input, *progress_);
+  auto report = loop.run();
+  if (!loop.mechanism().empty()) mechanism_ = loop.mechanism();
+  return report;
+}
+
+template <int dim>
+StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& input) {
+  StepResult result{before, {}};
+  auto& [state, report] = result;
+  report = find_equilibrium(state, input);
+  while (report.converged() && model_.brittle() && break_points(state)) report.add(find_equilibrium(state, input));
+  if (!report.converged()) return result;
+  const auto gap = stone_gaps(state);
+  state.status = point_statuses(model_, state, gap, before.slip_origin);
+  if (state.slip_origin.empty()) return result;
+  for (int k = 0; k < model_.points().size(); ++k)
+    for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
+  return result;
+}
+
+template class AdaptiveStep<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,387 @@
+#include "step/dynamic_step.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "blocks/assembly.hpp"
+#include "joints/friction_work.hpp"
+#include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
+#include "step/error_estimate.hpp"
+#include "step/phase.hpp"
+#include "step/point_status.hpp"
+#include "step/release.hpp"
+#include "step/scene_fit.hpp"
+
+namespace voussoir {
+namespace {
+
+template <int dim>
+Structure<dim> structure_of_mass(const Model<dim>& model) {
+  Phase phase("blocks");
+  const auto& s = model.structure();
+  return s.with_matrices([&](int b) {
+    const auto& block = s.blocks()[b];
+    return block_mass(block.mesh, block.material.density, s.model().thickness, model.scene().time.mass);
+  });
+}
+
+/// The place about which a set of blocks turns when time begins [m]: given, or its mass centre. Collective.
+template <int dim>
+Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityParameters& given) {
+  const auto& s = model.structure();
+  Vector<dim> centre{given.about_x, given.about_y};
+  if (given.rotation == 0) return s.middle();
+  std::array<double, dim + 1> mine{}, all{};  // mass, and its moments about the middle of the structure
+  for (int n = 0; n < s.owned_blocks(); ++n) {
+    const auto& b = s.blocks()[n];
+    if (!in_set(model.source(), b.mesh, given.blocks)) continue;
+    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+      const double mass = b.material.density * volume[i];
+      mine[dim] += mass;
+      for (int c = 0; c < dim; ++c) mine[c] += mass * (b.mesh.position[i][c] - s.middle()[c]);
+    }
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
+  for (int c = 0; c < dim; ++c)
+    if (std::isinf(centre[c])) centre[c] = s.middle()[c] + all[c] / all[dim];
+  return centre;
+}
+
+/// [m/s]
+double wave_speed(const Material& material, const ModelParameters& model) {
+  return std::sqrt(plane_elasticity(material, model.plane)[0][0] / material.density);
+}
+
+}  // namespace
+
+template <int dim>
+DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progress> progress)
+    : at_rest_(at_rest),
+      mass_(structure_of_mass(at_rest)),
+      velocities_(at_rest, mass_),
+      progress_(std::move(progress)) {
+  rule_.mass_damping = at_rest.scene().time.mass_damping;
+  rule_.stiffness_damping = at_rest.scene().time.stiffness_damping;
+  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
+  for (std::size_t i = 0; i < along_x.size(); i += dim) along_x[i] = 1;
+  total_mass_ = 2 * velocities_.kinetic_energy(along_x);
+}
+
+template <int dim>
+double DynamicStep<dim>::total(double mine) const {
+  return total_over_ranks(*mass_.comm(), mine);
+}
+
+template <int dim>
+double DynamicStep<dim>::crossing_time() const {
+  double longest = 0;
+  for (const auto& b : at_rest_.structure().blocks())
+    longest = std::max(longest, mass_.size() / wave_speed(b.material, mass_.model()));
+  return largest_over_ranks(*mass_.comm(), longest);
+}
+
+template <int dim>
+double DynamicStep<dim>::courant_time() const {
+  double shortest = std::numeric_limits<double>::max();
+  for (const auto& b : at_rest_.structure().blocks()) {
+    const double speed = wave_speed(b.material, mass_.model());
+    for (const auto& cell : b.mesh.cells)
+      for (int i = 0; i < cell.count; ++i) {
+        const auto edge = b.mesh.position[cell.node[(i + 1) % cell.count]] - b.mesh.position[cell.node[i]];
+        shortest = std::min(shortest, norm(edge) / speed);
+      }
+  }
+  double all = 0;
+  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, shortest, Teuchos::outArg(all));
+  return all;
+}
+
+template <int dim>
+double DynamicStep<dim>::begin(ContactState& state) {
+  if (in_motion(*mass_.comm(), state)) return 0;
+  const auto& s = at_rest_.structure();
+  auto& v = state.velocity;
+  v.assign(state.displacement.size(), 0.0);
+  state.acceleration.clear();
+  state.acceleration_before.clear();
+  for (const auto& [name, given] : at_rest_.scene().velocities) {
+    const auto centre = centre_of_rotation(at_rest_, given);
+    for (const auto& b : s.blocks()) {
+      if (!in_set(at_rest_.source(), b.mesh, given.blocks)) continue;
+      for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
+        const auto arm = b.mesh.position[i] - centre;
+        v[dim * (b.first_local + i)] = given.vx - given.rotation * arm[1];
+        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * arm[0];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (at_rest_.held()[i]) v[i] = 0;
+  const auto& points = at_rest_.points();
+  for (int k = 0; k < points.size(); ++k)
+    for (int c = 0; c < dim; ++c)
+      if (v[dim * points.points()[k].node_i + c] != v[dim * points.points()[k].node_j + c]) state.selected[k] = 1;
+  const double given = velocities_.kinetic_energy(v);
+  if (given == 0) {  // what has stood so far has rested
+    const auto gap = at_rest_.gaps(state.displacement);
+    state.rest = rested(gap, points.size(), at_rest_.scene().selection.rest);
+    bond_what_rests(state, gap, 0.0, 0.0);
+    state.rest.bonded.assign(points.size(), 0.0);  // those that soon let go need not rest longer for that
+  }
+  return given;
+}
+
+template <int dim>
+void DynamicStep<dim>::set_time_step(double time_step) {
+  if (model_ && rule_.time_step == time_step) return;
+  rule_.time_step = time_step;
+  const double tolerance = std::min(at_rest_.scene().time.force_tolerance, at_rest_.scene().newton.tolerance);
+  step_.reset();
+  velocities_.forget();
+  model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
+  step_ = std::make_unique<AdaptiveStep<dim>>(*model_, progress_);
+}
+
+/// The gaps that the points of the time step have at w = 0: none where points are closed, which is so up to round-off,
+/// or up to what load steps leave between points that press.
+template <int dim>
+void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
+  const double round_off = closed_gap * at_rest_.structure().size();
+  const double left = at_rest_.scene().internals.time_step.left_by_solver * at_rest_.scene().newton.tolerance *
+                      largest_normal_force(at_rest_, lambda);
+  std::vector<double> offset(at_rest_.points().size());
+  for (std::size_t k = 0; k < offset.size(); ++k) {
+    const double g = gap[dim * k], force = at_rest_.local_stiffness()[k] * g;
+    const bool presses = g > 0 && force <= left && force < lambda[dim * k];
+    offset[k] = std::abs(g) > round_off && !presses ? g / 2 : 0.0;
+  }
+  model_->set_initial_gap(std::move(offset));
+}
+
+/// Gives held components the velocity of their support over the step; what that takes is work of the support.
+template <int dim>
+void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<double>& half,
+                                     TimeStepReport& report) const {
+  bool mine = false;
+  auto v = state.velocity;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (at_rest_.held()[i] && v[i] != rule_.midpoint_velocity(half[i])) {
+      v[i] = rule_.midpoint_velocity(half[i]);
+      mine = true;
+    }
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return;
+  report.external_work += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  state.velocity = v;
+}
+
+/// Work and losses of a step, exact, from its middle; returns the energy that the closing of points took [J].
+template <int dim>
+double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
+                              const std::vector<double>& effective, TimeStepReport& report) const {
+  const auto& s = at_rest_.structure();
+  const auto& w = mid.displacement;
+  const auto reaction = step_->residual(mid, effective);
+  std::vector<double> mw, kw;
+  mass_.apply_stiffness(w, mw);
+  s.apply_stiffness(w, kw);
+  double work = 0, damping = 0, friction = 0, fracture = 0, lost = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    work += 2 * w[i] * (load[i] + (at_rest_.held()[i] ? reaction[i] : 0.0));
+    damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
+  }
+  const auto gap = model_->gaps(w);
+  const double none = at_rest_.scene().internals.time_step.no_force * largest_force(at_rest_, mid);
+  for (int k = 0; k < at_rest_.points().owned(); ++k) {
+    if (!mid.selected[k]) continue;
+    // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
+    if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
+      lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
+    std::array<double, dim - 1> force, slip;
+    for (int c = 1; c < dim; ++c) {
+      force[c - 1] = mid.lambda[dim * k + c];
+      slip[c - 1] = 2 * gap[dim * k + c];
+    }
+    if (mid.broken[k] != broken[k]) {
+      fracture -= dot(force, slip);
+      continue;
+    }
+    auto law = at_rest_.law()[k];
+    if (mid.broken[k]) law.cohesion = law.tension = 0;
+    friction += friction_work(friction_bound(law, mid.lambda[dim * k]), force, slip, at_rest_.local_stiffness()[k]);
+  }
+  report.external_work = total(work);
+  report.damping = total(damping);
+  report.friction = total(friction);
+  report.fracture = total(fracture);
+  return total(lost);
+}
+
+/// Relative velocity below which points rest on each other [m/s].
+template <int dim>
+double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
+  double fastest = 0;
+  for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
+  const auto& numbers = at_rest_.scene().internals.time_step;
+  return numbers.share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
+         numbers.share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
+}
+
+/// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy. The change is the
+/// mean of the last two: what turns from step to step is a vibration the steps are too long for, and drops out.
+template <int dim>
+double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& velocity_before, double energy) const {
+  auto acceleration = after.velocity;
+  for (std::size_t i = 0; i < acceleration.size(); ++i)
+    acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
+  auto change = acceleration;
+  const auto& first = after.acceleration_before;
+  const bool known = largest_over_ranks(*mass_.comm(), !first.empty()) > 0;  // empty ranks have none
+  for (std::size_t i = 0; i < first.size(); ++i) change[i] = (change[i] - first[i]) / 2;
+  after.acceleration_before = std::exchange(after.acceleration, std::move(acceleration));
+  after.largest_energy = std::max(after.largest_energy, energy);
+  if (!known || !(after.largest_energy > 0)) return 0;
+  return rule_.time_step / 12 * std::sqrt(velocities_.kinetic_energy(change) / after.largest_energy);
+}
+
+/// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
+/// Returns what became of the energy of their last motion.
+template <int dim>
+EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy,
+                                               double resting) {
+  const auto& selection = at_rest_.scene().selection;
+  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
+  const auto& joints = at_rest_.scene().joints;
+  const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
+  if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
+  const double share = at_rest_.scene().internals.time_step.share_of_tolerance * selection.error_tolerance;
+  const auto selected = std::max(1LL, count_selected(at_rest_, state));
+  const double negligible = share * share * energy / static_cast<double>(selected);
+  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
+                                              velocities_.calm(state, negligible, resting), negligible, selection.rest,
+                                              at_rest_.scene().internals.rest);
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
+  state.rest.error = {};
+  return velocities_.settle(state, resting);
+}
+
+template <int dim>
+void loads_of_time_step(const Model<dim>& model, const LoadSteps& steps, std::vector<double>& load,
+                        std::vector<double>& prescribed) {
+  const double end = steps.target(), middle = (steps.reached() + end) / 2;
+  std::vector<double> unused;
+  model.loads(steps.factors(middle), steps.time(middle), load, unused);
+  model.loads(steps.factors(end), steps.time(end), unused, prescribed);
+}
+
+template <int dim>
+void untie_what_moved(const Model<dim>& model, ContactState& state) {
+  const auto gap = model.gaps(state.displacement);
+  for (std::size_t k = 0; k < state.selected.size(); ++k)
+    for (int c = 0; c < dim; ++c)
+      if (std::abs(gap[dim * k + c]) > closed_gap * model.structure().size()) state.selected[k] = 1;
+  state.rest = {};
+}
+
+template <int dim>
+typename DynamicStep<dim>::Midpoint DynamicStep<dim>::midpoint(const ContactState& before,
+                                                               const StepInput& input) const {
+  const auto& s = at_rest_.structure();
+  Midpoint mid;
+  std::vector<double> mv;
+  s.apply_stiffness(before.displacement, mid.load);
+  mass_.apply_stiffness(before.velocity, mv);
+  double elastic = 0, kinetic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    elastic += before.displacement[i] * mid.load[i] / 2;
+    kinetic += before.velocity[i] * mv[i] / 2;
+  }
+  mid.energy = total(elastic) + total(kinetic);
+  mid.half.assign(mid.load.size(), 0.0);
+  for (std::size_t i = 0; i < mid.load.size(); ++i) {
+    mid.load[i] = input.load[i] - mid.load[i] + 2 / rule_.time_step * mv[i];
+    if (at_rest_.held()[i]) mid.half[i] = (input.prescribed[i] - before.displacement[i]) / 2;
+  }
+  return mid;
+}
+
+/// The state at the end of a step, but for what joints that closed do to velocities. All that is no motion is as the
+/// middle of the step has left it.
+template <int dim>
+ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState mid) const {
+  auto after = std::move(mid);
+  for (std::size_t i = 0; i < after.displacement.size(); ++i) {
+    const double w = after.displacement[i];
+    after.displacement[i] = rule_.displacement_at_end(before.displacement[i], w);
+    after.velocity[i] = rule_.velocity_at_end(before.velocity[i], w);
+  }
+  after.slip_origin = before.slip_origin;
+  if (after.slip_origin.empty()) return after;
+  const auto gap = at_rest_.gaps(after.displacement);
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    if (i % dim != 0) after.slip_origin[i] = gap[i];
+  return after;
+}
+
+/// What joints that closed do to velocities, what rests is tied, and the energies after it. False where that fails.
+template <int dim>
+bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<double>& velocity_before,
+                                         double closing, TimeStepReport& report) {
+  const auto& s = at_rest_.structure();
+  std::vector<double> ku;
+  s.apply_stiffness(after.displacement, ku);
+  double elastic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += after.displacement[i] * ku[i] / 2;
+  report.elastic = total(elastic);
+  const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
+  const double resting = resting_speed(after, energy);
+  try {
+    const auto jump = velocities_.apply(*model_, after, closing, resting);
+    const auto tied = bond_what_rests(after, at_rest_.gaps(after.displacement), energy, resting);
+    report.friction += jump.friction + tied.friction;
+    report.external_work += jump.work_of_supports + tied.work_of_supports;
+  } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
+    report.step.newton.fail(failure.what());
+    return false;
+  }
+  report.kinetic = velocities_.kinetic_energy(after.velocity);
+  report.error = error(after, velocity_before, energy);
+  return true;
+}
+
+template <int dim>
+TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInput& input) {
+  offset_gaps(at_rest_.gaps(before.displacement), before.lambda);
+  const auto midpoint = this->midpoint(before, input);
+  const InTime in_time{midpoint.energy, input.load};
+  ContactState start = before;  // of the load step: w = 0, and slips count from there
+  start.displacement.assign(start.displacement.size(), 0.0);
+  start.slip_origin.clear();
+  auto [mid, step] = step_->take(start, {midpoint.load, midpoint.half, &in_time});
+  TimeStepResult result;
+  auto& [after, report] = result;
+  report.step = std::move(step);
+  report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
+  if (!report.step.converged()) {
+    after = std::move(mid);
+    return result;
+  }
+  const double closing = std::max(0.0, book(mid, before.broken, input.load, midpoint.load, report));
+  after = at_end(before, std::move(mid));
+  move_supports(after, midpoint.half, report);
+  if (!update_velocities(after, before.velocity, closing, report)) return result;
+  after.status = point_statuses(at_rest_, after, at_rest_.gaps(after.displacement, after.lambda), before.slip_origin);
+  if (!std::isfinite(report.elastic + report.kinetic))
+    report.step.newton.fail("the energy after the step is no number");
+  return result;
+}
+
+template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&, std::vector<double>&);
+template void untie_what_moved<2>(const Model<2>&, ContactState&);
+template class DynamicStep<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,36 @@
+#include "step/finite_rotations.hpp"
+
+#include "base/text.hpp"
+
+namespace voussoir {
+
+template <int dim>
+StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactState& state,
+                           const std::vector<double>& load, const std::vector<double>& prescribed) {
+  if (model.scene().model.rotations == Rotations::small) return advance(step, state, {load, prescribed});
+  const auto& numbers = model.scene().internals.step;
+  const auto start = state.displacement;
+  const auto slip_origin = state.slip_origin;  // one step: slip counts from its start, whatever the rounds were
+  model.follow(start);
+  StepReport report = advance(step, state, {load, prescribed});
+  for (int round = 1; report.converged(); ++round) {
+    const double turned = model.follow(state.displacement);
+    if (turned <= numbers.negligible_turn) return report;
+    if (round == numbers.rounds_of_rotations) {
+      report.newton.outcome = NewtonOutcome::not_converged;
+      report.newton.reason = "stones turn by " + number_text(turned) +
+                             " rad each time they are followed to where they "
+                             "have turned to; smaller load steps may find where they stand";
+      break;
+    }
+    state.slip_origin = slip_origin;
+    report.add(advance(step, state, {load, prescribed}));
+  }
+  model.follow(start);
+  return report;
+}
+
+template StepReport solve_load_step<2>(Model<2>&, AdaptiveStep<2>&, ContactState&, const std::vector<double>&,
+                                       const std::vector<double>&);
+
+}  // namespace voussoir

@@ -1,0 +1,22 @@
+// Would half a load step be any easier than the whole?
+#pragma once
+
+#include <vector>
+
+#include "dynamics/load_steps.hpp"
+#include "step/construction.hpp"
+#include "step/model.hpp"
+
+namespace voussoir {
+
+/// Whether the next smaller load step of a stage asks the same as the one that failed, so that it fails as well:
+///   - its loads and settlements are the same, as in a stage that only takes blocks away;
+///   - or they are a multiple of those of the step, from a structure at rest without forces. Where stones turn by small
+///     angles, joints are closed as drawn and have neither cohesion nor tension strength, a multiple of an equilibrium
+///     is the equilibrium under that multiple of the loads: what falls under its weight falls under half of it.
+/// Collective.
+/// @param load, prescribed  of the step that failed [N], [m]
+bool half_asks_the_same(const Model<2>&, const Construction<2>&, const LoadSteps&, const ContactState& before,
+                        const std::vector<double>& load, const std::vector<double>& prescribed);
+
+}  // namespace voussoir

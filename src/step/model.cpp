@@ -1,0 +1,224 @@
+#include "step/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "blocks/assembly.hpp"
+#include "blocks/supports.hpp"
+#include "dynamics/load_steps.hpp"
+#include "linalg/reduce.hpp"
+#include "mesh/partition.hpp"
+#include "step/phase.hpp"
+#include "step/scene_fit.hpp"
+
+namespace voussoir {
+namespace {
+
+template <int dim>
+Material material_of(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& block) {
+  Material m;
+  for (const auto& [name, p] : scene.materials)
+    if (in_set(source, block, p.blocks)) m = {p.young_modulus, p.poisson_ratio, p.density};
+  return m;
+}
+
+template <int dim>
+std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  std::vector<double> weight(source.block_count());
+  for (BlockId b = 0; b < source.block_count(); ++b) weight[b] = dim * source.node_count(b);
+  return partition(source.graph(), weight, comm);
+}
+
+// Forces whose squares, down to the tolerances of solvers, stay within the numbers a computer holds. [N]
+constexpr double smallest_force = 1e-130, largest_force = 1e130;
+
+}  // namespace
+
+template <int dim>
+Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
+                  const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+    : scene_(scene), source_(source) {
+  {
+    Phase phase("blocks");
+    structure_ = std::make_unique<Structure<dim>>(
+        source, owners(source, *comm), scene.model,
+        [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm);
+  }
+  {
+    Phase phase("joints");
+    points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
+    hold_supports();
+    set_laws();
+  }
+  {
+    Phase phase("loads");
+    loads_ = std::make_unique<LoadsAtWork<dim>>(scene, source, *structure_);
+  }
+  if (only_time(scene.stages)) return;
+  Phase phase("continuum");
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu,
+                                                scene.internals.preconditioner);
+}
+
+template <int dim>
+Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule& rule, double tolerance)
+    : own_scene_(std::make_unique<const Scene>([&] {
+        Scene scene = at_rest.scene_;
+        scene.newton.tolerance = tolerance;
+        scene.newton.has_inertia = true;
+        scene.newton.largest_iterations =
+            std::min(scene.newton.largest_iterations, scene.internals.time_step.largest_iterations);
+        return scene;
+      }())),
+      scene_(*own_scene_),
+      source_(at_rest.source_),
+      points_(at_rest.points_),
+      held_(at_rest.held_),
+      law_(at_rest.law_),
+      initial_gap_(at_rest.initial_gap_),
+      brittle_(at_rest.brittle_),
+      inertia_(rule.mass_factor()) {
+  const auto& rest = *at_rest.structure_;
+  structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
+    return sum(rule.stiffness_factor(), *rest.blocks()[b].stiffness, rule.mass_factor(), *mass.blocks()[b].stiffness);
+  }));
+  set_local_stiffness(&mass, rule);
+  Phase phase("continuum");
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene_.solver.muelu,
+                                                scene_.internals.preconditioner);
+}
+
+template <int dim>
+void Model<dim>::set_laws() {
+  const auto& blocks = structure_->blocks();
+  auto& joints = points_->joints();
+  for (auto& joint : joints) {
+    const auto& i = blocks[structure_->local_block(joint.block_i)].mesh;
+    const auto& j = blocks[structure_->local_block(joint.block_j)].mesh;
+    joint.family = family_of(scene_, source_, i, j);
+  }
+  law_ = PointLaws(points_->points().size());
+  for (std::size_t k = 0; k < law_.size(); ++k) {
+    const auto& p = points_->points()[k];
+    const auto& law = scene_.joints[joints[p.joint].family].parameters;
+    law_.set(k, {law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
+    initial_gap_.push_back(law.initial_gap);
+  }
+  // Of the scene, not of the points here: every rank must come to the same.
+  for (const auto& [name, law] : scene_.joints) {
+    brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
+    rubs_ |= law.friction_coefficient > 0 || law.cohesion > 0 || law.tension_strength > 0;
+    softest_mortar_ = std::min({softest_mortar_, law.normal_stiffness, law.tangential_stiffness});
+  }
+  if (softest_mortar_ < JointLawParameters::infinity)
+    for (const auto& p : points_->points()) {
+      const auto& law = scene_.joints[joints[p.joint].family].parameters;
+      compliance_.push_back({1 / (law.normal_stiffness * p.area), 1 / (law.tangential_stiffness * p.area)});
+    }
+  set_local_stiffness(nullptr, {});
+  const bool closed = std::all_of(scene_.joints.begin(), scene_.joints.end(),
+                                  [](const auto& joint) { return joint.parameters.initial_gap == 0; });
+  if (closed) initial_gap_.clear();
+}
+
+/// Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness. In a time step the
+/// inertia of the nodes stiffens them.
+template <int dim>
+void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointRule& rule) {
+  std::vector<double> inertia(structure_->nodes(), 0.0);
+  if (mass) {
+    std::vector<double> along_x(dim * inertia.size(), 0.0), weight;
+    for (std::size_t i = 0; i < inertia.size(); ++i) along_x[dim * i] = 1;
+    mass->apply_stiffness(along_x, weight);
+    for (std::size_t i = 0; i < inertia.size(); ++i) inertia[i] = rule.mass_factor() * weight[dim * i];
+  }
+  const auto side = [&](int node) {
+    const auto& material = structure_->blocks()[structure_->block_of_node()[node]].material;
+    return (mass ? rule.stiffness_factor() : 1.0) * material.young_modulus * structure_->model().thickness +
+           inertia[node];
+  };
+  const auto& numbers = scene_.internals.step;
+  local_stiffness_.clear();
+  for (const auto& p : points_->points()) {
+    const double i = side(p.node_i), j = side(p.node_j);
+    local_stiffness_.push_back(2 * i * j / (i + j));
+    if (compliance_.empty()) continue;
+    const auto& c = compliance_[local_stiffness_.size() - 1];
+    const double softest = std::max(c.normal, c.tangential);
+    double& k = local_stiffness_.back();
+    if (softest > 0) k = std::max(k, std::min(numbers.beyond_mortar / softest, numbers.beyond_stone * k));
+  }
+}
+
+template <int dim>
+std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
+  std::vector<double> gap;
+  relative_motions(*points_, u, gap);
+  for (std::size_t k = 0; k < initial_gap_.size(); ++k) gap[dim * k] += initial_gap_[k];
+  return gap;
+}
+
+template <int dim>
+std::vector<double> Model<dim>::gaps(const std::vector<double>& u, const std::vector<double>& lambda) const {
+  auto gap = gaps(u);
+  for (std::size_t k = 0; k < compliance_.size(); ++k)
+    for (int c = 0; c < dim; ++c) gap[dim * k + c] += compliance_[k].along(c) * lambda[dim * k + c];
+  return gap;
+}
+
+template <int dim>
+double Model<dim>::mortar_energy(const std::vector<double>& lambda) const {
+  double energy = 0;
+  const auto owned = std::min<std::size_t>(compliance_.size(), points_->owned());
+  for (std::size_t k = 0; k < owned; ++k)
+    for (int c = 0; c < dim; ++c) energy += compliance_[k].along(c) * lambda[dim * k + c] * lambda[dim * k + c] / 2;
+  return energy;
+}
+
+template <int dim>
+void Model<dim>::hold_supports() {
+  held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
+  for (const auto& [name, support] : scene_.supports)
+    hold(*structure_, support, facet_set(source_, {support.on, support.blocks}), held_);
+}
+
+template <int dim>
+void Model<dim>::set_absent(const std::vector<char>& absent) {
+  ++arrangement_;
+  hold_supports();
+  for (std::size_t i = 0; i < held_.size(); ++i)
+    if (absent[structure_->block_of_node()[i / dim]]) held_[i] = 1;
+}
+
+template <int dim>
+double Model<dim>::follow(const std::vector<double>& displacement) {
+  Phase phase("blocks");
+  ++arrangement_;
+  const double turned = structure_->follow(displacement);
+  points_->follow(*structure_);
+  return turned;
+}
+
+template <int dim>
+void Model<dim>::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+                       std::vector<double>& prescribed) const {
+  force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
+  prescribed.resize(force.size());
+  loads_->add(factors, time, force, prescribed);
+  double largest = 0;
+  for (const double f : force) largest = std::isfinite(f) ? std::max(largest, std::abs(f)) : largest_force;
+  largest = largest_over_ranks(*structure_->comm(), largest);
+  if (largest == 0 || (largest > smallest_force && largest < largest_force)) return;
+  throw InputError(scene_.file + ": scene > loads\n  " +
+                   (largest < largest_force ? "press no node with more than " + number_text(largest) + " N"
+                                            : "press a node with " + number_text(largest_force) + " N or more") +
+                   " (squares of such forces are beyond the numbers a computer holds, " + number_text(smallest_force) +
+                   " to " + number_text(largest_force) +
+                   " N can be computed).\n  Check densities, gravity and the factors of the loads.");
+}
+
+template class Model<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,108 @@
+#include "step/release.hpp"
+
+#include <algorithm>
+
+#include "linalg/reduce.hpp"
+#include "selection/marking.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Brings the forces of selected points to the nearest admissible ones.
+template <int dim>
+void admit(const PointLaws& law, ContactState& state) {
+  for (std::size_t k = 0; k < law.size(); ++k) {
+    if (!state.selected[k]) continue;
+    Vector<dim> f;
+    std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
+    f = nearest_lawful(law[k], f);
+    std::copy_n(f.begin(), dim, state.lambda.begin() + dim * k);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+long long release(const Model<dim>& model, const PointLaws& law, const std::vector<int>& cluster,
+                  const std::vector<double>& eta, ContactState& state) {
+  const auto& points = model.points();
+  const auto& comm = *model.structure().comm();
+  const auto& parameters = model.scene().selection;
+  const double share = parameters.error_tolerance > 0 ? parameters.bulk : 1.0;
+  const auto marked = mark_bulk(eta, share, comm, model.scene().internals.rest);
+  std::vector<double> flag(points.size(), 0.0);
+  for (int k = 0; k < points.owned(); ++k) flag[k] = marked[k];
+  points.exchange().update(flag, 1);
+  // A marked point that is selected already is tied by others at its vertex: they must go.
+  std::vector<char> vertex(model.structure().nodes(), 0), joint(points.joints().size(), 0);
+  for (int k = 0; k < points.size(); ++k) {
+    if (flag[k] == 0) continue;
+    joint[points.points()[k].joint] = 1;
+    if (state.selected[k]) vertex[cluster[points.points()[k].node_i]] = 1;
+  }
+  long long released = 0;
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    const bool tied = cluster[p.node_i] == cluster[p.node_j];
+    const bool chosen =
+        flag[k] != 0 || (parameters.whole_joints && joint[p.joint]) || (tied && vertex[cluster[p.node_i]]);
+    if (!chosen || state.selected[k]) continue;
+    state.selected[k] = 1;
+    ++released;
+  }
+  std::vector<double> selected(state.selected.begin(), state.selected.end());
+  points.exchange().update(selected, 1);
+  for (int k = 0; k < points.size(); ++k) state.selected[k] = selected[k] != 0;
+  admit<dim>(law, state);
+  return total_over_ranks(comm, released);
+}
+
+template <int dim>
+bool release_all(const Model<dim>& model, const PointLaws& law, ContactState& state) {
+  const bool more = count_selected(model, state) < model.points().total();
+  std::fill(state.selected.begin(), state.selected.end(), 1);
+  admit<dim>(law, state);
+  return more;
+}
+
+template <int dim>
+bool release_mortar(const Model<dim>& model, const PointLaws& law, ContactState& state) {
+  if (model.softest_mortar() == JointLawParameters::infinity) return false;
+  const auto before = count_selected(model, state);
+  const auto& mortar = model.compliance();
+  for (std::size_t k = 0; k < mortar.size(); ++k)
+    if (mortar[k].normal > 0 || mortar[k].tangential > 0) state.selected[k] = 1;
+  admit<dim>(law, state);
+  return count_selected(model, state) > before;
+}
+
+template <int dim>
+long long release_blocks(const Model<dim>& model, const PointLaws& law, const std::vector<char>& marked,
+                         ContactState& state) {
+  const auto before = count_selected(model, state);
+  const auto& block = model.structure().block_of_node();
+  std::vector<double> selected(state.selected.begin(), state.selected.end());
+  for (int k = 0; k < model.points().owned(); ++k) {
+    const auto& p = model.points().points()[k];
+    if (marked[block[p.node_i]] || marked[block[p.node_j]]) selected[k] = 1;
+  }
+  model.points().exchange().update(selected, 1);
+  for (std::size_t k = 0; k < selected.size(); ++k) state.selected[k] = selected[k] != 0;
+  admit<dim>(law, state);
+  return count_selected(model, state) - before;
+}
+
+template <int dim>
+long long count_selected(const Model<dim>& model, const ContactState& state) {
+  const auto owned = state.selected.begin() + model.points().owned();
+  return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
+}
+
+template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&, const std::vector<double>&,
+                              ContactState&);
+template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
+template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
+template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&, ContactState&);
+template long long count_selected<2>(const Model<2>&, const ContactState&);
+
+}  // namespace voussoir

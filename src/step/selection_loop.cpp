@@ -1,0 +1,361 @@
+#include "step/selection_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/load_steps.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
+#include "step/phase.hpp"
+#include "step/release.hpp"
+
+namespace voussoir {
+namespace {
+
+/// A root of decreases relative to the energy that will be there.
+double beside_what_follows(double root) { return root / std::hypot(1, root); }
+
+bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
+
+template <int dim>
+PointLaws law_without_lost_bonds(const Model<dim>& model, const ContactState& state) {
+  auto law = model.law();
+  for (std::size_t k = 0; k < law.size(); ++k)
+    if (state.broken[k]) law.lose_bond(k);
+  return law;
+}
+
+/// Error of ties that may stay [-]: what many steps add up to must stay within what a scene asks for.
+double allowed_error(const Scene& scene, bool in_time) {
+  const double share = in_time || any_time(scene.stages) ? scene.internals.step.share_of_a_time_step : 1.0;
+  return share * scene.selection.error_tolerance;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<double> borne_by_joints(const Structure<dim>& structure, const std::vector<double>& displacement,
+                                    const std::vector<double>& load) {
+  std::vector<double> r;
+  structure.internal_forces(displacement, r);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] -= load[i];
+  return r;
+}
+
+template <int dim>
+typename ContactProblem<dim>::Parts SelectionTools<dim>::parts() {
+  const auto& scene = model_.scene();
+  return {model_.structure(),      model_.points(),         model_.continuum(), model_.held(), model_.local_stiffness(),
+          model_.initial_gap(),    scene.preconditioner,    scene.internals,    solver_,       model_.compliance(),
+          model_.softest_mortar(), scene.newton.has_inertia};
+}
+
+template <int dim>
+ContactProblem<dim>& SelectionTools<dim>::problem(const std::vector<char>& selected,
+                                                  const typename ContactProblem<dim>::Asked& asked) {
+  const bool other = !problem_ || arrangement_ != model_.arrangement() || problem_->selection() != selected;
+  // A selection that changed on one rank changed for all.
+  if (largest_over_ranks(*model_.structure().comm(), other) == 0) {
+    problem_->begin(asked);
+    return *problem_;
+  }
+  problem_.reset();  // its room first
+  arrangement_ = model_.arrangement();
+  problem_ = std::make_unique<ContactProblem<dim>>(parts(), selected, asked);
+  return *problem_;
+}
+
+template <int dim>
+SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& state, const StepInput& input,
+                                  Progress& progress)
+    : tools_(tools),
+      model_(tools.model()),
+      selection_(model_.scene().selection),
+      numbers_(model_.scene().internals.step),
+      input_(input),
+      progress_(progress),
+      law_(law_without_lost_bonds(model_, state)),
+      tolerance_(model_.scene().newton.tolerance),
+      allowed_(allowed_error(model_.scene(), in_time())),
+      before_(state),
+      selected_before_(count_selected(model_, state)),
+      known_gap_(model_.gaps(state.displacement)),
+      state_(state),
+      displacement_(state.displacement),
+      lambda_(state.lambda) {
+  hope_.wanted = looks_first() ? std::max(tolerance_, numbers_.first_look) : tolerance_;
+}
+
+template <int dim>
+StepReport SelectionLoop<dim>::run() {
+  for (;; ++report_.selection_rounds) {
+    if (!look()) {
+      if (!resolve_all()) return report_;
+      continue;
+    }
+    Phase phase("selection");
+    see_violations();
+    estimate();
+    if (too_rough() || release()) continue;
+    if (finish()) return report_;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------- look
+
+/// Whether the first solution is one to look at only: points may be released, so a rough one tells as much.
+template <int dim>
+bool SelectionLoop<dim>::looks_first() const {
+  if (in_time() || selection_.mode == SelectionMode::bonded || selected_before_ == model_.points().total())
+    return false;
+  return selected_before_ == 0 || selection_.mode == SelectionMode::adaptive;
+}
+
+/// Equilibrium with the points selected now; false where there is none.
+template <int dim>
+bool SelectionLoop<dim>::look() {
+  if (!find_equilibrium(hope_.from_before && selected_before_ > 0 ? &known_gap_ : nullptr)) return false;
+  const bool rough = hope_.wanted > tolerance_;
+  // Where points are selected already a rough state is looked at no further, unless far more have to let go.
+  if (rough && report_.selection_rounds == 0 && selected_before_ > 0) {
+    Phase phase("selection");
+    const auto violations = tied_violations(model_, law_, state_, seen_.cluster);
+    const double root = root_of(predicted_decrease(violations, model_.local_stiffness()));
+    hope_.suffices = !is_too_large(root, allowed_, numbers_.too_large);
+  }
+  if (rough && hope_.suffices) {
+    hope_.wanted = tolerance_;
+    if (!find_equilibrium(nullptr)) return false;
+  }
+  hope_.from_before = false;
+  displacement_ = state_.displacement;
+  lambda_ = state_.lambda;
+  return true;
+}
+
+template <int dim>
+NewtonParameters SelectionLoop<dim>::way_of_solving() const {
+  const auto& scene = model_.scene();
+  auto how = scene.newton;
+  how.time_follows = !how.has_inertia && any_time(scene.stages);
+  if (!all_selected() && selection_.mode == SelectionMode::adaptive)
+    how.largest_iterations = std::min(how.largest_iterations, numbers_.solves_with_ties);
+  return how;
+}
+
+/// Moves the state to where the selected points obey their law, as accurately as wanted; false when there is no way.
+/// @param known_gap  [m] of the state, where that is an equilibrium under other loads; else null
+template <int dim>
+bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
+  auto& problem = tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed});
+  ContactSolver newton(problem, way_of_solving(), model_.scene().internals.methods, state_.fast_way);
+  newton.narrate = [this](const NewtonProgress& solve) { progress_.solved(solve); };
+  const auto x = problem.unknowns(state_.displacement);
+  {
+    Phase phase("contact");
+    report_.newton.add(newton.solve(*x, state_.lambda, hope_.wanted, known_gap));
+  }
+  report_.cost.add(problem.cost());
+  problem.displacement(*x, state_.displacement);
+  report_.largest_clusters = problem.map()->getGlobalNumElements() / dim;
+  if (!report_.converged()) {
+    problem.space().scatter(newton.mechanism(), mechanism_);
+    return false;
+  }
+  seen_.cluster = problem.space().cluster();
+  recover_ties();
+  return true;
+}
+
+/// The forces of tied points. In time ties hold what has moved where it is: their forces go on from what they were.
+template <int dim>
+void SelectionLoop<dim>::recover_ties() {
+  Phase phase("selection");
+  const auto& s = model_.structure();
+  seen_.borne = borne_by_joints(s, state_.displacement, input_.load);
+  if (in_time())
+    recover_tied_forces(s, model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda, before_.lambda,
+                        open_points(model_));
+  else
+    recover_tied_forces(s, model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda);
+  model_.points().exchange().update(state_.lambda, dim);
+}
+
+/// Joints that were held together may be what left no way: all are resolved before giving up, which is false. A
+/// mechanism in which tied points move alike is one without ties too.
+template <int dim>
+bool SelectionLoop<dim>::resolve_all() {
+  const bool falls = report_.newton.outcome == NewtonOutcome::collapse;
+  if (falls || all_selected() || selection_.mode != SelectionMode::adaptive) return false;
+  state_.displacement = displacement_;
+  state_.lambda = lambda_;
+  state_.fast_way = before_.fast_way;
+  release_all(model_, law_, state_);
+  hope_.wanted = tolerance_;
+  hope_.from_before = report_.selection_rounds == 0;
+  progress_.looked(report_.selection_rounds, selected(), 0.0);
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------------------ estimate
+
+/// What errors are relative to [J]; of a time step displacements do not tell it.
+template <int dim>
+double SelectionLoop<dim>::energy() const {
+  if (in_time()) return input_.in_time->energy;
+  const auto& s = model_.structure();
+  return s.elastic_energy(s.deformation(state_.displacement));
+}
+
+/// Root of decreases, relative to the energy.
+template <int dim>
+double SelectionLoop<dim>::root_of(const std::vector<double>& decrease) const {
+  return root_of_decreases(decrease, energy(), numbers_.largest_error, *model_.structure().comm());
+}
+
+template <int dim>
+bool SelectionLoop<dim>::may_release() const {
+  return selection_.mode == SelectionMode::adaptive && report_.selection_rounds < selection_.largest_rounds;
+}
+
+/// Whether the scene asks for all points, and a bonded look was only to find where to begin.
+template <int dim>
+bool SelectionLoop<dim>::releases_rest() const {
+  return selection_.mode == SelectionMode::all && selected_before_ == 0 && report_.selection_rounds == 0;
+}
+
+template <int dim>
+void SelectionLoop<dim>::see_violations() {
+  seen_.violations = tied_violations(model_, law_, state_, seen_.cluster);
+  seen_.decrease = predicted_decrease(seen_.violations, model_.local_stiffness());
+  seen_.root = in_time() || may_release() ? root_of(seen_.decrease) : 0.0;
+  const bool all_bonded = report_.selection_rounds == 0 && selected_before_ == 0;
+  const double times = all_bonded ? numbers_.too_large_bonded : numbers_.too_large;
+  seen_.large = !in_time() && (releases_rest() || is_too_large(seen_.root, allowed_, times));
+}
+
+/// Error of the ties. Where the decreases alone tell that it is too large, no system is solved to know it; nor, as time
+/// steps are many, where they tell that it is small.
+template <int dim>
+void SelectionLoop<dim>::estimate() {
+  auto& known = state_.rest.error;
+  known.follow(seen_.root);
+  const double bound = known.bound(numbers_.error_by_indicator, model_.scene().internals.rest);
+  const bool small = in_time() && (bound <= allowed_ || selection_.mode != SelectionMode::adaptive);
+  report_.error_estimate = seen_.large ? beside_what_follows(seen_.root) : bound;
+  if (!seen_.large && !small) solve_for_error();
+  const double told = seen_.large ? std::numeric_limits<double>::quiet_NaN() : report_.error_estimate;
+  progress_.looked(report_.selection_rounds, selected(), told);
+}
+
+template <int dim>
+void SelectionLoop<dim>::solve_for_error() {
+  if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
+  const auto error =
+      tie_error<dim>(tools_.parts(), law_, state_, seen_.cluster, seen_.violations, input_.load, input_.prescribed);
+  report_.estimate_solves += error.linear_solves;
+  report_.newton.krylov_iterations += error.krylov_iterations;
+  report_.newton.failed_solves += !error.known;
+  report_.cost.add(error.cost);
+  report_.error_estimate = relative_error(model_.structure(), state_.displacement, error,
+                                          in_time() ? input_.in_time->energy : 0.0, numbers_.largest_error);
+  // What a solve leaves out may be the error: then the decreases tell, of which it is no more than a multiple.
+  if (!error.known)
+    report_.error_estimate = std::max(report_.error_estimate, numbers_.error_by_indicator * root_of(seen_.decrease));
+  if (in_time()) state_.rest.error.learn(report_.error_estimate);
+}
+
+/// Whether the solution is too rough to go by; then the next round wants a better one. Where forces differ by orders of
+/// magnitude, as from the foot to the top of a tall wall, a rough round may be far from any solution where they are
+/// small. Releasing points lowers the error: one that grows is not believed.
+template <int dim>
+bool SelectionLoop<dim>::too_rough() {
+  const bool grown = seen_.large ? seen_.root > hope_.root : report_.error_estimate > hope_.estimate;
+  if (grown && hope_.wanted > tolerance_) {
+    hope_.wanted = std::max(tolerance_, numbers_.share_of_violation * hope_.wanted);
+    return true;
+  }
+  hope_.root = seen_.root;
+  hope_.estimate = seen_.large ? unknown : report_.error_estimate;
+  return false;
+}
+
+// ------------------------------------------------------------------------------------------------------- release
+
+/// Whether points were released, which takes another round.
+template <int dim>
+bool SelectionLoop<dim>::release() {
+  const bool first_look = report_.selection_rounds == 0;
+  if ((releases_rest() && release_all(model_, law_, state_)) || (first_look && release_mortar(model_, law_, state_))) {
+    hope_.wanted = tolerance_;
+    return true;
+  }
+  const bool too_large = seen_.large || report_.error_estimate > allowed_;
+  return too_large && may_release() && release_what_matters();
+}
+
+/// The points that hold most of the error, or all where that is most of them.
+template <int dim>
+bool SelectionLoop<dim>::release_what_matters() {
+  const auto released = voussoir::release(model_, law_, seen_.cluster, seen_.decrease, state_);
+  if (released > 0) {
+    state_.rest.error = {};
+    hope_.wanted =
+        std::clamp(numbers_.share_of_violation * seen_.violations.largest, tolerance_, numbers_.coarsest_tolerance);
+  }
+  hope_.suffices = released > 0 && numbers_.error_of_remainder * root_of_rest() <= allowed_;
+  // The next round tends to release as many again: better all at once than a round that is thrown away.
+  const auto most = selection_.largest_share * static_cast<double>(model_.points().total());
+  if (static_cast<double>(selected() + released) <= most || !release_all(model_, law_, state_)) return released > 0;
+  hope_.wanted = tolerance_;
+  return true;
+}
+
+/// Root of the decreases that points not selected yet would bring.
+template <int dim>
+double SelectionLoop<dim>::root_of_rest() const {
+  auto decrease = seen_.decrease;
+  for (std::size_t k = 0; k < decrease.size(); ++k)
+    if (state_.selected[k]) decrease[k] = 0;
+  return root_of(decrease);
+}
+
+// -------------------------------------------------------------------------------------------------------- finish
+
+template <int dim>
+long long SelectionLoop<dim>::selected() const {
+  return count_selected(model_, state_);
+}
+
+/// The error asks for no more points. Whether that is all; else another round is to be accurate, or to let stones go.
+template <int dim>
+bool SelectionLoop<dim>::finish() {
+  if (seen_.large) solve_for_error();
+  const bool accurate = hope_.wanted <= tolerance_;
+  hope_.wanted = tolerance_;
+  return accurate && release_loose() == 0;
+}
+
+/// Releases the stones that nothing but ties balances, where that is allowed; returns how many points that selects.
+template <int dim>
+long long SelectionLoop<dim>::release_loose() {
+  report_.tied_share = 0;
+  report_.tied_block = -1;
+  if (selection_.mode == SelectionMode::bonded || all_selected()) return 0;
+  const auto& own = in_time() ? input_.in_time->own_load : input_.load;
+  const auto balance =
+      tools_.ties().judge(law_, state_, seen_.cluster, seen_.borne, own, seen_.violations.largest_normal);
+  if (!balance.any) return 0;
+  const auto released = may_release() ? release_blocks(model_, law_, balance.loose, state_) : 0;
+  if (released > 0) return released;
+  report_.tied_share = balance.largest;
+  report_.tied_block = balance.where;
+  return 0;
+}
+
+template std::vector<double> borne_by_joints<2>(const Structure<2>&, const std::vector<double>&,
+                                                const std::vector<double>&);
+template class SelectionTools<2>;
+template class SelectionLoop<2>;
+
+}  // namespace voussoir

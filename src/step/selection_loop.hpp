@@ -1,0 +1,135 @@
+// Which points a step resolves as contact: equilibrium with those selected so far, the error of leaving the others
+// tied, release of those that matter, until the error is small enough.
+//
+//   look      equilibrium with the selection; where there is none, all points are resolved before giving up
+//   estimate  the error of ties, from what each violates where that decides, else by a linear solve
+//   release   the points that matter; without an end where the error tells that there are none
+//   finish    the equilibrium is accurate, and no stone hangs on ties alone
+//
+// Rounds that may be thrown away are solved roughly. Reasons and numbers: src/selection/README.md.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "nonlinear/contact_solver.hpp"
+#include "step/contact_problem.hpp"
+#include "step/error_estimate.hpp"
+#include "step/model.hpp"
+#include "step/progress.hpp"
+#include "step/step.hpp"
+#include "step/tie_balance.hpp"
+
+namespace voussoir {
+
+/// K u - f of each block alone [N]: what joints and supports bear.
+template <int dim>
+std::vector<double> borne_by_joints(const Structure<dim>&, const std::vector<double>& displacement,
+                                    const std::vector<double>& load);
+
+/// What the steps of a model share.
+template <int dim>
+class SelectionTools {
+ public:
+  explicit SelectionTools(const Model<dim>& model) : model_(model), solver_(model.scene().solver), ties_(model) {}
+
+  const Model<dim>& model() const { return model_; }
+  TieCriterion& ties() { return ties_; }
+  typename ContactProblem<dim>::Parts parts();
+  /// The problem of a selection: that of the last one where it is the same, and stones stand where they stood.
+  /// Collective.
+  ContactProblem<dim>& problem(const std::vector<char>& selected, const typename ContactProblem<dim>::Asked&);
+  /// Makes room.
+  void forget_problem() { problem_.reset(); }
+
+ private:
+  const Model<dim>& model_;
+  LinearSolver solver_;
+  TieCriterion ties_;
+  std::unique_ptr<ContactProblem<dim>> problem_;
+  int arrangement_ = 0;  ///< of the stones, when it was made
+};
+
+template <int dim>
+class SelectionLoop {
+ public:
+  /// @param state  where the step starts; moved by the loop
+  SelectionLoop(SelectionTools<dim>&, ContactState& state, const StepInput&, Progress&);
+
+  /// Collective.
+  StepReport run();
+  /// Motion of the last solution that was none, on node copies, largest component 1; empty when there was none.
+  const std::vector<double>& mechanism() const { return mechanism_; }
+
+ private:
+  static constexpr double unknown = std::numeric_limits<double>::infinity();
+
+  /// What one round hands to the next.
+  struct Hope {
+    double wanted = 0;          ///< [-] accuracy of its solution
+    bool suffices = false;      ///< what it releases will matter little: a rough solution is made accurate at once
+    bool from_before = true;    ///< it starts from the state before the step
+    double root = unknown;      ///< of the decreases that releases would bring, in the round before
+    double estimate = unknown;  ///< of the error, likewise; unknown where none was needed
+  };
+  /// What is seen of the ties of a solution.
+  struct Seen {
+    std::vector<int> cluster;   ///< per local node copy; a point is tied when its nodes have the same cluster
+    std::vector<double> borne;  ///< [N] by joints and supports
+    TiedViolations violations;
+    std::vector<double> decrease;  ///< [J] per owned point that releasing it would bring
+    double root = 0;               ///< [-] of their sum, relative to the energy
+    bool large = false;            ///< the root alone tells that the error is too large
+  };
+
+  bool look();
+  bool find_equilibrium(const PointField* known_gap);
+  void recover_ties();
+  bool resolve_all();
+  void see_violations();
+  void estimate();
+  void solve_for_error();
+  bool too_rough();
+  bool release();
+  bool release_what_matters();
+  bool finish();
+  long long release_loose();
+
+  bool in_time() const { return input_.in_time != nullptr; }
+  bool all_selected() const { return selected() == model_.points().total(); }
+  long long selected() const;
+  bool looks_first() const;
+  bool may_release() const;
+  bool releases_rest() const;
+  double energy() const;
+  double root_of(const std::vector<double>& decrease) const;
+  double root_of_rest() const;
+  NewtonParameters way_of_solving() const;
+
+  SelectionTools<dim>& tools_;
+  const Model<dim>& model_;
+  const SelectionParameters& selection_;
+  const StepParameters& numbers_;
+  const StepInput& input_;
+  Progress& progress_;
+  const PointLaws law_;               ///< with the bonds that are left
+  const double tolerance_, allowed_;  ///< [-] of equilibria; error of ties
+  const ContactState before_;
+  const long long selected_before_;
+  const PointField known_gap_;  ///< [m] before
+  ContactState& state_;
+  std::vector<double> displacement_;  ///< [m] and forces [N] of the last solution of this step
+  PointField lambda_;
+  Hope hope_;
+  Seen seen_;
+  StepReport report_;
+  std::vector<double> mechanism_;
+};
+
+extern template std::vector<double> borne_by_joints<2>(const Structure<2>&, const std::vector<double>&,
+                                                       const std::vector<double>&);
+extern template class SelectionTools<2>;
+extern template class SelectionLoop<2>;
+
+}  // namespace voussoir
