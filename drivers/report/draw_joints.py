@@ -6,6 +6,7 @@ from draw_common import (BLUE, INK, ORANGE, PALE, RED, SKY, STONE_EDGE, STONE_PA
 from geometry import bounds, deformed, factor_text, length_text
 from read_results import OPEN, SLIP, is_mechanism
 
+CRACKED = 0.99  # damage
 WIDEST, THINNEST = 5.0, 0.8  # points: line weight of the widest opening and of the smallest
 
 
@@ -32,6 +33,23 @@ def draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder):
         entries.append(dot_entry("hinge, at the compressed edge", INK, 8))
     legend(figure, entries)
     return save(figure, folder, "joints")
+
+
+def draw_damage(mesh, joints, pieces, edges, step, scale, folder):
+    x = deformed(mesh, step, scale)
+    lines, point = pieces.halves(x, joints)
+    figure, axes = drawing(limits(x))
+    fill_cells(axes, x, mesh, STONE_PALE)
+    draw_lines(axes, x[edges], PALE, 0.5)
+    damage = step.damage[point]
+    cracked, softening = damage > CRACKED, (damage > 0) & (damage <= CRACKED)
+    draw_lines(axes, lines[damage == 0], "#a8a8a8", outline_width(mesh.blocks))
+    draw_lines(axes, lines[softening], ORANGE, 1.8)
+    draw_lines(axes, lines[cracked], RED, 2.4)
+    legend(figure, [line_entry("cracked: less than 1 % of the strength is left" if cracked.any() else "cracked (none)", RED, 2.4),
+                    line_entry("softening" if softening.any() else "softening (none)", ORANGE, 1.8),
+                    line_entry("sound", "#a8a8a8", 1)])
+    return save(figure, folder, "damage")
 
 
 def draw_selection(mesh, joints, pieces, edges, step, folder):

@@ -87,6 +87,11 @@ def add_joints(page, results, pieces, edges, scale, rings, folder):
                  f"Joints {'of the mechanism, openings relative to its largest motion of 1 m,' if is_mechanism(step) else ''} at step {step.number}, on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
                  f"{(step.status == OPEN).sum()} points; orange: slipping, {(step.status == SLIP).sum()} points; grey: closed. "
                  "Black dots: hinges, at the compressed edge where the force passes; the joint gapes at the other edge.")
+    if step.damage is not None and not is_mechanism(step):
+        cracked = (step.damage > draw_joints.CRACKED).sum()
+        page.picture(draw_joints.draw_damage(mesh, joints, pieces, edges, step, scale, folder),
+                     f"Strength of the joints at step {step.number}: {cracked} of {len(step.damage)} contact points have cracked, "
+                     f"{(step.damage > 0).sum() - cracked} soften.")
     if hinges:
         page.part("Hinges, from the left springing to the right")
         tables.hinge_table(page, mesh, hinges)

@@ -64,6 +64,7 @@ class Step:
     tangential_force: np.ndarray  # [points] N
     status: np.ndarray            # [points] OPEN, STICK, SLIP or BONDED
     selected: np.ndarray          # [points] bool
+    damage: np.ndarray            # [points] share of the strength that is lost; None where joints have none to lose
 
     @property
     def largest_displacement(self):
@@ -174,7 +175,8 @@ def read_step(name, group, points):
     return Step(int(group.attrs.get("step", name)), text(group.attrs.get("stage", "")),
                 float(group.attrs.get("load_factor", np.nan)), group["displacement"][:, :2], group["stress"][()],
                 value("joint_gap_m"), value("joint_slip_m"), value("joint_normal_force_N"),
-                value("joint_tangential_force_N"), status, selected)
+                value("joint_tangential_force_N"), status, selected,
+                value("joint_damage") if "joint_damage" in group else None)
 
 
 def last_of_each_stage(steps):

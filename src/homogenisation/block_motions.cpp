@@ -244,7 +244,7 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
     const auto& p = points_.points()[k];
     for (int a = 0; a < dim; ++a) {
       const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].along(a - 1, a - 1);
-      if (sigma == 0) continue;
+      if (sigma <= 0) continue;  // a joint that softens is no spring
       row.clear();
       add_motion(space_.cluster()[p.node_j], p.axis[a], 1.0, row);
       add_motion(space_.cluster()[p.node_i], p.axis[a], -1.0, row);

@@ -183,9 +183,15 @@ bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
     if (!selected_[k] || !stiffness[k].couples()) continue;
     coupled = true;
     if (!couples(k)) continue;
-    add_between(k, [&c = stiffness[k].coupling](const auto& axis, int i, int j) {
-      double value = 0;
-      for (int t = 1; t < dim; ++t) value += c[t - 1] * axis[t][i] * axis[0][j];
+    const auto& all = stiffness[k];
+    const auto springs = all.springs();  // which update() has added
+    add_between(k, [&](const auto& axis, int i, int j) {
+      double value = (all.normal - springs.normal) * axis[0][i] * axis[0][j];
+      for (int t = 1; t < dim; ++t) {
+        value += all.coupling[t - 1] * axis[t][i] * axis[0][j];
+        for (int u = 1; u < dim; ++u)
+          value += (all.along(t - 1, u - 1) - springs.along(t - 1, u - 1)) * axis[t][i] * axis[u][j];
+      }
       return value;
     });
   }
@@ -209,7 +215,7 @@ void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness, con
     }
   }
   for (int k = 0; k < points_.size(); ++k)
-    if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].resists_slip())) add_point(k, stiffness[k]);
+    if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].resists_slip())) add_point(k, stiffness[k].springs());
   if (!proximal.empty())
     for (int i = 0; i < dim * owned; ++i)
       if (!space_.held()[i]) entry(i / dim, diagonal_[i / dim], i % dim, i % dim) += proximal[i];

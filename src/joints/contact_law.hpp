@@ -17,8 +17,8 @@ namespace voussoir {
 /// Strength of one point, integrated over its share of the joint.
 struct PointLaw {
   double friction = 0;  ///< [-] Coulomb's coefficient, may be infinite
-  double cohesion = 0;  ///< [N] shear force borne without compression, may be infinite; 0 once broken
-  double tension = 0;   ///< [N] tensile force borne, may be infinite; 0 once broken
+  double cohesion = 0;  ///< [N] shear force borne without compression, may be infinite
+  double tension = 0;   ///< [N] tensile force borne, may be infinite
 };
 
 /// Laws of many points. What no point of a rank has is not held: a scene without cohesion has no bytes for it.
@@ -34,11 +34,6 @@ class PointLaws {
     put(friction_, k, law.friction);
     put(cohesion_, k, law.cohesion);
     put(tension_, k, law.tension);
-  }
-  /// A point whose bond is broken has friction alone.
-  void lose_bond(std::size_t k) {
-    put(cohesion_, k, 0);
-    put(tension_, k, 0);
   }
   std::size_t bytes() const {
     return (friction_.capacity() + cohesion_.capacity() + tension_.capacity()) * sizeof(double);
@@ -82,13 +77,33 @@ struct PointStiffness {
   /// Tangential stiffness, tangents counted from 0.
   double along(int row, int column) const { return tangential[row + column]; }
   bool resists_slip() const { return tangential[0] > 0 || tangential[2] > 0; }
-  bool couples() const { return coupling[0] != 0 || coupling[1] != 0; }
+  /// Whether a system with it is not symmetric, or not positive.
+  bool couples() const { return coupling[0] != 0 || coupling[1] != 0 || softens(); }
   /// Slides along a unit vector s of the tangents: friction follows the pressure, and the direction turns.
   /// @param follows  tangential force per normal gap
   /// @param across   stiffness against motion across s
-  void slide(const double* s, int tangents, double follows, double across) {
+  /// @param along    stiffness against motion along s, negative where cohesion is lost on the way
+  void slide(const double* s, int tangents, double follows, double across, double along = 0) {
     for (int t = 0; t < tangents; ++t) coupling[t] = s[t] * follows;
-    if (tangents == 2) tangential = {across * s[1] * s[1], -across * s[0] * s[1], across * s[0] * s[0]};
+    tangential = {along * s[0] * s[0], 0, 0};
+    if (tangents == 2)
+      tangential = {across * s[1] * s[1] + along * s[0] * s[0], (along - across) * s[0] * s[1],
+                    across * s[0] * s[0] + along * s[1] * s[1]};
+  }
+  /// Whether force falls as the point goes on, in some direction: then no energy of springs stands for it.
+  bool softens() const {
+    const double round_off = 1e-12 * (tangential[0] + tangential[2]) * (tangential[0] + tangential[2]);
+    return normal < 0 || tangential[0] < 0 || tangential[2] < 0 ||
+           tangential[0] * tangential[2] - tangential[1] * tangential[1] < -round_off;
+  }
+  /// What is left without directions that soften, and without the coupling: symmetric and not negative.
+  PointStiffness springs() const {
+    PointStiffness s;
+    s.normal = std::max(0.0, normal);
+    PointStiffness tangents = *this;
+    tangents.normal = 0;
+    if (!tangents.softens()) s.tangential = tangential;
+    return s;
   }
   /// Gives way no more easily than that.
   void hold(double along_normal, double along_tangents) {

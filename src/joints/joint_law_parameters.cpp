@@ -14,11 +14,30 @@ void JointLawParameters::declare(ParameterSection& section) {
               "Coulomb's coefficient; inf forbids slip", "a negative coefficient would create energy in sliding",
               "Give mu = tan(friction angle); dry stone is 0.5 to 0.8.");
   section.add("cohesion", cohesion, "Pa", at_least(0.0).or_infinite(),
-              "shear strength without compression, lost for good once a point has opened or slipped", "a strength",
+              "shear strength without compression, lost for good as a point opens or slips", "a strength",
               "Dry joints have 0, lime mortar 0.05e6 to 0.3e6.");
   section.add("tension strength", tension_strength, "Pa", at_least(0.0).or_infinite(),
-              "tension a joint bears, lost for good once a point has opened or slipped", "a strength",
+              "tension a joint bears, lost for good as a point opens or slips", "a strength",
               "Dry joints have 0, lime mortar 0.02e6 to 0.2e6.");
+  section.add("fracture energy", fracture_energy, "J/m2", at_least(0.0),
+              "that parts the joint in opening: tension strength and cohesion fall with the largest opening there has "
+              "been; 0: they are lost at once",
+              "a crack takes energy", "Lime mortar takes 5 to 20.");
+  section.add("shear fracture energy", shear_fracture_energy, "J/m2", at_least(0.0),
+              "that parts the joint in shear, friction not counted: both strengths fall with the way slipped; 0: they "
+              "are lost at once",
+              "a crack takes energy", "Lime mortar takes 20 to 150.");
+  section.add_choice<SofteningShape>(
+      "softening", softening, {{"linear", SofteningShape::linear}, {"exponential", SofteningShape::exponential}},
+      "how strength falls with opening or slip, from the same strength and with the same energy");
+  const auto check_energy = [&](const char* name, double energy, const char* strength, double value) {
+    section.check(energy == 0 || (value > 0 && value < infinity), name, number_text(energy) + " J/m2",
+                  std::string("needs a ") + strength + " that is positive and finite, which is " + number_text(value) +
+                      " Pa (energy is what a strength takes on the way to nothing)",
+                  std::string("Give the ") + strength + ", or leave the energy out");
+  };
+  check_energy("fracture energy", fracture_energy, "tension strength", tension_strength);
+  check_energy("shear fracture energy", shear_fracture_energy, "cohesion", cohesion);
   section.add("normal stiffness", normal_stiffness, "Pa/m", above(0.0).or_infinite(),
               "pressure per shortening of the mortar, Young's modulus by thickness; inf: no mortar",
               "mortar without stiffness carries nothing", "10 mm of lime mortar have 1e11 to 4e11.");

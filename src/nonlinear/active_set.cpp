@@ -22,6 +22,7 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
       augmentation_(in_time() ? numbers_.augmentation_in_time : numbers_.augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
       patience_(patience),
+      laws_(problem),
       sliding_(std::size_t(problem.points()) * (components_ - 1)) {
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
@@ -30,7 +31,9 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
 /// balance, forces creep from one point to another: closed points then resist more, until a status changes.
 /// @param in_balance  no stone is out of balance by more than the tolerance
 void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_balance) {
-  const auto resistance = std::exchange(resistance_, std::vector<PointStiffness>(problem_.points()));
+  laws_.follow(lambda, gap);
+  resistance_.resize(problem_.points());
+  const auto closed = std::exchange(closed_, std::vector<char>(problem_.points(), 0));
   const auto sliding = std::exchange(sliding_, PointField(sliding_.size(), 0.0));
   const auto set = [&] {
     std::fill(resistance_.begin(), resistance_.end(), PointStiffness());
@@ -39,75 +42,91 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
   };
   set();
   const bool may_creep = !in_time() && (in_balance || augmentation_ != numbers_.augmentation_at_rest);
-  settled_ = (in_time() || may_creep) && same_statuses(resistance, sliding);
+  settled_ = (in_time() || may_creep) && same_statuses(closed, sliding);
   if (!may_creep || (settled_ && !in_balance)) return;
   const double wanted = settled_ ? numbers_.augmentation_of_creeping : numbers_.augmentation_at_rest;
   if (std::exchange(augmentation_, wanted) != wanted) set();
 }
 
 /// Whether all points of all ranks have the statuses that they had. Collective.
-bool ActiveSet::same_statuses(const std::vector<PointStiffness>& resistance, const PointField& sliding) const {
-  bool differ = resistance.size() != resistance_.size() || sliding != sliding_;
-  for (std::size_t k = 0; !differ && k < resistance.size(); ++k)
-    differ = (resistance[k].normal > 0) != (resistance_[k].normal > 0);
+bool ActiveSet::same_statuses(const std::vector<char>& closed, const PointField& sliding) const {
+  const bool differ = closed != closed_ || sliding != sliding_;
   return largest_over_ranks(*problem_.map()->getComm(), differ) == 0;
 }
 
 /// No point turns round from the direction in which it slid before: between the two it sticks.
 void ActiveSet::set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before) {
-  const auto& law = problem_.law()[point];
+  const auto law = laws_[point];
+  const auto* const weakened = laws_.softened(point);
   const std::size_t at = std::size_t(point) * components_, tangents = components_ - 1;
-  const auto trial = [&](int c) {
-    return lambda[at + c] - stiffness_of(problem_, point, c, 1.0) * motion_of(problem_, point, c, gap, lambda);
-  };
+  const auto motion = [&](int c) { return motion_of(problem_, point, c, gap, lambda); };
+  const auto trial = [&](int c) { return lambda[at + c] - stiffness_of(problem_, point, c, 1.0) * motion(c); };
   const double normal = trial(0);
   double* s = &sliding_[point * tangents];
-  double shear = 0, turn = 0;
+  double shear = 0, turn = 0, advance = 0;
   for (int c = 1; c < components_; ++c) {
     s[c - 1] = trial(c);
     shear += s[c - 1] * s[c - 1];
   }
   shear = std::sqrt(shear);
-  const double bound = friction_bound(law, normal);
   auto& r = resistance_[point];
-  auto status = judge(law, normal, shear, bound);
+  auto status = judge(law, normal, shear, friction_bound(law, normal));
+  const bool closed = status != ContactStatus::open;
+  closed_[point] = closed;
+  const double bound = friction_bound(law, closed ? normal : -law.tension);
+  // An open point that still has cohesion sticks or slips likewise.
+  if (!closed && weakened && bound > 0) status = shear < bound ? ContactStatus::stick : ContactStatus::slip;
   if (status == ContactStatus::slip) {
     for (std::size_t c = 0; c < tangents; ++c) {
       // Where nothing rubs and nothing pulls either direction is as good as the other.
       s[c] = shear > 0 ? s[c] / shear : c == 0;
       turn += s[c] * before[point * tangents + c];
+      advance -= s[c] * motion(static_cast<int>(c) + 1);
     }
     if (bound > 0 && turn < 0) status = ContactStatus::stick;
   }
-  if (status != ContactStatus::open) r.normal = stiffness_of(problem_, point, 0, augmentation_);
-  if (status == ContactStatus::stick) r.hold(0, stiffness_of(problem_, point, 1, augmentation_));
+  r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened ? weakened->pull_per_opening : 0.0;
+  if (status == ContactStatus::stick) {
+    const double stick = stiffness_of(problem_, point, 1, augmentation_);
+    r.tangential = {stick, 0, stick};
+  }
   if (status != ContactStatus::slip) return std::fill(s, s + tangents, 0.0);
   if (!(bound > 0)) return;
-  r.slide(s, static_cast<int>(tangents), law.friction * r.normal,
-          stiffness_of(problem_, point, 1, 1.0) * bound / shear);
+  const double by_pressure = std::isfinite(law.friction) ? law.friction * r.normal : 0.0;
+  r.slide(s, static_cast<int>(tangents), by_pressure - (weakened ? weakened->cohesion_per_gap : 0.0),
+          stiffness_of(problem_, point, 1, 1.0) * bound / shear,
+          weakened && advance >= 0 ? weakened->cohesion_per_slip : 0.0);
 }
 
 /// Forces of all points at these gaps.
-void ActiveSet::aim(const PointField& lambda) {
+/// @param chosen  [m] gaps that statuses were chosen by
+void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
   target_ = lambda;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const auto& law = problem_.law()[k];
+    const auto law = laws_[k];
+    const auto* const weakened = laws_.softened(k);
     const auto& r = resistance_[k];
     const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
-    double* force = &target_[std::size_t(k) * components_];
-    const bool closed = r.normal > 0;
+    const std::size_t at = std::size_t(k) * components_;
+    double* force = &target_[at];
     const bool slips = std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
-    force[0] = closed ? force[0] - r.normal * motion_of(problem_, k, 0, gap_, lambda) : -law.tension;
-    if (closed && !slips) {
+    const double opens = gap_[at] - chosen[at];
+    force[0] = closed_[k] ? force[0] - r.normal * motion_of(problem_, k, 0, gap_, lambda)
+               : weakened ? -weakened->pull - r.normal * opens
+                          : -law.tension;
+    if (!slips && (closed_[k] || r.resists_slip())) {
       for (int c = 1; c < components_; ++c) force[c] -= r.along(c - 1, c - 1) * motion_of(problem_, k, c, gap_, lambda);
       continue;
     }
-    const bool follows = closed && r.couples();
-    const double bound = follows ? law.cohesion + law.friction * force[0] : friction_bound(law, force[0]);
-    const double size = closed ? 1.0 : tangential_size(target_, k, components_);
+    const bool follows = slips && (r.coupling[0] != 0 || r.coupling[1] != 0);
+    const double cohesion = law.cohesion + (weakened && !closed_[k] ? weakened->cohesion_per_gap * opens : 0.0);
+    const double bound = follows ? cohesion + law.friction * force[0] : friction_bound(law, force[0]);
+    const double size = slips ? 1.0 : tangential_size(target_, k, components_);
     for (int c = 1; c < components_; ++c)
-      force[c] = closed ? s[c - 1] * bound : size > bound ? force[c] * bound / size : force[c];
+      force[c] = slips ? s[c - 1] * bound : size > bound ? force[c] * bound / size : force[c];
+    for (int c = 1; weakened && slips && c < components_; ++c)
+      for (int d = 1; d < components_; ++d) force[c] -= r.along(c - 1, d - 1) * (gap_[at + d] - chosen[at + d]);
   }
 }
 
@@ -115,11 +134,12 @@ void ActiveSet::aim(const PointField& lambda) {
 double ActiveSet::measure(const TpetraVector& x, const PointField& lambda, NewtonReport& report) {
   problem_.evaluate(x, *linear_, gap_);
   std::vector<double> bound;
-  friction_bounds(problem_, lambda, bound);
+  const CurrentLaws laws(problem_, lambda, gap_);
+  friction_bounds(problem_, laws, lambda, bound);
   admissible_ = lambda;  // what tied points bear stays
-  project(problem_, lambda, bound, admissible_);
+  project(problem_, laws, lambda, bound, admissible_);
   Tpetra::deep_copy(*gradient_, *linear_);
-  const auto [equilibrium, contact] = imbalance(problem_, admissible_, gap_, *gradient_);
+  const auto [equilibrium, contact] = imbalance(problem_, laws, admissible_, gap_, *gradient_);
   scale_ = force_scale(problem_, admissible_);
   report.residual = equilibrium / scale_;
   report.complementarity = contact / scale_;
@@ -140,7 +160,7 @@ double ActiveSet::step_length(const PointField& lambda) const {
       force[i] = lambda[i] + t * (force_[i] - lambda[i]);
       gap[i] = gap_[i] + t * gap_direction_[i];
     }
-    lawful_forces(problem_, force, gap, lawful);
+    lawful_forces(problem_, CurrentLaws(problem_, force, gap), force, gap, lawful);
     double mine = 0;
     for (int k = 0; k < problem_.owned_points(); ++k)
       for (int i = components_ * k; problem_.selected()[k] && i < components_ * (k + 1); ++i)
@@ -204,6 +224,7 @@ void ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, const Tpetr
   const double expected =
       std::isinf(search.best) ? search.tolerance : std::max(search.tolerance, patches_.trigger * search.best);
   if (!patches_.used || use_ != ActiveSetUse::at_rest || !search.local || search.size <= expected) return;
+  if (problem_.softening()) return;  // a patch holds strength as it is
   auto* const source = problem_.patches();
   if (!source) return;
   const double known = std::min({search.size, search.best, 1.0}), size_before = search.size;
@@ -285,8 +306,9 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
   Nearest nearest;
   while (search.solves < largest_solves && search.solves < search.last_gain + patience_) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
-    choose(lambda, known_gap && search.solves == 0 ? *known_gap : gap_, report.residual <= tolerance);
-    aim(lambda);
+    const PointField chosen = known_gap && search.solves == 0 ? *known_gap : gap_;
+    choose(lambda, chosen, report.residual <= tolerance);
+    aim(lambda, chosen);
     const auto end = solve_once(x, lambda, search, report);
     if (end == ActiveSetEnd::refused && nearest.position) break;
     if (end) return *end;
@@ -310,7 +332,7 @@ void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) c
   long long mine[2] = {0, 0}, all[2];
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    mine[0] += resistance_[k].normal > 0;
+    mine[0] += closed_[k];
     const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
     mine[1] += std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
   }

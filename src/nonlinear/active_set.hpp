@@ -19,6 +19,7 @@
 #include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/point_update.hpp"
 #include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
@@ -69,8 +70,8 @@ class ActiveSet {
   bool in_time() const { return use_ == ActiveSetUse::in_time; }
   void choose(const PointField& lambda, const PointField& gap, bool in_balance);
   void set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before);
-  bool same_statuses(const std::vector<PointStiffness>& resistance, const PointField& sliding) const;
-  void aim(const PointField& lambda);
+  bool same_statuses(const std::vector<char>& closed, const PointField& sliding) const;
+  void aim(const PointField& lambda, const PointField& chosen);
   double step_length(const PointField& lambda) const;
   double accuracy_of_next(const Search&, const NewtonReport&) const;
   LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
@@ -91,7 +92,9 @@ class ActiveSet {
   double augmentation_;
   const double proximal_;
   const int patience_;
+  CurrentLaws laws_;
   std::vector<PointStiffness> resistance_;
+  std::vector<char> closed_;  ///< per point
   PointField sliding_;  ///< direction of friction, [points x tangential components]; 0 where a point sticks or is open
   bool settled_ = false;  ///< statuses are those of the last solve; where that is asked
   PointField target_, force_, gap_, gap_direction_, admissible_;

@@ -145,6 +145,36 @@ void ContactSolver::go_the_ways(TpetraVector& x, PointField& lambda, double tole
   }
 }
 
+void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                              NewtonReport& report) {
+  auto& softening = *problem_.softening();
+  const auto& numbers = methods_.solver;
+  report.fail("the largest number of linear solves was reached");
+  for (double rough = numbers.held_accuracy; report.newton_iterations < parameters_.largest_iterations; rough /= 10) {
+    softening.hold(true);
+    rough = std::max(tolerance, rough);
+    const int patience = methods_.active_set.patience;
+    const bool there = (!known_gap && measure(x, lambda, report) <= rough) ||
+                       try_active_set(x, lambda, rough, known_gap, patience, report) == ActiveSetEnd::arrived;
+    if (!there) {
+      go_the_ways(x, lambda, rough, known_gap, report);
+      if (report.outcome != NewtonOutcome::converged) break;
+      report.fail("the largest number of linear solves was reached");
+    }
+    known_gap = nullptr;
+    PointField gap;
+    TpetraVector residual(problem_.map());
+    problem_.evaluate(x, residual, gap);
+    wear_by(problem_, lambda, gap);
+    softening.hold(false);
+    if (try_active_set(x, lambda, tolerance, nullptr, patience, report) == ActiveSetEnd::arrived) {
+      report.outcome = NewtonOutcome::converged;
+      break;
+    }
+  }
+  softening.hold(false);
+}
+
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
   NewtonReport report;
   if (!anything_selected(problem_)) {
@@ -159,7 +189,10 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
       fast_ = {};
     } else {
       if (fast) fast_.offered = end == ActiveSetEnd::circled;
-      go_the_ways(x, lambda, tolerance, known_gap, report);
+      if (problem_.softening())
+        wear_down(x, lambda, tolerance, known_gap, report);
+      else
+        go_the_ways(x, lambda, tolerance, known_gap, report);
     }
   }
   if (report.outcome == NewtonOutcome::converged) {

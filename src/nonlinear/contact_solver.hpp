@@ -42,6 +42,9 @@ class ContactSolver {
   /// @param shortcut  whether active sets may take over near the end
   PathEnd along_the_path(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                          bool shortcut, NewtonReport&);
+  /// Where strength that falls keeps active sets from arriving: strength is held, an equilibrium is found with it, what
+  /// that opens wears, and so on. Leaves the outcome in the report.
+  void wear_down(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, NewtonReport&);
   void in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int most,
                       NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.

@@ -16,6 +16,7 @@ struct ContactSolverParameters {
   int fast_solves = 30;            ///< linear solves of active sets
   int patience_from_near = 3;      ///< solves without a gain after which they give up near the end of the path
   double finest_accuracy = 1e-12;  ///< of the linear solve of a structure without contact points
+  double held_accuracy = 1e-3;     ///< of an equilibrium with strength that is held
   int largest_path = 200;          ///< steps of the path
   int closing_solves = 80;         ///< linear solves in pseudo-time before another path is tried
   void declare(ParameterSection&);

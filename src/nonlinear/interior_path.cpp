@@ -13,13 +13,13 @@
 namespace voussoir {
 
 InteriorPath::InteriorPath(NonlinearProblem& problem, const MethodParameters& methods)
-    : problem_(problem), numbers_(methods.path), run_away_(methods.pseudo_time.run_away) {
+    : problem_(problem), numbers_(methods.path), run_away_(methods.pseudo_time.run_away), laws_(problem) {
   VOUSSOIR_EXPECT(problem.components() == 2);
   for (auto* v : {&linear_, &gradient_, &direction_, &work_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
 double InteriorPath::bound(int point, double normal) const {
-  auto law = problem_.law()[point];
+  auto law = laws_[point];
   law.friction = std::min(law.friction, numbers_.locking_friction);
   return friction_bound(law, normal);
 }
@@ -29,7 +29,7 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
   path_.assign(problem_.points(), {});
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const auto& law = problem_.law()[k];
+    const auto law = laws_[k];
     auto& p = path_[k];
     p.opens = std::isfinite(law.tension);
     p.slips = std::isfinite(law.cohesion);
@@ -37,7 +37,7 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
     const double slip = motion_of(problem_, k, 1, gap, lambda);
     const double limit = bound(k, lambda[2 * k]), q = std::clamp(lambda[2 * k + 1], -limit, limit);
     const double shifted = p.opens ? bound(k, std::max(lambda[2 * k], -law.tension) + shift) : limit;
-    p.w = {std::max(lambda[2 * k] + law.tension, 0.0) + shift, std::max(shifted - q, numbers_.start * shift),
+    p.w = {std::max(lambda[2 * k] + laws_.pull(k), 0.0) + shift, std::max(shifted - q, numbers_.start * shift),
            std::max(shifted + q, numbers_.start * shift)};
     p.y = {std::max(motion_of(problem_, k, 0, gap, lambda), 0.0) + distance, std::max(-slip, 0.0) + distance,
            std::max(slip, 0.0) + distance};
@@ -47,7 +47,7 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
 /// Change of the friction bound with the pressure [-].
 double InteriorPath::friction(int point, double normal) const {
   const double limit = bound(point, normal);
-  return limit > 0 && std::isfinite(limit) ? std::min(problem_.law()[point].friction, numbers_.locking_friction) : 0.0;
+  return limit > 0 && std::isfinite(limit) ? std::min(laws_[point].friction, numbers_.locking_friction) : 0.0;
 }
 
 /// Stiffness of each point on the path [N/m]. Where only a prediction is made, friction stays as it is.
@@ -58,7 +58,10 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
     auto& p = path_[k];
     const double floor[] = {1 / stiffness_of(problem_, k, 0, augmentation_),
                             1 / stiffness_of(problem_, k, 1, augmentation_)};
-    const double normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
+    p.normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
+    const auto* const weakened = laws_.softened(k);
+    p.pulls_back = weakened && p.opens ? std::max(0.0, weakened->pull_per_opening) : 0.0;
+    const double normal = p.normal * p.share_of_opening();
     const double tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
     if (!predicting && p.slips) {
       p.friction = follows_ * friction(k, lambda[2 * k]);
@@ -70,6 +73,7 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
 
 /// Moves supports and loads with the resistances that the path gives the points of the old state.
 void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport& report) {
+  laws_.follow(lambda, known_gap);
   enter(lambda, known_gap, numbers_.start * scale_);
   resistances(lambda, true);
   problem_.evaluate(x, *gradient_, gap_);
@@ -99,6 +103,15 @@ LinearSolveResult InteriorPath::solve(NewtonReport& report) {
   return solved;
 }
 
+/// Points that pull back do so as far as they are open. What a point keeps from its bound stays, so its force follows.
+void InteriorPath::pull_back(const TpetraVector& x, PointField& lambda) {
+  if (!problem_.softening()) return;
+  problem_.evaluate(x, *linear_, gap_);
+  laws_.follow(lambda, gap_);
+  for (int k = 0; k < problem_.points(); ++k)
+    if (laws_.softened(k) && path_[k].opens) lambda[2 * k] = path_[k].w[0] - laws_.pull(k);
+}
+
 /// Residuals of x with the forces of the path, relative to the scale; leaves K x - f in linear_ and the gaps.
 Imbalance InteriorPath::measure(const TpetraVector& x, const PointField& lambda) {
   problem_.evaluate(x, *linear_, gap_);
@@ -108,7 +121,7 @@ Imbalance InteriorPath::measure(const TpetraVector& x, const PointField& lambda)
 /// Residuals of forces at the place measured last, relative to the scale.
 Imbalance InteriorPath::residuals(const PointField& lambda) {
   Tpetra::deep_copy(*gradient_, *linear_);
-  const auto [equilibrium, contact] = imbalance(problem_, lambda, gap_, *gradient_);
+  const auto [equilibrium, contact] = imbalance(problem_, laws_, lambda, gap_, *gradient_);
   return {equilibrium / scale_, contact / scale_};
 }
 
@@ -160,7 +173,7 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion_of(problem_, k, 0, gap_, lambda);
     p.gain[1] = -motion_of(problem_, k, 1, gap_, lambda);
     if (p.slips) p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
-    const double more = resistance_[k].normal * p.gain[0];
+    const double more = p.normal * p.gain[0];
     force_[2 * k] += more;
     force_[2 * k + 1] += resistance_[k].along(0, 0) * (p.gain[1] - p.drag * more);
     for (int j = 0; j < 3; ++j) p.dy[j] = nu / p.w[j] - p.y[j];
@@ -174,12 +187,12 @@ double InteriorPath::step_length() {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
-    const double dp = resistance_[k].normal * (p.gain[0] - gap_direction_[2 * k]);
+    const double dp = p.normal * (p.gain[0] - p.share_of_opening() * gap_direction_[2 * k]);
     const double dq = resistance_[k].along(0, 0) * (p.gain[1] - p.drag * dp - gap_direction_[2 * k + 1]);
     const double more = p.friction * dp;
     force_[2 * k] = dp;
     force_[2 * k + 1] = dq;
-    p.dw = {dp, p.residual[1] + more - dq, p.residual[2] + more + dq};
+    p.dw = {dp + p.pulls_back * gap_direction_[2 * k], p.residual[1] + more - dq, p.residual[2] + more + dq};
     for (int j = 0; j < 3; ++j) {
       if (!(j == 0 ? p.opens : p.slips)) continue;
       p.dy[j] -= p.y[j] / p.w[j] * p.dw[j];
@@ -195,7 +208,7 @@ double InteriorPath::step_length() {
 void InteriorPath::leave(PointField& lambda) const {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const auto& law = problem_.law()[k];
+    const auto law = laws_[k];
     const double trial = lambda[2 * k] - stiffness_of(problem_, k, 0, 1.0) * motion_of(problem_, k, 0, gap_, lambda);
     const bool closed = judge(law, trial, 0, 0) != ContactStatus::open;
     lambda[2 * k] = closed ? std::max(lambda[2 * k], -law.tension) : -law.tension;
@@ -209,10 +222,9 @@ void InteriorPath::set_out(PointField& lambda, double shift) {
   enter(lambda, gap_, shift);
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const auto& law = problem_.law()[k];
     const double limit = bound(k, lambda[2 * k]);
     lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
-    if (path_[k].opens) lambda[2 * k] = path_[k].w[0] - law.tension;
+    if (path_[k].opens) lambda[2 * k] = path_[k].w[0] - laws_.pull(k);
   }
 }
 
@@ -273,12 +285,14 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
   augmentation_ = numbers_.resistance;
   if (known_gap) predict(x, lambda, *known_gap, report);
   problem_.evaluate(x, *linear_, gap_);
+  if (!known_gap) laws_.follow(lambda, gap_);
   set_out(lambda, numbers_.start * std::max(scale_, force_scale(problem_, lambda)));
   follows_ = 1;
   double offered = numbers_.near;
   Progress progress;
   for (;;) {
     problem_.carry(x, tolerance * scale_);
+    pull_back(x, lambda);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = std::max(equilibrium, contact);
     if (size <= tolerance && after_leaving(lambda) <= tolerance) {

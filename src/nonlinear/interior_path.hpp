@@ -21,6 +21,7 @@
 #include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 
 namespace voussoir {
@@ -55,7 +56,11 @@ class InteriorPath {
     double friction = 0;               ///< [-] change of the bound with the pressure
     double drag = 0;                   ///< [m/N] slip wanted per change of the normal force
     double gain[2] = {};               ///< [m] right-hand side of the point's two rows
+    double normal = 0;                 ///< [N/m] resistance without what it pulls back with
+    double pulls_back = 0;             ///< [N/m] tension per opening
     bool opens = true, slips = true;   ///< the law bounds the force in this direction
+    /// Of an opening that the force has to follow [-].
+    double share_of_opening() const { return 1 + (opens ? y[0] / w[0] * pulls_back : 0.0); }
   };
 
   /// How far a path has come.
@@ -70,6 +75,7 @@ class InteriorPath {
   void enter(const PointField& lambda, const PointField& gap, double shift);
   void set_out(PointField& lambda, double shift);
   void resistances(const PointField& lambda, bool predicting);
+  void pull_back(const TpetraVector& x, PointField& lambda);
   Imbalance measure(const TpetraVector& x, const PointField& lambda);
   Imbalance residuals(const PointField& lambda);
   double after_leaving(PointField lambda);
@@ -89,6 +95,7 @@ class InteriorPath {
   NonlinearProblem& problem_;
   const InteriorPathParameters numbers_;
   const double run_away_;
+  CurrentLaws laws_;
   std::vector<Point> path_;
   std::vector<PointStiffness> resistance_;
   PointField gap_, gap_direction_, force_;

@@ -23,36 +23,72 @@ void trial_forces(const NonlinearProblem& problem, const PointField& lambda, con
   }
 }
 
-void friction_bounds(const NonlinearProblem& problem, const PointField& forces, std::vector<double>& bound) {
+void CurrentLaws::follow(const PointField& lambda, const PointField& gap) {
+  const auto* const softening = problem_.softening();
+  if (!softening) return;
+  const int n = problem_.components();
+  number_.assign(problem_.points(), -1);
+  weakened_.clear();
+  for (int k = 0; k < problem_.points(); ++k) {
+    if (!problem_.selected()[k] || !softening->softens(k)) continue;
+    double slip = 0;
+    for (int c = 1; c < n; ++c) {
+      const double s = motion_of(problem_, k, c, gap, lambda);
+      slip += s * s;
+    }
+    number_[k] = static_cast<int>(weakened_.size());
+    weakened_.push_back(softening->at(k, motion_of(problem_, k, 0, gap, lambda), std::sqrt(slip)));
+  }
+}
+
+void wear_by(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
+  auto* const softening = problem.softening();
+  const int n = problem.components();
+  for (int k = 0; softening && k < problem.points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    double slip = 0, shear = 0;
+    for (int c = 1; c < n; ++c) {
+      const double s = motion_of(problem, k, c, gap, lambda);
+      const double trial = lambda[k * n + c] - stiffness_of(problem, k, c, 1.0) * s;
+      slip += s * s;
+      shear += trial * trial;
+    }
+    softening->wear_by(k, motion_of(problem, k, 0, gap, lambda), std::sqrt(slip), lambda[k * n], std::sqrt(shear),
+                       stiffness_of(problem, k, 0, 1.0));
+  }
+}
+
+void friction_bounds(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& forces,
+                     std::vector<double>& bound) {
   bound.resize(problem.points());
   for (int k = 0; k < problem.points(); ++k)
     if (problem.selected()[k]) {
-      const auto& law = problem.law()[k];
+      const auto law = laws[k];
       bound[k] = friction_bound(law, project_normal(law, forces[k * problem.components()]));
     }
 }
 
-void project(const NonlinearProblem& problem, const PointField& trial, const std::vector<double>& bound,
-             PointField& forces) {
+void project(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& trial,
+             const std::vector<double>& bound, PointField& forces) {
   const int n = problem.components();
   forces.resize(trial.size());
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
-    forces[k * n] = project_normal(problem.law()[k], trial[k * n]);
+    forces[k * n] = project_normal(laws[k], trial[k * n]);
     const double size = tangential_size(trial, k, n);
     const double factor = size > bound[k] ? bound[k] / size : 1.0;
     for (int c = 1; c < n; ++c) forces[k * n + c] = factor * trial[k * n + c];
   }
 }
 
-void resistances(const NonlinearProblem& problem, const PointField& trial, const std::vector<double>& bound,
-                 double augmentation, std::vector<PointStiffness>& resistance) {
+void resistances(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& trial,
+                 const std::vector<double>& bound, double augmentation, std::vector<PointStiffness>& resistance) {
   const int n = problem.components();
   resistance.assign(problem.points(), {});
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
     const double shear = tangential_size(trial, k, n);
-    if (judge(problem.law()[k], trial[k * n], shear, bound[k]) != ContactStatus::open)
+    if (judge(laws[k], trial[k * n], shear, bound[k]) != ContactStatus::open)
       resistance[k].normal = stiffness_of(problem, k, 0, augmentation);
     // A bound that is held stays where the pressure goes.
     if (shear < bound[k]) resistance[k].hold(0, stiffness_of(problem, k, 1, augmentation));

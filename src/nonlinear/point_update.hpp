@@ -35,14 +35,47 @@ double tangential_size(const PointField& force, int point, int components);
 void trial_forces(const NonlinearProblem&, const PointField& lambda, const PointField& gap, double augmentation,
                   PointField& trial);
 
+/// The law of every point at some forces and gaps: with the strength that is left there of points that soften.
+class CurrentLaws {
+ public:
+  explicit CurrentLaws(const NonlinearProblem& problem) : problem_(problem) {}
+  CurrentLaws(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) : problem_(problem) {
+    follow(lambda, gap);
+  }
+  void follow(const PointField& lambda, const PointField& gap);
+
+  PointLaw operator[](int point) const {
+    const auto* w = softened(point);
+    return w ? w->law : problem_.law()[point];
+  }
+  /// Force [N] with which a point pulls where it is open; below 0 where one that pulls back would be pressed.
+  double pull(int point) const {
+    const auto* w = softened(point);
+    return w ? w->pull : problem_.law()[point].tension;
+  }
+  /// Of a point that softens, else null.
+  const WeakenedLaw* softened(int point) const {
+    return weakened_.empty() || number_[point] < 0 ? nullptr : &weakened_[number_[point]];
+  }
+
+ private:
+  const NonlinearProblem& problem_;
+  std::vector<int> number_;  ///< per point; -1 where it does not soften
+  std::vector<WeakenedLaw> weakened_;
+};
+
+/// Points wear as far as they have opened and slipped in a state.
+void wear_by(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
+
 /// Largest tangential force of each point under the normal parts of some forces [N].
-void friction_bounds(const NonlinearProblem&, const PointField& forces, std::vector<double>& bound);
+void friction_bounds(const NonlinearProblem&, const CurrentLaws&, const PointField& forces, std::vector<double>& bound);
 
 /// Projection of trial forces on the admissible set with given friction bounds.
-void project(const NonlinearProblem&, const PointField& trial, const std::vector<double>& bound, PointField& forces);
+void project(const NonlinearProblem&, const CurrentLaws&, const PointField& trial, const std::vector<double>& bound,
+             PointField& forces);
 
 /// Which points resist in the next linear system.
-void resistances(const NonlinearProblem&, const PointField& trial, const std::vector<double>& bound,
+void resistances(const NonlinearProblem&, const CurrentLaws&, const PointField& trial, const std::vector<double>& bound,
                  double augmentation, std::vector<PointStiffness>&);
 
 }  // namespace voussoir

@@ -24,6 +24,7 @@ class Dragged : public NonlinearProblem {
   int owned_points() const override { return problem_.owned_points(); }
   const std::vector<char>& selected() const override { return problem_.selected(); }
   const PointLaws& law() const override { return problem_.law(); }
+  SofteningPoints* softening() const override { return problem_.softening(); }
   const std::vector<double>& local_stiffness() const override { return problem_.local_stiffness(); }
   const std::vector<PointCompliance>& compliance() const override { return problem_.compliance(); }
   const PointField& slip_origin() const override { return problem_.slip_origin(); }
@@ -95,7 +96,8 @@ bool PseudoTime::leads_nowhere(const TpetraVector& x, const TpetraVector& from, 
   problem_.evaluate(end, there, gap);
   problem_.subtract_contact_forces(lambda, there);
   there.update(-1.0, *imbalance_, 1.0);
-  return there.normInf() <= allowance && contact_residual(problem_, lambda, gap) <= allowance;
+  return there.normInf() <= allowance &&
+         contact_residual(problem_, CurrentLaws(problem_, lambda, gap), lambda, gap) <= allowance;
 }
 
 void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,

@@ -26,19 +26,20 @@ double force_scale(const NonlinearProblem& problem, const PointField& lambda) {
   return scale > 0 ? scale : std::numeric_limits<double>::min();
 }
 
-void lawful_forces(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap,
-                   PointField& lawful) {
+void lawful_forces(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& lambda,
+                   const PointField& gap, PointField& lawful) {
   PointField trial;
   std::vector<double> bound;
   trial_forces(problem, lambda, gap, 1.0, trial);
-  friction_bounds(problem, lambda, bound);
-  project(problem, trial, bound, lawful);
+  friction_bounds(problem, laws, lambda, bound);
+  project(problem, laws, trial, bound, lawful);
 }
 
-double contact_residual(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
+double contact_residual(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& lambda,
+                        const PointField& gap) {
   const int n = problem.components();
   PointField lawful;
-  lawful_forces(problem, lambda, gap, lawful);
+  lawful_forces(problem, laws, lambda, gap, lawful);
   double worst = 0;
   for (int k = 0; k < problem.owned_points(); ++k)
     if (problem.selected()[k])
@@ -49,16 +50,17 @@ double contact_residual(const NonlinearProblem& problem, const PointField& lambd
   return largest_over_ranks(problem, worst);
 }
 
-Imbalance imbalance(NonlinearProblem& problem, const PointField& lambda, const PointField& gap,
+Imbalance imbalance(NonlinearProblem& problem, const CurrentLaws& laws, const PointField& lambda, const PointField& gap,
                     TpetraVector& residual) {
   problem.subtract_contact_forces(lambda, residual);
-  return {residual.normInf(), contact_residual(problem, lambda, gap)};
+  return {residual.normInf(), contact_residual(problem, laws, lambda, gap)};
 }
 
 double judge_state(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,
                    PointField& gap, NewtonReport& report) {
   problem.evaluate(x, residual, gap);
-  const auto [equilibrium, contact] = imbalance(problem, lambda, gap, residual);
+  const CurrentLaws laws(problem, lambda, gap);
+  const auto [equilibrium, contact] = imbalance(problem, laws, lambda, gap, residual);
   const double scale = force_scale(problem, lambda);
   report.residual = equilibrium / scale;
   report.complementarity = contact / scale;

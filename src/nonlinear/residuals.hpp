@@ -3,6 +3,7 @@
 
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/point_update.hpp"
 
 namespace voussoir {
 
@@ -22,14 +23,16 @@ double force_scale(const NonlinearProblem&, const PointField& lambda);
 
 /// The forces [N] that the contact law makes of lambda at these gaps, judged with the local stiffness: lambda itself
 /// where it is met.
-void lawful_forces(const NonlinearProblem&, const PointField& lambda, const PointField& gap, PointField& lawful);
+void lawful_forces(const NonlinearProblem&, const CurrentLaws&, const PointField& lambda, const PointField& gap,
+                   PointField& lawful);
 
 /// Largest change [N] that the contact law wants in the forces lambda at these gaps, judged with the local stiffness.
-double contact_residual(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
+double contact_residual(const NonlinearProblem&, const CurrentLaws&, const PointField& lambda, const PointField& gap);
 
 /// How far a state with these gaps is from a solution. Collective.
 /// @param residual  K x - f, from which the contact forces are taken
-Imbalance imbalance(NonlinearProblem&, const PointField& lambda, const PointField& gap, TpetraVector& residual);
+Imbalance imbalance(NonlinearProblem&, const CurrentLaws&, const PointField& lambda, const PointField& gap,
+                    TpetraVector& residual);
 
 /// A state as a solve is judged: its residuals relative to the largest force, which the report keeps. Returns the
 /// larger of the two. Collective.

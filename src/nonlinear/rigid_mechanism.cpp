@@ -45,13 +45,14 @@ bool is_rigid_mechanism(NonlinearProblem& problem, const TpetraVector& motion, c
   PointField moved;
   if (!(problem.rigid_gaps(motion, moved) <= deformation)) return false;
   double worst = 0;
+  const CurrentLaws laws(problem, lambda, gap);
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
     for (int c = k * n; c < (k + 1) * n; ++c) moved[c] *= far;
     // What presses is closed, whatever round-off of a stiff block makes of its gap.
     const double before = lambda[k * n] > allowance ? 0.0 : std::max(0.0, motion_of(problem, k, 0, gap, lambda));
-    worst = std::max(worst, change_of_force(problem.law()[k], &lambda[k * n], n, before + moved[k * n],
-                                            &moved[k * n + 1], deformation * far));
+    worst = std::max(worst, change_of_force(laws[k], &lambda[k * n], n, before + moved[k * n], &moved[k * n + 1],
+                                            deformation * far));
   }
   return largest_over_ranks(problem, worst) <= allowance;
 }

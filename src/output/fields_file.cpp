@@ -153,6 +153,8 @@ void FieldsFile::write_step(const StepRows& step) {
   write(group + "/joint_normal_force_N", points_, step.normal_force, 1, "N", "compression > 0");
   write(group + "/joint_tangential_force_N", points_, step.tangential_force, 1, "N");
   write(group + "/joint_status", points_, step.status, 1, "-", "0 open, 1 stick, 2 slip, 3 bonded");
+  if (step.damage) write(group + "/joint_damage", points_, *step.damage, 1, "-", "0 sound, 1 all strength is lost");
+  xdmf_.damage = step.damage.has_value();
   write(group + "/joint_selected", points_, step.selected, 1, "-", "1 treated as contact, 0 not");
   file_.flush();
 

@@ -57,6 +57,8 @@ struct StepRows {
   std::vector<double> tangential_force;  ///< [N]
   std::vector<int> status;               ///< 0 open, 1 stick, 2 slip, 3 bonded
   std::vector<int> selected;             ///< 1 treated as contact, 0 not
+  /// [-] share of its strength that a point has lost; of runs in which joints have strength to lose, on all ranks
+  std::optional<std::vector<double>> damage;
 };
 
 /// Cuts fields.h5 behind its first `steps` steps. A file that a kill left unreadable is put aside as fields.damaged.h5.

@@ -64,6 +64,7 @@ class Writer {
     scalar("tangential force [N]", Number::real, "joint_tangential_force_N");
     scalar("status", Number::integer, "joint_status");
     scalar("selected", Number::integer, "joint_selected");
+    if (content_.damage) scalar("damage", Number::real, "joint_damage");
   }
 
   const char* cell_name() const {

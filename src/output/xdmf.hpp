@@ -20,6 +20,7 @@ struct XdmfContent {
   long long nodes = 0;
   long long cells = 0;
   int corners = 3;       ///< columns of /mesh/cells
+  bool damage = false;   ///< points have a damage
   long long points = 0;  ///< without contact points there is no collection "joints"
   std::vector<Step> steps;
 };

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "joints/coarse_joint.hpp"
 #include "linalg/gather.hpp"
+#include "step/joint_strength.hpp"
 
 namespace voussoir {
 namespace {
@@ -42,7 +43,7 @@ std::vector<Found> found_here(const Model<2>& model, const ContactState& state) 
       const auto& p = points.points()[k];
       bent |= dot(p.axis[0], axis[0]) < straight;
       brittle.push_back({dot(model.structure().position()[p.node_i], axis[1]), p.area, state.lambda[2 * k],
-                         state.lambda[2 * k + 1], state.broken[k] != 0});
+                         state.lambda[2 * k + 1], damage_of(model, state, k) == 1});
     }
     if (bent) continue;
     const auto coarse = coarse_joint(brittle, law.tension_strength, law.cohesion, law.friction_coefficient);

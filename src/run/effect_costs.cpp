@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 
+#include "joints/softening.hpp"
 #include "scene/scene_effects.hpp"
 
 namespace voussoir {
@@ -9,6 +10,8 @@ namespace {
 
 // What a law holds of a contact point for each of friction, cohesion and tension strength that is in play.
 constexpr long long bytes_of_number = sizeof(double);
+// How a point loses its strength, and what it has gone through.
+constexpr long long bytes_of_softening = sizeof(Softening) + 2 * sizeof(double);
 // What a state between load steps holds of a point where something rubs: its slip, as a vector.
 constexpr long long bytes_of_slip = 2 * sizeof(double);
 
@@ -34,6 +37,8 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   costs["friction"].bytes = friction ? points * (bytes_of_number + bytes_of_slip) : 0;
   for (const auto* bond : {"cohesion", "tension strength"})
     costs[bond].bytes = costs[bond].in_play ? points * bytes_of_number : 0;
+  if (costs["cohesion"].in_play || costs["tension strength"].in_play)
+    costs[costs["cohesion"].in_play ? "cohesion" : "tension strength"].bytes += points * bytes_of_softening;
   const bool mortar = costs["joint stiffness"].in_play;
   costs["joint stiffness"].bytes = mortar ? points * static_cast<long long>(sizeof(PointCompliance)) : 0;
   costs["inertia"].bytes = costs["inertia"].in_play ? bytes_of_inertia(structure) : 0;

@@ -41,7 +41,7 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
   asked_theorem_ = true;
   if (!theorem_applies(run.model)) return;
   const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p_.pattern, run.steps.time());
-  const RigidLimits limits(run.model, {&run.construction.absent(), &run.state.broken, run.load, raised});
+  const RigidLimits limits(run.model, {&run.construction.absent(), &run.state, run.load, raised});
   const auto limit = limits.largest_factor(p_.largest);
   if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
   if (limit.verdict == LimitVerdict::refused) {

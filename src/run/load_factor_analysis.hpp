@@ -46,9 +46,11 @@ class LoadFactorAnalysis {
   void conclude(const Attempting&);
 
   const FactorSearch& search() const { return search_; }
-  /// Names what a checkpoint keeps. Taken up again at its end, the search tries again what was undecided.
+  /// Names what a checkpoint keeps.
+  /// @param weakens  joints have strength that can be lost
+  /// Taken up again at its end, the search tries again what was undecided.
   template <class Archive, class Rows>
-  void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim) {
+  void keep(Archive& archive, const Rows& nodes, const Rows& points, int dim, bool weakens) {
     const bool over = finished();
     search_.keep(archive);
     archive.value("load_factor.asked_theorem", asked_theorem_);
@@ -59,7 +61,8 @@ class LoadFactorAnalysis {
       mechanism_.resize(nodes.ids.size() * dim);
       failed_.lambda.resize(points.ids.size() * dim);
       failed_.selected.resize(points.ids.size());
-      failed_.broken.resize(points.ids.size());
+      if (weakens) failed_.opened.resize(points.ids.size());
+      failed_.slipped.resize(failed_.opened.size());
     }
     if (search_.certified() < std::numeric_limits<double>::infinity()) {
       limit_mechanism_.resize(nodes.ids.size() * dim);
@@ -70,7 +73,8 @@ class LoadFactorAnalysis {
     archive.rows("load_factor.mechanism", nodes, dim, mechanism_);
     archive.rows("load_factor.failed.lambda", points, dim, failed_.lambda);
     archive.rows("load_factor.failed.selected", points, 1, failed_.selected);
-    archive.rows("load_factor.failed.broken", points, 1, failed_.broken);
+    archive.rows("load_factor.failed.opened", points, 1, failed_.opened);
+    archive.rows("load_factor.failed.slipped", points, 1, failed_.slipped);
     if (!over && finished()) search_.forget_undecided();
   }
 

@@ -33,9 +33,11 @@ class LoadStepBook {
  private:
   struct OfPoints {
     double friction = 0, fracture = 0;
+    double held = 0;     ///< that open joints would give back
     double to_work = 0;  ///< that the mean of forces leaves out of the work of loads and reactions
   };
   OfPoints of_points(const ContactState& after) const;
+  void add_fracture(const ContactState& after, const PointField& gap, int k, OfPoints&) const;
 
   const Model<dim>& model_;
   const AdaptiveStep<dim>& step_;

@@ -10,6 +10,7 @@
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
 #include "run/support_reactions.hpp"
+#include "step/joint_strength.hpp"
 
 namespace voussoir {
 namespace {
@@ -27,8 +28,7 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
   std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
-    auto law = model.law()[k];
-    if (state.broken[k]) law.cohesion = law.tension = 0;
+    const auto law = law_left(model, state, k);
     of_joint[p.joint].push_back({model.structure().position()[p.node_i], p.axis[0], state.lambda[2 * k],
                                  state.lambda[2 * k + 1], gap[2 * k], law});
   }

@@ -6,6 +6,7 @@
 
 #include "blocks/stresses.hpp"
 #include "linalg/reduce.hpp"
+#include "step/joint_strength.hpp"
 #include "step/phase.hpp"
 
 namespace voussoir {
@@ -123,6 +124,10 @@ void Recorder<dim>::write_step(const ContactState& state, const std::vector<doub
     rows.selected.push_back(state.selected[k]);
   }
   rows.status = status;
+  if (model_.weakens()) {
+    rows.damage.emplace();
+    for (int k = 0; k < model_.points().owned(); ++k) rows.damage->push_back(damage_of(model_, state, k));
+  }
   fields_->write_step(rows);
 }
 

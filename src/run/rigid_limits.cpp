@@ -8,6 +8,7 @@
 #include "blocks/supports.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
+#include "step/joint_strength.hpp"
 
 namespace voussoir {
 namespace {
@@ -92,8 +93,7 @@ std::vector<PointRow> points_of(const Model<2>& model, const RigidTask& task) {
     c.arm_i = place_of(s, p.node_i) - middle[i];
     c.arm_j = place_of(s, p.node_j) - middle[j];
     c.axis = p.axis;
-    c.law = model.law()[k];
-    if (task.broken && (*task.broken)[k]) c.law.cohesion = c.law.tension = 0;
+    c.law = task.state ? law_left(model, *task.state, k) : model.law()[k];
     rows.push_back({p.id, s.blocks()[i].mesh.id, s.blocks()[j].mesh.id, c});
   }
   return rows;

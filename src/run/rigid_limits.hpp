@@ -10,6 +10,7 @@
 
 #include "nonlinear/nonlinear_problem.hpp"
 #include "statics/limit_analysis.hpp"
+#include "step/contact_state.hpp"
 #include "step/model.hpp"
 
 namespace voussoir {
@@ -17,7 +18,7 @@ namespace voussoir {
 /// What is there of the model, and how it is loaded.
 struct RigidTask {
   const std::vector<char>* absent = nullptr;  ///< per local block, of what is not there; none: all is there
-  const std::vector<char>* broken = nullptr;  ///< per local point, whether its strength is lost; none: all are whole
+  const ContactState* state = nullptr;        ///< whose joints have what is left of their strength; none: all are whole
   std::vector<double> fixed;                  ///< [N] nodal loads that stay
   std::vector<double> raised;                 ///< [N] nodal loads that a factor multiplies; may be empty
 };

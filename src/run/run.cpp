@@ -99,7 +99,7 @@ bool Run::one_step() {
     interrupted();
     return false;
   }
-  if (model_.brittle())
+  if (model_.weakens())
     for (const auto& w : coarse_joints(model_, state_, at_factor(stage, recorder_->summary().load_factor))) warn(w);
   return true;
 }
@@ -140,7 +140,7 @@ bool Run::load_step(const ContactState& before) {
   narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
   Teuchos::Time clock("step", true);
   const LoadStepBook<2> book(model_, step_, before, load_);
-  theorem_.begin(construction_.absent(), before.broken, load_, next_load, steps_.target() == 1);
+  theorem_.begin(construction_.absent(), before, load_, next_load, steps_.target() == 1);
   const auto report = theorem_.solve(step_, model_, state_, prescribed);
   const double seconds = clock.totalElapsedTime(true);
   const std::string stage = steps_.stage();

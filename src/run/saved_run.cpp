@@ -21,7 +21,7 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 9;  // of the file; raised when a value changes its meaning
+constexpr int format = 10;  // of the file; raised when a value changes its meaning
 
 long long number_of(const std::string& text) { return static_cast<long long>(digest(text.data(), text.size())); }
 
@@ -70,7 +70,8 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("lambda", points, dim, state.lambda);
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);
   checkpoint.rows("selected", points, 1, state.selected);
-  checkpoint.rows("broken", points, 1, state.broken);
+  checkpoint.rows("opened", points, 1, state.opened);
+  checkpoint.rows("slipped", points, 1, state.slipped);
   checkpoint.rows("status", points, 1, state.status);
   checkpoint.value("rest.error.ratio", state.rest.error.ratio);
   checkpoint.value("rest.error.root_known", state.rest.error.root_known);
@@ -89,7 +90,7 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   if (model.scene().construction.empty()) state.initial_gap.clear();
   bool searching = run.steps.finished() && run.load_factor && run.load_factor->begun();
   checkpoint.value("load_factor.begun", searching);
-  if (searching && run.load_factor) run.load_factor->keep(checkpoint, nodes, points, dim);
+  if (searching && run.load_factor) run.load_factor->keep(checkpoint, nodes, points, dim, model.weakens());
 }
 
 /// What of a scene made the state at the end of its first stages: their loads and times, and which blocks were there.

@@ -28,10 +28,10 @@ bool theorem_applies(const Model<2>& model) {
          model.points().total() > 0 && model.source().block_count() <= most_stones;
 }
 
-void StaticTheorem::begin(const std::vector<char>& absent, const std::vector<char>& broken,
+void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& before,
                           const std::vector<double>& load_before, const std::vector<double>& load, bool ends_stage) {
   ends_stage_ = ends_stage;
-  absent_ = &absent, broken_ = &broken, before_ = &load_before, load_ = &load;
+  absent_ = &absent, state_ = &before, before_ = &load_before, load_ = &load;
   waits_ = applies_;
   solves_ = 0;
   refusal_.reset();
@@ -75,14 +75,14 @@ bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state
 bool StaticTheorem::refuses() {
   if (!waits_) return refusal_.has_value();
   waits_ = false;
-  // What breaks within the step is not known: strengths count as at its beginning, which admits more.
-  const RigidLimits whole(model_, {absent_, broken_, *load_, {}});
+  // What strength the step takes is not known: strengths count as at its beginning, which admits more.
+  const RigidLimits whole(model_, {absent_, state_, *load_, {}});
   auto answer = whole.bears(0);
   if (answer.verdict != LimitVerdict::refused) return false;
   refusal_ = Refusal{0, whole.on_nodes(answer), whole.on_points(answer)};
   auto more = *load_;
   for (std::size_t k = 0; k < more.size(); ++k) more[k] -= (*before_)[k];
-  const RigidLimits raised(model_, {absent_, broken_, *before_, std::move(more)});
+  const RigidLimits raised(model_, {absent_, state_, *before_, std::move(more)});
   answer = raised.largest_factor(1);
   if (answer.verdict == LimitVerdict::limited)
     refusal_ = Refusal{std::max(0.0, answer.factor), raised.on_nodes(answer), raised.on_points(answer)};

@@ -30,7 +30,7 @@ class StaticTheorem {
 
   /// A load step begins. What is passed must live as long as the step.
   /// @param ends_stage  whether what it finds will be told as the equilibrium of a stage
-  void begin(const std::vector<char>& absent, const std::vector<char>& broken, const std::vector<double>& load_before,
+  void begin(const std::vector<char>& absent, const ContactState& before, const std::vector<double>& load_before,
              const std::vector<double>& load, bool ends_stage);
   /// Solves it. Where that takes many linear solves, or leads nowhere, the theorem is asked; if it refuses, the step
   /// ends as a collapse in a state that holds forces alone. Collective.
@@ -47,7 +47,8 @@ class StaticTheorem {
   const Model<2>& model_;
   bool applies_, waits_ = false, ends_stage_ = false;
   int solves_ = 0;
-  const std::vector<char>*absent_ = nullptr, *broken_ = nullptr;
+  const std::vector<char>* absent_ = nullptr;
+  const ContactState* state_ = nullptr;  ///< at the start
   const std::vector<double>*before_ = nullptr, *load_ = nullptr;
   std::optional<Refusal> refusal_;
 };

@@ -9,6 +9,7 @@
 #include "linalg/reduce.hpp"
 #include "run/joint_network.hpp"
 #include "run/stone_places.hpp"
+#include "step/joint_strength.hpp"
 
 namespace voussoir {
 namespace {
@@ -88,8 +89,8 @@ std::vector<JointRecord> joints_here(const Model<2>& model, const StepEnd& end) 
       const auto& x = s.drawn_position()[p.node_i];
       const double n = end.state.lambda[2 * last], t = end.state.lambda[2 * last + 1];
       const auto f = n * p.axis[0] + t * p.axis[1];
-      const auto& law = model.law()[last];
-      const bool glued = !end.state.broken[last] && (law.cohesion > 0 || law.tension > 0);
+      const auto law = law_left(model, end.state, last);
+      const bool glued = law.cohesion > 0 || law.tension > 0;
       area += p.area;
       normal = normal + p.area * p.axis[0];
       from_i = from_i + p.area * (x - centre_i);

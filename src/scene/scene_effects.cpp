@@ -28,6 +28,9 @@ std::vector<Effect> effects_of(const Scene& scene) {
   joints("friction", &JointLawParameters::friction_coefficient);
   joints("cohesion", &JointLawParameters::cohesion);
   joints("tension strength", &JointLawParameters::tension_strength);
+  effects.push_back({"softening", names_with(scene.joints, [](const auto& joint) {
+                       return joint.parameters.fracture_energy > 0 || joint.parameters.shear_fracture_energy > 0;
+                     })});
   effects.push_back(
       {"joint stiffness", names_with(scene.joints, [](const auto& j) { return j.parameters.has_mortar(); })});
   const auto in_time = names_with(scene.stages, [](const StageParameters& stage) { return stage.dynamic(); });

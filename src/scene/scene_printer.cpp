@@ -139,6 +139,10 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
         in_quotes(j.between) + " and " + in_quotes(j.and_) + ": mu " + number_text(j.friction_coefficient) +
             ", cohesion " + number_text(j.cohesion) + " Pa, tension strength " + number_text(j.tension_strength) +
             " Pa" +
+            (j.fracture_energy > 0 || j.shear_fracture_energy > 0
+                 ? ", fracture energies " + number_text(j.fracture_energy) + " and " +
+                       number_text(j.shear_fracture_energy) + " J/m2"
+                 : "") +
             (j.has_mortar() ? ", stiffness " + number_text(j.normal_stiffness) + " and " +
                                   number_text(j.tangential_stiffness) + " Pa/m"
                             : ""));

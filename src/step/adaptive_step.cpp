@@ -25,7 +25,8 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   const auto& gap = model_.initial_gap();
   for (std::size_t k = 0; k < gap.size(); ++k)
     state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
-  state.broken.assign(points, 0);
+  if (model_.weakens()) state.opened.assign(points, 0.0);
+  state.slipped = state.opened;
   state.status.assign(points, static_cast<char>(PointStatus::stick));
   return state;
 }
@@ -37,37 +38,6 @@ std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const
   return r;
 }
 
-/// Whether the bond of a point cannot bear what it would have to.
-template <int dim>
-bool AdaptiveStep<dim>::breaks(const ContactState& state, const PointField& gap, int k) const {
-  const auto& law = model_.law()[k];
-  if (!state.selected[k] || state.broken[k] || (law.cohesion == 0 && law.tension == 0)) return false;
-  const double sigma = model_.local_stiffness()[k], normal = state.lambda[dim * k];
-  double slip = 0, q = 0;
-  for (int c = 1; c < dim; ++c) {
-    const double origin = state.slip_origin.empty() ? 0.0 : state.slip_origin[dim * k + c];
-    slip += std::abs(gap[dim * k + c] - origin);
-    q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
-  }
-  const bool opened = normal - sigma * gap[dim * k] <= -law.tension;
-  const bool slipped = std::sqrt(q) + sigma * slip > friction_bound(law, normal);
-  return opened || slipped;
-}
-
-/// Takes cohesion and tension strength from points that opened or slipped; false when none did. Collective.
-template <int dim>
-bool AdaptiveStep<dim>::break_points(ContactState& state) const {
-  const auto gap = stone_gaps(state);
-  long long broken = 0;
-  for (int k = 0; k < model_.points().size(); ++k) {
-    if (!breaks(state, gap, k)) continue;
-    state.broken[k] = 1;
-    broken += k < model_.points().owned();
-  }
-  return total_over_ranks(*model_.structure().comm(), broken) > 0;
-}
-
-/// With the bonds there are.
 template <int dim>
 StepReport AdaptiveStep<dim>::find_equilibrium(ContactState& state, const StepInput& input) {
   SelectionLoop<dim> loop(tools_, state, input, *progress_);
@@ -81,7 +51,6 @@ StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& 
   StepResult result{before, {}};
   auto& [state, report] = result;
   report = find_equilibrium(state, input);
-  while (report.converged() && model_.brittle() && break_points(state)) report.add(find_equilibrium(state, input));
   if (!report.converged()) return result;
   const auto gap = stone_gaps(state);
   state.status = point_statuses(model_, state, gap, before.slip_origin);

@@ -1,4 +1,4 @@
-// One load step: the selection loop finds an equilibrium, brittle points break, history is taken over.
+// One load step: the selection loop finds an equilibrium, and what points have gone through is taken over.
 #pragma once
 
 #include <memory>
@@ -32,8 +32,6 @@ class AdaptiveStep {
 
  private:
   StepReport find_equilibrium(ContactState&, const StepInput&);
-  bool break_points(ContactState&) const;
-  bool breaks(const ContactState&, const PointField& gap, int k) const;
 
   const Model<dim>& model_;
   std::shared_ptr<Progress> progress_;

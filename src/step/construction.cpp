@@ -45,7 +45,7 @@ void Construction<dim>::give_birth(int k, const Vector<dim>& between, ContactSta
   // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
   const bool moved = std::any_of(between.begin(), between.end(), [](double motion) { return motion != 0; });
   state.selected[k] = moved || drawn(k) > 0 || scene_.selection.mode == SelectionMode::all;
-  state.broken[k] = 0;
+  if (!state.opened.empty()) state.opened[k] = state.slipped[k] = 0;
 }
 
 /// The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would be a

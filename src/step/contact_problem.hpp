@@ -40,6 +40,7 @@ class ContactProblem : public NonlinearProblem {
     const PointField& slip_origin;
     const std::vector<double>& load;        ///< nodal forces [N, dim x local node copies]
     const std::vector<double>& prescribed;  ///< displacement of held components [m], the same shape
+    SofteningPoints* softening = nullptr;   ///< null where no joint can lose strength
   };
 
   /// Unknowns, matrix and preconditioner of a selection. Collective.
@@ -65,6 +66,7 @@ class ContactProblem : public NonlinearProblem {
   /// built yet.
   const std::vector<char>& selected() const override { return movable_; }
   const PointLaws& law() const override { return asked_->law; }
+  SofteningPoints* softening() const override { return asked_->softening; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
   const std::vector<PointCompliance>& compliance() const override { return parts_.compliance; }
   const PointField& slip_origin() const override { return asked_->slip_origin; }

@@ -23,7 +23,8 @@ struct ContactState {
   PointField slip_origin;            ///< [m] slip at the end of the last load step, normal 0; empty where nothing rubs
   std::vector<char> selected;        ///< per point
   std::vector<char> status;          ///< per point: a PointStatus, as point_status.hpp judged the end of the last step
-  std::vector<char> broken;          ///< per point: cohesion and tension strength lost
+  std::vector<double> opened;        ///< [m] per point: largest opening of a joint with strength; empty without such
+  std::vector<double> slipped;       ///< [m] likewise: length of the way slipped
   std::vector<double> initial_gap;   ///< [m] per point: what construction adds to its gap; empty without construction
   std::vector<double> velocity;      ///< [m/s] like displacement; empty before time begins
   std::vector<double> acceleration;  ///< [m/s2] mean of the last time step, for errors; empty likewise

@@ -11,6 +11,7 @@
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
 #include "step/error_estimate.hpp"
+#include "step/joint_strength.hpp"
 #include "step/phase.hpp"
 #include "step/point_status.hpp"
 #include "step/release.hpp"
@@ -179,9 +180,52 @@ void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<doub
   state.velocity = v;
 }
 
+/// What friction and lost strength take at one point. A point that pulls takes its force times the way it opens; what it
+/// would give back is no loss.
+/// @param gap  [m] of the middle, half of that at the end
+template <int dim>
+EnergyOfStep DynamicStep<dim>::loss_of_point(const ContactState& mid, const ContactState& before, const PointField& gap,
+                                             int k) const {
+  EnergyOfStep loss;
+  std::array<double, dim - 1> force, slip;
+  for (int c = 1; c < dim; ++c) {
+    force[c - 1] = mid.lambda[dim * k + c];
+    slip[c - 1] = 2 * gap[dim * k + c];
+  }
+  const double normal = mid.lambda[dim * k], stiffness = at_rest_.local_stiffness()[k];
+  const auto& whole = at_rest_.law()[k];
+  if (at_rest_.softening().empty()) {
+    loss.friction = friction_work(friction_bound(whole, normal), force, slip, stiffness);
+    return loss;
+  }
+  const auto& softening = at_rest_.softening()[k];
+  const JointWear start{before.opened[k], before.slipped[k]}, end{mid.opened[k], mid.slipped[k]};
+  const double opening = model_->initial_gap()[k], middle = gap[dim * k] + opening;
+  const auto law = weaken(whole, softening, start, middle, norm(slip) / 2).law;
+  const double taken = friction_work(friction_bound(law, normal), force, slip, stiffness);
+  const double by_cohesion = std::min(taken, strength_left(law.cohesion, 0) * norm(slip));
+  loss.friction = taken - by_cohesion;
+  loss.fracture = by_cohesion - 2 * std::min(0.0, normal) * (gap[dim * k] - opening) +
+                  held_energy(whole, softening, start, 2 * opening) -
+                  held_energy(whole, softening, end, 2 * gap[dim * k]);
+  return loss;
+}
+
+/// Energy that open joints would give back [J], of this rank's points.
+template <int dim>
+double DynamicStep<dim>::held_by_joints(const ContactState& state) const {
+  if (at_rest_.softening().empty()) return 0;
+  const auto gap = at_rest_.gaps(state.displacement);
+  double energy = 0;
+  for (int k = 0; k < at_rest_.points().owned(); ++k)
+    energy +=
+        held_energy(at_rest_.law()[k], at_rest_.softening()[k], {state.opened[k], state.slipped[k]}, gap[dim * k]);
+  return energy;
+}
+
 /// Work and losses of a step, exact, from its middle; returns the energy that the closing of points took [J].
 template <int dim>
-double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& broken, const std::vector<double>& load,
+double DynamicStep<dim>::book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
                               const std::vector<double>& effective, TimeStepReport& report) const {
   const auto& s = at_rest_.structure();
   const auto& w = mid.displacement;
@@ -189,30 +233,22 @@ double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& 
   std::vector<double> mw, kw;
   mass_.apply_stiffness(w, mw);
   s.apply_stiffness(w, kw);
-  double work = 0, damping = 0, friction = 0, fracture = 0, lost = 0;
+  double work = 0, damping = 0, friction = 0, fracture = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
     work += 2 * w[i] * (load[i] + (at_rest_.held()[i] ? reaction[i] : 0.0));
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
   const double none = at_rest_.scene().internals.time_step.no_force * largest_force(at_rest_, mid);
+  double lost = 0;
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
     if (!mid.selected[k]) continue;
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
     if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
       lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
-    std::array<double, dim - 1> force, slip;
-    for (int c = 1; c < dim; ++c) {
-      force[c - 1] = mid.lambda[dim * k + c];
-      slip[c - 1] = 2 * gap[dim * k + c];
-    }
-    if (mid.broken[k] != broken[k]) {
-      fracture -= dot(force, slip);
-      continue;
-    }
-    auto law = at_rest_.law()[k];
-    if (mid.broken[k]) law.cohesion = law.tension = 0;
-    friction += friction_work(friction_bound(law, mid.lambda[dim * k]), force, slip, at_rest_.local_stiffness()[k]);
+    const auto loss = loss_of_point(mid, before, gap, k);
+    friction += loss.friction;
+    fracture += loss.fracture;
   }
   report.external_work = total(work);
   report.damping = total(damping);
@@ -336,7 +372,7 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
   s.apply_stiffness(after.displacement, ku);
   double elastic = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += after.displacement[i] * ku[i] / 2;
-  report.elastic = total(elastic);
+  report.elastic = total(elastic + held_by_joints(after));
   const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
   const double resting = resting_speed(after, energy);
   try {
@@ -370,7 +406,12 @@ TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInpu
     after = std::move(mid);
     return result;
   }
-  const double closing = std::max(0.0, book(mid, before.broken, input.load, midpoint.load, report));
+  if (at_rest_.weakens()) {
+    auto at_end = model_->gaps(mid.displacement);
+    for (double& gap : at_end) gap *= 2;
+    wear(at_rest_, before, mid, at_end, at_end);
+  }
+  const double closing = std::max(0.0, book(mid, before, input.load, midpoint.load, report));
   after = at_end(before, std::move(mid));
   move_supports(after, midpoint.half, report);
   if (!update_velocities(after, before.velocity, closing, report)) return result;

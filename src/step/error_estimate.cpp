@@ -88,13 +88,12 @@ std::vector<char> open_points(const Model<dim>& model) {
 }
 
 template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const PointLaws& law, const ContactState& state,
-                   const std::vector<int>& cluster, const TiedViolations& violations, const std::vector<double>& load,
-                   const std::vector<double>& prescribed) {
+TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typename ContactProblem<dim>::Asked& asked,
+                   const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations) {
   if (violations.largest == 0) return {};
   auto released = state.selected;
   release_violating(parts.points, cluster, violations, released);
-  ContactProblem<dim> problem(parts, released, {law, state.slip_origin, load, prescribed});
+  ContactProblem<dim> problem(parts, released, asked);
   const auto x = problem.unknowns(state.displacement);
   const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
   const auto e = Teuchos::rcp(new TpetraVector(problem.map()));
@@ -103,11 +102,12 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const Point
   std::vector<PointStiffness> resistance;
   problem.evaluate(*x, *b, gap);
   trial_forces(problem, state.lambda, gap, 1.0, trial);
-  friction_bounds(problem, trial, bound);
-  project(problem, trial, bound, forces);
+  const CurrentLaws laws(problem, state.lambda, gap);
+  friction_bounds(problem, laws, trial, bound);
+  project(problem, laws, trial, bound, forces);
   for (std::size_t i = 0; i < trial.size(); i += dim) trial[i] += violations.noise;
   for (double& limit : bound) limit += violations.noise;
-  resistances(problem, trial, bound, 1.0, resistance);
+  resistances(problem, laws, trial, bound, 1.0, resistance);
   problem.subtract_contact_forces(forces, *b);
   b->scale(-1);
   TieError error;
@@ -135,9 +135,8 @@ template double largest_normal_force<2>(const Model<2>&, const PointField&);
 template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
                                            const std::vector<int>&);
 template std::vector<char> open_points<2>(const Model<2>&);
-template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&, const ContactState&,
-                               const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
-                               const std::vector<double>&);
+template TieError tie_error<2>(const ContactProblem<2>::Parts&, const ContactProblem<2>::Asked&, const ContactState&,
+                               const std::vector<int>&, const TiedViolations&);
 template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double, double);
 
 }  // namespace voussoir

@@ -51,9 +51,8 @@ struct TieError {
 /// @param state  in equilibrium with its ties; ghosts of its forces up to date
 /// Collective. Costs a linear solve where anything is violated.
 template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts&, const PointLaws&, const ContactState&,
-                   const std::vector<int>& cluster, const TiedViolations&, const std::vector<double>& load,
-                   const std::vector<double>& prescribed);
+TieError tie_error(const typename ContactProblem<dim>::Parts&, const typename ContactProblem<dim>::Asked&,
+                   const ContactState&, const std::vector<int>& cluster, const TiedViolations&);
 
 /// Error of ties relative to the energy that the structure would have without them [-]. Collective.
 /// @param known_energy  [J] of the structure, where displacement does not tell
@@ -70,9 +69,8 @@ extern template double largest_normal_force<2>(const Model<2>&, const PointField
 extern template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
                                                   const std::vector<int>&);
 extern template std::vector<char> open_points<2>(const Model<2>&);
-extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const PointLaws&, const ContactState&,
-                                      const std::vector<int>&, const TiedViolations&, const std::vector<double>&,
-                                      const std::vector<double>&);
+extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const ContactProblem<2>::Asked&,
+                                      const ContactState&, const std::vector<int>&, const TiedViolations&);
 extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double,
                                          double);
 

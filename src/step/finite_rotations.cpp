@@ -10,6 +10,7 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
   if (model.scene().model.rotations == Rotations::small) return advance(step, state, {load, prescribed});
   const auto& numbers = model.scene().internals.step;
   const auto start = state.displacement;
+  const auto opened = state.opened, slipped = state.slipped;
   const auto slip_origin = state.slip_origin;  // one step: slip counts from its start, whatever the rounds were
   model.follow(start);
   StepReport report = advance(step, state, {load, prescribed});
@@ -24,6 +25,8 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
       break;
     }
     state.slip_origin = slip_origin;
+    state.opened = opened;
+    state.slipped = slipped;
     report.add(advance(step, state, {load, prescribed}));
   }
   model.follow(start);

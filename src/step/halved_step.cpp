@@ -28,7 +28,7 @@ bool is_multiple(const Teuchos::Comm<int>& comm, const std::vector<double>& one,
 bool is_homogeneous(const Model<2>& model, const ContactState& before) {
   const bool opens = largest_of(model.initial_gap()) > 0;
   const double moved = std::max(largest_of(before.displacement), largest_of(before.lambda));
-  const double mine = opens || model.brittle() || moved > 0;
+  const double mine = opens || model.weakens() || moved > 0;
   return largest_over_ranks(*model.structure().comm(), mine) == 0 && model.scene().model.rotations == Rotations::small;
 }
 

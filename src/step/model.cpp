@@ -78,7 +78,8 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       held_(at_rest.held_),
       law_(at_rest.law_),
       initial_gap_(at_rest.initial_gap_),
-      brittle_(at_rest.brittle_),
+      softening_(at_rest.softening_),
+      weakens_(at_rest.weakens_),
       inertia_(rule.mass_factor()) {
   const auto& rest = *at_rest.structure_;
   structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
@@ -108,7 +109,8 @@ void Model<dim>::set_laws() {
   }
   // Of the scene, not of the points here: every rank must come to the same.
   for (const auto& [name, law] : scene_.joints) {
-    brittle_ |= law.cohesion > 0 || law.tension_strength > 0;
+    weakens_ |= std::max(law.cohesion, law.tension_strength) > 0 &&
+                std::min(law.cohesion, law.tension_strength) < JointLawParameters::infinity;
     rubs_ |= law.friction_coefficient > 0 || law.cohesion > 0 || law.tension_strength > 0;
     softest_mortar_ = std::min({softest_mortar_, law.normal_stiffness, law.tangential_stiffness});
   }
@@ -118,9 +120,35 @@ void Model<dim>::set_laws() {
       compliance_.push_back({1 / (law.normal_stiffness * p.area), 1 / (law.tangential_stiffness * p.area)});
     }
   set_local_stiffness(nullptr, {});
+  set_softening();
   const bool closed = std::all_of(scene_.joints.begin(), scene_.joints.end(),
                                   [](const auto& joint) { return joint.parameters.initial_gap == 0; });
   if (closed) initial_gap_.clear();
+}
+
+/// Where the strength of a joint falls faster than the stones beside it can follow, its force jumps: no joint softens
+/// faster than a share of what a point sees of them. One that has no energy of its own softens as fast as that.
+template <int dim>
+void Model<dim>::set_softening() {
+  if (!weakens_) return;
+  constexpr double infinity = JointLawParameters::infinity;
+  softening_.resize(points_->points().size());
+  for (std::size_t k = 0; k < softening_.size(); ++k) {
+    const auto& p = points_->points()[k];
+    const auto& joint = scene_.joints[points_->joints()[p.joint].family].parameters;
+    const double tension = joint.tension_strength * p.area, cohesion = joint.cohesion * p.area;  // [N]
+    const bool exponential = joint.softening == SofteningShape::exponential;
+    const auto rate = [&](double energy, double strength, double other, int component) {
+      const double lost = strength > 0 ? strength : other;  // what a mode without strength of its own takes
+      if (!(lost > 0) || lost == infinity) return 0.0;
+      const double c = compliance_.empty() ? 0.0 : compliance_[k].along(component), stone = local_stiffness_[k];
+      const double steepest = scene_.internals.step.steepest_softening * stone / (1 + c * stone);
+      const double fastest = (exponential ? 1 : 2) * steepest / lost;
+      return energy > 0 ? std::min(fastest, lost / (energy * p.area)) : fastest;
+    };
+    softening_[k] = {rate(joint.fracture_energy, tension, cohesion, 0),
+                     rate(joint.shear_fracture_energy, cohesion, tension, 1), exponential};
+  }
 }
 
 /// Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness. In a time step the

@@ -9,6 +9,7 @@
 #include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/continuum.hpp"
 #include "joints/contact_law.hpp"
+#include "joints/softening.hpp"
 #include "scene/scene.hpp"
 #include "step/loads_at_work.hpp"
 
@@ -35,9 +36,12 @@ class Model {
   const std::vector<char>& held() const { return held_; }
   /// Stiffness a point sees in the cells beside it [N/m].
   const std::vector<double>& local_stiffness() const { return local_stiffness_; }
-  /// Law of each point, unbroken.
+  /// Law of each point without damage.
   const PointLaws& law() const { return law_; }
-  bool brittle() const { return brittle_; }
+  /// How points lose their strength; empty where no joint has any that can be lost.
+  const std::vector<Softening>& softening() const { return softening_; }
+  /// Some joint of the scene can lose its strength.
+  bool weakens() const { return weakens_; }
   /// Some joint has friction or strength, so that it matters where a point has slipped to.
   bool rubs() const { return rubs_; }
   /// Mortar of each point; empty when no joint has any.
@@ -72,6 +76,7 @@ class Model {
 
  private:
   void set_laws();
+  void set_softening();
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   void hold_supports();
 
@@ -87,7 +92,8 @@ class Model {
   std::vector<PointCompliance> compliance_;
   double softest_mortar_ = JointLawParameters::infinity;
   std::vector<double> initial_gap_;
-  bool brittle_ = false, rubs_ = false;
+  std::vector<Softening> softening_;
+  bool weakens_ = false, rubs_ = false;
   double inertia_ = 0;
   int arrangement_ = 0;
   std::unique_ptr<LoadsAtWork<dim>> loads_;

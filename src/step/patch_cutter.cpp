@@ -56,7 +56,7 @@ bool PatchCutter<dim>::find_stuck(const TpetraVector& x, const PointField& lambd
       if (std::abs(off[dim * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
   }
   PointField lawful;
-  lawful_forces(problem, lambda, gap_, lawful);
+  lawful_forces(problem, CurrentLaws(problem, lambda, gap_), lambda, gap_, lawful);
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
     const auto& p = parts_.points.points()[k];
@@ -200,6 +200,7 @@ std::vector<typename PatchCutter<dim>::Point> PatchCutter<dim>::points(
   const auto& s = parts_.structure;
   const auto& space = parts_.space;
   const auto& problem = parts_.problem;
+  const CurrentLaws laws(problem, lambda, gap_);
   std::vector<Point> list;
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
@@ -216,7 +217,7 @@ std::vector<typename PatchCutter<dim>::Point> PatchCutter<dim>::points(
     }
     auto& q = one.point;
     q.axis = p.axis;
-    q.law = problem.law()[k];
+    q.law = laws[k];
     q.local_stiffness = problem.local_stiffness()[k];
     if (!problem.compliance().empty()) q.compliance = problem.compliance()[k];
     for (int c = 0; c < dim; ++c) {

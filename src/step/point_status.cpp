@@ -1,4 +1,5 @@
 #include "step/point_status.hpp"
+#include "step/joint_strength.hpp"
 
 #include <cmath>
 
@@ -13,8 +14,7 @@ std::vector<char> point_statuses(const Model<dim>& model, const ContactState& st
                                  const PointField& slip_before) {
   std::vector<char> status(model.points().size());
   for (int k = 0; k < model.points().size(); ++k) {
-    auto law = model.law()[k];
-    if (state.broken[k]) law.cohesion = law.tension = 0;
+    const auto law = law_now(model, state, gap[dim * k], k);
     const double sigma = model.local_stiffness()[k];
     const double normal = state.lambda[dim * k] - sigma * gap[dim * k];
     double q = 0;

@@ -6,6 +6,7 @@
 #include "dynamics/load_steps.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "step/joint_strength.hpp"
 #include "step/phase.hpp"
 #include "step/release.hpp"
 
@@ -16,14 +17,6 @@ namespace {
 double beside_what_follows(double root) { return root / std::hypot(1, root); }
 
 bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
-
-template <int dim>
-PointLaws law_without_lost_bonds(const Model<dim>& model, const ContactState& state) {
-  auto law = model.law();
-  for (std::size_t k = 0; k < law.size(); ++k)
-    if (state.broken[k]) law.lose_bond(k);
-  return law;
-}
 
 /// Error of ties that may stay [-]: what many steps add up to must stay within what a scene asks for.
 double allowed_error(const Scene& scene, bool in_time) {
@@ -74,7 +67,7 @@ SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& stat
       numbers_(model_.scene().internals.step),
       input_(input),
       progress_(progress),
-      law_(law_without_lost_bonds(model_, state)),
+      law_(laws_left(model_, state)),
       tolerance_(model_.scene().newton.tolerance),
       allowed_(allowed_error(model_.scene(), in_time())),
       before_(state),
@@ -84,6 +77,27 @@ SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& stat
       displacement_(state.displacement),
       lambda_(state.lambda) {
   hope_.wanted = looks_first() ? std::max(tolerance_, numbers_.first_look) : tolerance_;
+}
+
+/// Joints as worn as at the start of the step. A time step looks at its middle: there the mean of a force is met that
+/// falls along it.
+template <int dim>
+SofteningPoints* SelectionLoop<dim>::softening() {
+  if (!model_.weakens()) return nullptr;
+  softening_.emplace(model_.law(), model_.softening(), before_.opened, before_.slipped,
+                     in_time() ? model_.initial_gap() : std::vector<double>());
+  return &*softening_;
+}
+
+/// What they have gone through up to where the solution is.
+template <int dim>
+void SelectionLoop<dim>::keep_wear(const ContactProblem<dim>& problem) {
+  if (!softening_) return;
+  wear_by(problem, state_.lambda, model_.gaps(state_.displacement));
+  for (std::size_t k = 0; k < state_.opened.size(); ++k) {
+    state_.opened[k] = softening_->opened(k);
+    state_.slipped[k] = before_.slipped[k] + softening_->way(k);
+  }
 }
 
 template <int dim>
@@ -147,7 +161,8 @@ NewtonParameters SelectionLoop<dim>::way_of_solving() const {
 /// @param known_gap  [m] of the state, where that is an equilibrium under other loads; else null
 template <int dim>
 bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
-  auto& problem = tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed});
+  auto& problem =
+      tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
   ContactSolver newton(problem, way_of_solving(), model_.scene().internals.methods, state_.fast_way);
   newton.narrate = [this](const NewtonProgress& solve) { progress_.solved(solve); };
   const auto x = problem.unknowns(state_.displacement);
@@ -162,6 +177,7 @@ bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
     problem.space().scatter(newton.mechanism(), mechanism_);
     return false;
   }
+  keep_wear(problem);
   seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;
@@ -252,7 +268,8 @@ template <int dim>
 void SelectionLoop<dim>::solve_for_error() {
   if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
   const auto error =
-      tie_error<dim>(tools_.parts(), law_, state_, seen_.cluster, seen_.violations, input_.load, input_.prescribed);
+      tie_error<dim>(tools_.parts(), {law_, state_.slip_origin, input_.load, input_.prescribed, softening()}, state_,
+                     seen_.cluster, seen_.violations);
   report_.estimate_solves += error.linear_solves;
   report_.newton.krylov_iterations += error.krylov_iterations;
   report_.newton.failed_solves += !error.known;

@@ -11,6 +11,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "nonlinear/contact_solver.hpp"
@@ -83,6 +84,8 @@ class SelectionLoop {
     bool large = false;            ///< the root alone tells that the error is too large
   };
 
+  SofteningPoints* softening();
+  void keep_wear(const ContactProblem<dim>&);
   bool look();
   bool find_equilibrium(const PointField* known_gap);
   void recover_ties();
@@ -113,11 +116,12 @@ class SelectionLoop {
   const StepParameters& numbers_;
   const StepInput& input_;
   Progress& progress_;
-  const PointLaws law_;               ///< with the bonds that are left
+  const PointLaws law_;               ///< with the strength that is left
   const double tolerance_, allowed_;  ///< [-] of equilibria; error of ties
   const ContactState before_;
   const long long selected_before_;
   const PointField known_gap_;  ///< [m] before
+  std::optional<SofteningPoints> softening_;
   ContactState& state_;
   std::vector<double> displacement_;  ///< [m] and forces [N] of the last solution of this step
   PointField lambda_;

@@ -52,6 +52,10 @@ void StepParameters::declare(ParameterSection& section) {
               "Pa/m took 254 solves without, 57 with both");
   section.add("beyond stone", beyond_stone, "-", above(0.0),
               "times the stiffness of stones that this may be at most. Reason: likewise");
+  section.add(
+      "steepest softening", steepest_softening, "-", inside(0.0, 1.0),
+      "of the stiffness a point sees, with which a joint softens at most; brittle ones do. Reason: beyond 1 its "
+      "force jumps, and no neighbourhood of an equilibrium is left");
   section.add("negligible turn", negligible_turn, "rad", above(0.0),
               "turn of stones that is followed no further. Reason: moves forces by this share of a stone; the next "
               "load step makes up for it");

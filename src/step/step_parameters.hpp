@@ -26,11 +26,12 @@ struct StepParameters {
   /// strain of a foundation that lets the structure move by its size: the proximal weight
   double proximal_strain = 1e-4;
   double next_to_rigid = 1e7;  ///< times the pressure below a column of them from which on stones are next to rigid
-  double share_of_round_off = 0.1;  ///< of the tolerance that round-off of displacements may make
-  double beyond_mortar = 10;        ///< times the stiffness of mortar that the local stiffness is at least
-  double beyond_stone = 100;        ///< times the stiffness of stones that this may be at most
-  double negligible_turn = 1e-4;    ///< [rad] turn of stones that is followed no further
-  int rounds_of_rotations = 30;     ///< of solving and following
+  double share_of_round_off = 0.1;   ///< of the tolerance that round-off of displacements may make
+  double beyond_mortar = 10;         ///< times the stiffness of mortar that the local stiffness is at least
+  double beyond_stone = 100;         ///< times the stiffness of stones that this may be at most
+  double steepest_softening = 0.25;  ///< of the stiffness a point sees, with which a joint softens at most
+  double negligible_turn = 1e-4;     ///< [rad] turn of stones that is followed no further
+  int rounds_of_rotations = 30;      ///< of solving and following
   void declare(ParameterSection&);
 };
 

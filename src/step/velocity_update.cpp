@@ -10,6 +10,7 @@
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
 #include "step/free_bodies.hpp"
+#include "step/joint_strength.hpp"
 
 namespace voussoir {
 namespace {
@@ -23,7 +24,8 @@ std::vector<char> loaded_points(const Model<dim>& model, const ContactState& sta
   const double none = model.scene().internals.time_step.no_force * largest_force(model, state);
   std::vector<char> loaded(state.selected.size());
   for (std::size_t k = 0; k < loaded.size(); ++k) {
-    const bool glued = !state.broken[k] && model.law()[k].tension > 0;
+    const bool whole = state.opened.empty() || state.opened[k] == 0;
+    const bool glued = whole && law_left(model, state, static_cast<int>(k)).tension > 0;
     loaded[k] = state.selected[k] && (state.lambda[dim * k] > none || glued);
   }
   return loaded;
@@ -53,8 +55,7 @@ Held closed_points(const Model<dim>& model, const ContactState& state, const std
 /// Whether friction holds a point that bears something, with a margin for what the solver leaves.
 template <int dim>
 bool sticks(const Model<dim>& model, const ContactState& state, std::size_t k) {
-  auto law = model.law()[k];
-  if (state.broken[k]) law.cohesion = law.tension = 0;
+  const auto law = law_left(model, state, static_cast<int>(k));
   double q = 0;
   for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
   const double margin = model.scene().internals.time_step.no_force;

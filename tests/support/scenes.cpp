@@ -9,6 +9,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/gather.hpp"
 #include "mesh/block_source.hpp"
+#include "step/joint_strength.hpp"
 
 namespace voussoir::test {
 namespace {
@@ -244,7 +245,7 @@ Solution Experiment::solution() const {
     q.slip = gap[2 * k + 1];
     q.slip_before = slip_before_.empty() ? 0.0 : slip_before_[2 * k + 1];
     q.selected = state_.selected[k];
-    q.broken = state_.broken[k];
+    q.broken = damage_of(*model_, state_, k) == 1;
     all.points.push_back(q);
   }
   all.points = all_gather(all.points, comm);

@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(PointLaws, HoldWhatSomePointHasAndNothingElse) {
   TEST_EQUALITY(laws[7].friction, dry.friction);
   TEST_EQUALITY(laws[7].cohesion, 0.0);
   TEST_EQUALITY(laws[8].tension, mortar.tension);
-  laws.lose_bond(8);
+  laws.set(8, {mortar.friction, 0, 0});
   TEST_EQUALITY(laws[8].friction, mortar.friction);
   TEST_EQUALITY(laws[8].cohesion + laws[8].tension, 0.0);
 }

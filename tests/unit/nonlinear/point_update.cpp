@@ -39,8 +39,9 @@ struct Projected {
   std::vector<double> bound;
   Projected(const Points& p, const PointField& lambda, const PointField& gap, double augmentation) {
     trial_forces(p, lambda, gap, augmentation, trial);
-    friction_bounds(p, lambda, bound);
-    project(p, trial, bound, forces);
+    const CurrentLaws laws(p);
+    friction_bounds(p, laws, lambda, bound);
+    project(p, laws, trial, bound, forces);
   }
 };
 
@@ -75,7 +76,7 @@ TEUCHOS_UNIT_TEST(Projection, LeavesAdmissibleForcesAloneAndIsItsOwnSquare) {
     const auto p = points_by_chance(n);
     const Projected at(p, field_by_chance(p, 1), field_by_chance(p, 1001), 1.0);
     PointField again;
-    project(p, at.forces, at.bound, again);
+    project(p, CurrentLaws(p), at.forces, at.bound, again);
     for (std::size_t i = 0; i < again.size(); ++i)
       TEST_COMPARE(std::abs(again[i] - at.forces[i]), <=, 1e-15);  // forces of size 1, one rounding
   }
@@ -87,7 +88,7 @@ TEUCHOS_UNIT_TEST(Projection, IsNearerThanAnyOtherAdmissibleForce) {
     const Projected at(p, field_by_chance(p, 1), field_by_chance(p, 1001), 1.0);
     for (int other = 0; other < 20; ++other) {
       PointField candidate;
-      project(p, field_by_chance(p, 9000 + 1000 * other), at.bound, candidate);
+      project(p, CurrentLaws(p), field_by_chance(p, 9000 + 1000 * other), at.bound, candidate);
       // The set is convex: seen from the projection, no admissible force lies on the side of the trial force.
       for (int k = 0; k < many; ++k) {
         double angle = 0;
@@ -119,11 +120,11 @@ TEUCHOS_UNIT_TEST(Resistances, AreTheSlopesOfTheProjectedForces) {
   constexpr double augmentation = 3.0, h = 1e-7;
   const Projected at(p, lambda, gap, augmentation);
   std::vector<PointStiffness> slope;
-  resistances(p, at.trial, at.bound, augmentation, slope);
+  resistances(p, CurrentLaws(p), at.trial, at.bound, augmentation, slope);
   for (double& g : gap) g += h;
   PointField moved, after;
   trial_forces(p, lambda, gap, augmentation, moved);
-  project(p, moved, at.bound, after);
+  project(p, CurrentLaws(p), moved, at.bound, after);
   for (int k = 0; k < many; ++k) {
     // A kink of the law within h would spoil the quotient; among 200 points by chance none is that near.
     TEST_COMPARE(std::abs(at.trial[2 * k] + p.law_[k].tension), >, 10 * h);
@@ -142,9 +143,9 @@ TEUCHOS_UNIT_TEST(PointUpdate, PassesOverPointsThatAreNotSelected) {
   std::vector<double> bound(many, 77.0);
   std::vector<PointStiffness> slope;
   trial_forces(p, lambda, field_by_chance(p, 1001), 1.0, trial);
-  friction_bounds(p, lambda, bound);
-  project(p, trial, bound, forces);
-  resistances(p, trial, bound, 1.0, slope);
+  friction_bounds(p, CurrentLaws(p), lambda, bound);
+  project(p, CurrentLaws(p), trial, bound, forces);
+  resistances(p, CurrentLaws(p), trial, bound, 1.0, slope);
   for (const double untouched : {trial[8], trial[9], forces[8], forces[9], bound[4]})
     TEST_EQUALITY_CONST(untouched, 77.0);
   TEST_EQUALITY_CONST(slope[4].normal, 0.0);

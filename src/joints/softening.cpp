@@ -1,0 +1,94 @@
+#include "joints/softening.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr double finest_piece = 0.5;  // of kappa, where a rule of five points has only round-off to leave
+constexpr double all_lost = 40;       // kappa beyond which exponential softening has left less than round-off
+
+/// Share of a straight way after which a function that grows along it is beyond a bound; 1 where it stays below.
+template <class Function>
+double share_below(double bound, const Function& grows) {
+  if (grows(1.0) <= bound) return 1;
+  double low = 0, high = 1;
+  while (high - low > 1e-16 * high) {
+    const double middle = (low + high) / 2;
+    if (middle == low || middle == high) break;
+    (grows(middle) <= bound ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+WeakenedLaw weaken(const PointLaw& whole, const Softening& softening, const JointWear& before, double gap,
+                   double slip) {
+  const JointWear wear{std::max(before.opened, gap), before.slipped + std::abs(slip)};
+  const double kappa = softening.kappa(wear.opened, wear.slipped), damage = softening.damage(kappa);
+  const double growth = softening.growth(kappa);
+  const auto slope = [&](double strength, double rate, double way) {  // of what is left of it
+    if (!std::isfinite(strength) || growth == 0) return 0.0;
+    return -strength * growth * rate * (kappa > 0 ? rate * way / kappa : 1.0);
+  };
+  WeakenedLaw now;
+  now.law = {whole.friction, strength_left(whole.cohesion, damage), strength_left(whole.tension, damage)};
+  now.pull = now.law.tension;
+  now.cohesion_per_slip = slope(whole.cohesion, softening.per_slip, wear.slipped);
+  const bool opens = gap >= before.opened;
+  if (opens) now.cohesion_per_gap = slope(whole.cohesion, softening.per_opening, wear.opened);
+  if (opens || before.opened == 0) {
+    now.pull_per_opening = slope(whole.tension, softening.per_opening, wear.opened);
+    return now;
+  }
+  if (!std::isfinite(now.pull)) return now;
+  now.pull_per_opening = now.pull / before.opened;
+  now.pull = now.pull_per_opening * gap;
+  now.law.tension = std::max(0.0, now.pull);
+  return now;
+}
+
+WeakenedLaw SofteningPoints::at(std::size_t k, double gap, double slip) const {
+  const JointWear before{opened_[k], slipped_[k]};
+  const double reached = held_ ? std::min(seen(k, gap), before.opened) : seen(k, gap);
+  auto now = weaken(whole_[k], softening_[k], before, reached, held_ ? way_[k] : std::max(way_[k], std::abs(slip)));
+  if (held_ || std::abs(slip) < way_[k]) now.cohesion_per_slip = 0;
+  if (held_ && seen(k, gap) >= before.opened) now.pull_per_opening = now.cohesion_per_gap = 0;
+  return now;
+}
+
+void SofteningPoints::wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness) {
+  if (!softens(k)) return;
+  const auto now = at(k, gap, slip);
+  const auto& law = now.law;
+  const bool opens = normal - stiffness * gap < -law.tension, slips = !(shear < friction_bound(law, normal));
+  // An opening within what the stones beside it stretch by is not told from none: it would close again rigidly.
+  if (opens && now.pull <= stiffness * seen(k, gap)) opened_[k] = std::max(opened_[k], seen(k, gap));
+  if (slips) way_[k] = std::max(way_[k], std::abs(slip));
+}
+
+double held_energy(const PointLaw& whole, const Softening& softening, const JointWear& wear, double gap) {
+  if (!(gap > 0) || !(wear.opened > 0) || !std::isfinite(whole.tension)) return 0;
+  const double pull = strength_left(whole.tension, softening.damage(softening.kappa(wear.opened, wear.slipped)));
+  const double share = std::min(1.0, gap / wear.opened);
+  return pull * wear.opened * share * share / 2;
+}
+
+double mean_strength(const Softening& softening, const JointWear& from, const JointWear& to) {
+  const double opened = to.opened - from.opened, slipped = to.slipped - from.slipped;
+  const auto kappa = [&](double share) {
+    return softening.kappa(from.opened + share * opened, from.slipped + share * slipped);
+  };
+  const double end = share_below(softening.exponential ? all_lost : 2.0, kappa);
+  const int pieces = 1 + static_cast<int>((kappa(end) - kappa(0)) / finest_piece);
+  // Gauss's rule of five points.
+  constexpr double place[] = {0.5, 0.230765344947158, 0.769234655052842, 0.046910077030668, 0.953089922969332};
+  constexpr double weight[] = {0.284444444444444, 0.239314335249683, 0.239314335249683, 0.118463442528095,
+                               0.118463442528095};
+  double left = 0;
+  for (int piece = 0; piece < pieces; ++piece)
+    for (int i = 0; i < 5; ++i)
+      left += weight[i] * (1 - softening.damage(kappa(end * (piece + place[i]) / pieces))) * end / pieces;
+  return left;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,56 @@
+// What joints have left of their strength in a state, and what a step takes of it (joints/softening.hpp).
+#pragma once
+
+#include "joints/softening.hpp"
+#include "step/contact_state.hpp"
+#include "step/model.hpp"
+
+namespace voussoir {
+
+/// Share of its strength that a point has lost, 0 for one without.
+template <int dim>
+double damage_of(const Model<dim>& model, const ContactState& state, int k) {
+  if (model.softening().empty()) return 0;
+  const auto& s = model.softening()[k];
+  return s.damage(s.kappa(state.opened[k], state.slipped[k]));
+}
+
+/// Law of a point with the strength that is left.
+template <int dim>
+PointLaw law_left(const Model<dim>& model, const ContactState& state, int k) {
+  auto law = model.law()[k];
+  const double damage = damage_of(model, state, k);
+  law.cohesion = strength_left(law.cohesion, damage);
+  law.tension = strength_left(law.tension, damage);
+  return law;
+}
+
+/// Laws of all points likewise.
+template <int dim>
+PointLaws laws_left(const Model<dim>& model, const ContactState& state) {
+  auto laws = model.law();
+  if (!model.softening().empty())
+    for (int k = 0; k < model.points().size(); ++k) laws.set(k, law_left(model, state, k));
+  return laws;
+}
+
+/// Law of a point as it bears now: one that has opened pulls no more than it does at its opening.
+/// @param gap  [m] of the stones
+template <int dim>
+PointLaw law_now(const Model<dim>& model, const ContactState& state, double gap, int k) {
+  if (model.softening().empty()) return model.law()[k];
+  return weaken(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap, 0).law;
+}
+
+/// Wear of a time step, whose end is farther than the middle that was solved.
+/// @param before  the state at its start
+/// @param after   with the forces of the middle and the wear up to there
+/// @param gap     [m] gaps of the stones at its end
+/// @param slip    [m] slips in the step, [points x dim], normal component not looked at
+template <int dim>
+void wear(const Model<dim>&, const ContactState& before, ContactState& after, const PointField& gap,
+          const PointField& slip);
+
+extern template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
+
+}  // namespace voussoir
