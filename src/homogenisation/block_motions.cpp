@@ -242,13 +242,24 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
   Row row;
   for (int k : couplings_) {
     const auto& p = points_.points()[k];
-    for (int a = 0; a < dim; ++a) {
-      const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].along(a - 1, a - 1);
-      if (sigma == 0) continue;
+    const auto& s = stiffness[k];
+    const auto resist = [&](const Vector<dim>& axis, double sigma) {
+      if (sigma == 0) return;
       row.clear();
-      add_motion(space_.cluster()[p.node_j], p.axis[a], 1.0, row);
-      add_motion(space_.cluster()[p.node_i], p.axis[a], -1.0, row);
+      add_motion(space_.cluster()[p.node_j], axis, 1.0, row);
+      add_motion(space_.cluster()[p.node_i], axis, -1.0, row);
       add_product(row, sigma);
+    };
+    resist(p.axis[0], s.normal);
+    // What two tangents have in common, by 2 t u = (t + u)^2 - t^2 - u^2.
+    for (int t = 1; t < dim; ++t) {
+      double alone = s.along(t - 1, t - 1);
+      for (int u = 1; u < dim; ++u) {
+        if (u == t) continue;
+        alone -= s.along(t - 1, u - 1);
+        if (u > t) resist(p.axis[t] + p.axis[u], s.along(t - 1, u - 1));
+      }
+      resist(p.axis[t], alone);
     }
   }
   for (std::size_t i = 0; i < proximal.size(); ++i) {
@@ -313,5 +324,6 @@ long long BlockMotions<dim>::bytes() const {
 }
 
 template class BlockMotions<2>;
+template class BlockMotions<3>;
 
 }  // namespace voussoir

@@ -70,5 +70,6 @@ class BlockMotions {
 };
 
 extern template class BlockMotions<2>;
+extern template class BlockMotions<3>;
 
 }  // namespace voussoir
