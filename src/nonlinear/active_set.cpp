@@ -183,7 +183,7 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
     damped[k].hold(stiffness_of(problem_, k, 0, damping), stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
-  const auto solved = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !in_time()});
+  const auto solved = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most});
   if (solved.nothing) return solved;
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;

@@ -152,7 +152,7 @@ void DynamicStep<dim>::set_time_step(double time_step) {
 template <int dim>
 void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
-  const double left = at_rest_.scene().internals.time_step.left_by_solver * at_rest_.scene().newton.tolerance *
+  const double left = at_rest_.scene().internals.step.noise * at_rest_.scene().newton.tolerance *
                       largest_normal_force(at_rest_, lambda);
   std::vector<double> offset(at_rest_.points().size());
   for (std::size_t k = 0; k < offset.size(); ++k) {
@@ -195,7 +195,7 @@ double DynamicStep<dim>::book(const ContactState& mid, const std::vector<char>& 
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
-  const double none = at_rest_.scene().internals.time_step.no_force * largest_force(at_rest_, mid);
+  const double none = at_rest_.scene().internals.step.least_noise * largest_force(at_rest_, mid);
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
     if (!mid.selected[k]) continue;
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
@@ -258,7 +258,7 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   const auto& joints = at_rest_.scene().joints;
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
   if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
-  const double share = at_rest_.scene().internals.time_step.share_of_tolerance * selection.error_tolerance;
+  const double share = at_rest_.scene().internals.step.share_of_violation * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
