@@ -48,6 +48,12 @@ T cross(const std::array<T, 2>& a, const std::array<T, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
+/// Cross product of space.
+template <class T>
+std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// A rotation of the plane, counter-clockwise [rad], however far.
 class Rotation {
  public:

@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
 #include "blocks/element_matrices.hpp"
+#include "blocks/hexahedron.hpp"
 
 namespace voussoir {
 
@@ -18,7 +19,8 @@ std::array<Vector<2>, 4> cell_positions(const Block<2>& block, const Cell& cell)
 namespace {
 
 /// Rows and columns of a block's matrices: nodes of the same cell are coupled, in all components. Values are 0.
-LocalCsr coupled_nodes(const Block<2>& block) {
+template <int dim>
+LocalCsr coupled_nodes(const Block<dim>& block) {
   std::vector<std::vector<int>> neighbours(block.position.size());
   for (const auto& cell : block.cells)
     for (int i = 0; i < cell.count; ++i)
@@ -27,8 +29,9 @@ LocalCsr coupled_nodes(const Block<2>& block) {
   LocalCsr k;
   for (auto& row : neighbours) {
     sort_unique(row);
-    for (int component = 0; component < 2; ++component) {
-      for (int j : row) k.column.insert(k.column.end(), {2 * j, 2 * j + 1});
+    for (int component = 0; component < dim; ++component) {
+      for (int j : row)
+        for (int c = 0; c < dim; ++c) k.column.push_back(dim * j + c);
       k.start.push_back(static_cast<int>(k.column.size()));
     }
   }
@@ -41,17 +44,35 @@ double& entry(LocalCsr& k, int row, int column) {
   return k.value[std::lower_bound(first, last, column) - k.column.begin()];
 }
 
+/// @param of_cell  stiffness of a cell, row-major, rows node by node
+template <int dim, class OfCell>
+LocalCsr sum_of_cells(const Block<dim>& block, const OfCell& of_cell) {
+  LocalCsr k = coupled_nodes(block);
+  for (const auto& cell : block.cells) {
+    const auto ke = of_cell(cell);
+    const int n = dim * cell.count;
+    const auto row = [&](int i) { return dim * cell.node[i / dim] + i % dim; };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) entry(k, row(i), row(j)) += ke[i * n + j];
+  }
+  return k;
+}
+
 }  // namespace
 
 LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane plane, double thickness) {
-  LocalCsr k = coupled_nodes(block);
-  for (const auto& cell : block.cells) {
-    const auto ke = element_stiffness(cell, cell_positions(block, cell), material, plane, thickness);
-    const int n = 2 * cell.count;
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) entry(k, 2 * cell.node[i / 2] + i % 2, 2 * cell.node[j / 2] + j % 2) += ke[i * n + j];
-  }
-  return k;
+  return sum_of_cells(block, [&](const Cell& cell) {
+    return element_stiffness(cell, cell_positions(block, cell), material, plane, thickness);
+  });
+}
+
+LocalCsr block_stiffness(const Block<3>& block, const Material& material) {
+  return sum_of_cells(block, [&](const Cell& cell) {
+    VOUSSOIR_EXPECT(cell.count == 8);
+    std::array<Vector<3>, 8> x;
+    for (int i = 0; i < 8; ++i) x[i] = block.position[cell.node[i]];
+    return hexahedron_stiffness(x, material);
+  });
 }
 
 LocalCsr block_mass(const Block<2>& block, double density, double thickness, Mass kind) {

@@ -12,8 +12,18 @@ namespace voussoir {
 /// Positions of a cell's nodes [m].
 std::array<Vector<2>, 4> cell_positions(const Block<2>&, const Cell&);
 
-/// Stiffness of a block [N/m], rows 2 node + component.
+/// Stiffness of a block [N/m], rows dim node + component.
 LocalCsr block_stiffness(const Block<2>&, const Material&, Plane, double thickness);
+LocalCsr block_stiffness(const Block<3>&, const Material&);
+
+/// The same, as the model has blocks of the plane.
+template <int dim>
+LocalCsr block_stiffness(const Block<dim>& block, const Material& material, const ModelParameters& model) {
+  if constexpr (dim == 2)
+    return block_stiffness(block, material, model.plane, model.thickness);
+  else
+    return block_stiffness(block, material);
+}
 
 /// Mass of a block [kg], in the rows and columns of its stiffness.
 LocalCsr block_mass(const Block<2>&, double density, double thickness, Mass);

@@ -17,7 +17,8 @@ namespace voussoir {
 class StiffnessOfShapes {
  public:
   explicit StiffnessOfShapes(const ModelParameters& model) : model_(model) {}
-  std::shared_ptr<const LocalCsr> of(Block<2>, const Material&);
+  template <int dim>
+  std::shared_ptr<const LocalCsr> of(Block<dim>, const Material&);
 
  private:
   ModelParameters model_;

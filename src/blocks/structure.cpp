@@ -154,9 +154,16 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
     position_[node] = drawn_[node] + motion;
     for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = motion[c];
   }
-  b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_.plane, model_.thickness));
+  b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_));
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) b.mesh.position[i] = position_[b.first_local + i];
   return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
+}
+
+/// The turn of a block is one number, which in space would be three.
+template <>
+double Structure<3>::follow_block(int, const std::vector<double>&) {
+  VOUSSOIR_EXPECT(!"blocks are followed in the plane alone");
+  return 0;
 }
 
 template <int dim>
@@ -189,5 +196,6 @@ Structure<dim> Structure<dim>::with_matrices(const std::function<LocalCsr(int bl
 }
 
 template class Structure<2>;
+template class Structure<3>;
 
 }  // namespace voussoir

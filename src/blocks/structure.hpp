@@ -67,7 +67,7 @@ class Structure {
   /// What of a displacement deforms the blocks: all but the motion they have been followed to.
   std::vector<double> deformation(const std::vector<double>& u) const;
   /// Takes every block, undeformed, to where a displacement has moved and turned it, however far: places of nodes
-  /// and K. Displacements still count from the drawing. Collective.
+  /// and K. Displacements still count from the drawing. In the plane alone. Collective.
   /// @return the largest turn since the last time [rad]
   double follow(const std::vector<double>& u);
   /// How far a local block has been followed from its drawing [rad], counter-clockwise.
@@ -105,6 +105,9 @@ class Structure {
   std::vector<double> turn_;          ///< [rad] per local block
 };
 
+template <>
+double Structure<3>::follow_block(int block, const std::vector<double>& u);
 extern template class Structure<2>;
+extern template class Structure<3>;
 
 }  // namespace voussoir

@@ -38,24 +38,14 @@ class Pairs {
 template <int dim>
 BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim>& points,
                                 const std::vector<char>& selected, const MergedSpace<dim>& space,
-                                const std::vector<int>& active, const std::vector<int>& sheared)
+                                const std::vector<int>& active)
     : structure_(s), points_(points), space_(space) {
-  find_copies(number_unknowns(active, sheared));
+  std::vector<int> number(active.size(), -1);  // of each block among those that are active
+  for (std::size_t b = 0; b < active.size(); ++b)
+    if (active[b]) number[b] = blocks_++;
+  find_copies(number);
   set_pattern(selected);
   add_elastic_energy();
-}
-
-/// Returns the number of each block among those that are active, else -1.
-template <int dim>
-std::vector<int> BlockMotions<dim>::number_unknowns(const std::vector<int>& active, const std::vector<int>& sheared) {
-  std::vector<int> number(active.size(), -1);
-  first_ = {0};
-  for (std::size_t b = 0; b < active.size(); ++b) {
-    if (!active[b]) continue;
-    number[b] = blocks();
-    first_.push_back(first_.back() + (!sheared.empty() && sheared[b] ? most : rigid));
-  }
-  return number;
 }
 
 /// Sorts the copies at owned vertices by clusters.
@@ -85,10 +75,7 @@ typename BlockMotions<dim>::Modes BlockMotions<dim>::motion(const Vector<dim>& a
   std::copy(direction.begin(), direction.end(), m.begin());
   int turn = dim;
   for (int a = 0; a < dim; ++a)
-    for (int b = a + 1; b < dim; ++b, ++turn) {
-      m[turn] = direction[b] * arm[a] - direction[a] * arm[b];
-      m[turn + turns] = direction[b] * arm[a] + direction[a] * arm[b];
-    }
+    for (int b = a + 1; b < dim; ++b, ++turn) m[turn] = direction[b] * arm[a] - direction[a] * arm[b];
   return m;
 }
 
@@ -100,8 +87,8 @@ Vector<dim> BlockMotions<dim>::displacement(const Vector<dim>& arm, const Modes&
   int turn = dim;
   for (int a = 0; a < dim; ++a)
     for (int b = a + 1; b < dim; ++b, ++turn) {
-      u[a] += (motions[turn + turns] - motions[turn]) * arm[b];
-      u[b] += (motions[turn + turns] + motions[turn]) * arm[a];
+      u[a] -= motions[turn] * arm[b];
+      u[b] += motions[turn] * arm[a];
     }
   return u;
 }
@@ -151,21 +138,20 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
     meet_at(cluster[p.node_j]);
     couple();
   }
-  for (int b = 0; b < blocks(); ++b) met.add(b, b);
+  for (int b = 0; b < blocks_; ++b) met.add(b, b);
   auto pairs = all_gather(std::move(met).all(), *structure_.comm());
   sort_unique(pairs);
 
   std::size_t entries = 0;
-  for (const auto& [i, j] : pairs) entries += i == j ? modes(i) * (modes(i) + 1) / 2 : modes(i) * modes(j);
+  for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;
   matrix_.start.reserve(size() + 1);
   matrix_.column.reserve(entries);
   for (auto first = pairs.begin(); first != pairs.end();) {
     auto last = first;
     while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
-    for (int m = 0; m < modes((*first)[0]); ++m) {
+    for (int m = 0; m < modes; ++m) {
       for (auto pair = first; pair != last; ++pair)
-        for (int n = pair == first ? m : 0; n < modes((*pair)[1]); ++n)
-          matrix_.column.push_back(first_[(*pair)[1]] + n);
+        for (int n = pair == first ? m : 0; n < modes; ++n) matrix_.column.push_back(modes * (*pair)[1] + n);
       matrix_.start.push_back(static_cast<int>(matrix_.column.size()));
     }
     first = last;
@@ -177,19 +163,19 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
 /// Where in the first row of a block the columns of another begin.
 template <int dim>
 std::size_t BlockMotions<dim>::place(int block, int other) const {
-  const auto row = matrix_.column.begin() + matrix_.start[first_[block]];
-  const auto end = matrix_.column.begin() + matrix_.start[first_[block] + 1];
-  return std::lower_bound(row, end, first_[other]) - row;
+  const auto row = matrix_.column.begin() + matrix_.start[modes * block];
+  const auto end = matrix_.column.begin() + matrix_.start[modes * block + 1];
+  return std::lower_bound(row, end, modes * other) - row;
 }
 
 /// Adds left^T right to the part of the matrix that a block and another, not before it, have in common.
 template <int dim>
 void BlockMotions<dim>::add_to(int block, int other, const Modes& left, const double* right) {
   const std::size_t along = place(block, other);
-  for (int m = 0; m < modes(block); ++m) {
+  for (int m = 0; m < modes; ++m) {
     // Each row of a block begins one column later than the one above.
-    double* value = &matrix_.value[matrix_.start[first_[block] + m] + along] - m;
-    for (int n = block == other ? m : 0; n < modes(other); ++n) value[n] += left[m] * right[n];
+    double* value = &matrix_.value[matrix_.start[modes * block + m] + along] - m;
+    for (int n = block == other ? m : 0; n < modes; ++n) value[n] += left[m] * right[n];
   }
 }
 
@@ -202,7 +188,7 @@ void BlockMotions<dim>::add_product(const Row& row, double factor) {
 
 template <int dim>
 void BlockMotions<dim>::add_elastic_energy() {
-  std::vector<int> local(blocks(), -1);  // place of a block among those around another
+  std::vector<int> local(blocks_, -1);  // place of a block among those around another
   std::vector<Row> z;
   std::vector<double> kz;
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
@@ -221,16 +207,16 @@ void BlockMotions<dim>::add_elastic_energy() {
       }
     }
     // First K Z, then Z^T (K Z).
-    const std::size_t n = around.size() * most;
+    const std::size_t n = around.size() * modes;
     kz.assign(k.rows() * n, 0.0);
     for (int i = 0; i < k.rows(); ++i)
       for (int e = k.start[i]; e < k.start[i + 1]; ++e)
         for (const auto& term : z[k.column[e]])
-          for (int m = 0; m < most; ++m) kz[i * n + local[term.block] * most + m] += k.value[e] * term.value[m];
+          for (int m = 0; m < modes; ++m) kz[i * n + local[term.block] * modes + m] += k.value[e] * term.value[m];
     for (int i = 0; i < k.rows(); ++i)
       for (const auto& term : z[i])
         for (int other : around)
-          if (other >= term.block) add_to(term.block, other, term.value, &kz[i * n + local[other] * most]);
+          if (other >= term.block) add_to(term.block, other, term.value, &kz[i * n + local[other] * modes]);
     for (int other : around) local[other] = -1;
   }
   elastic_ = std::move(matrix_.value);
@@ -242,13 +228,24 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
   Row row;
   for (int k : couplings_) {
     const auto& p = points_.points()[k];
-    for (int a = 0; a < dim; ++a) {
-      const double sigma = a == 0 ? stiffness[k].normal : stiffness[k].along(a - 1, a - 1);
-      if (sigma <= 0) continue;  // a joint that softens is no spring
+    const auto s = stiffness[k].springs();  // a joint that softens is none
+    const auto resist = [&](const Vector<dim>& axis, double sigma) {
+      if (sigma == 0) return;
       row.clear();
-      add_motion(space_.cluster()[p.node_j], p.axis[a], 1.0, row);
-      add_motion(space_.cluster()[p.node_i], p.axis[a], -1.0, row);
+      add_motion(space_.cluster()[p.node_j], axis, 1.0, row);
+      add_motion(space_.cluster()[p.node_i], axis, -1.0, row);
       add_product(row, sigma);
+    };
+    resist(p.axis[0], s.normal);
+    // What two tangents have in common, by 2 t u = (t + u)^2 - t^2 - u^2.
+    for (int t = 1; t < dim; ++t) {
+      double alone = s.along(t - 1, t - 1);
+      for (int u = 1; u < dim; ++u) {
+        if (u == t) continue;
+        alone -= s.along(t - 1, u - 1);
+        if (u > t) resist(p.axis[t] + p.axis[u], s.along(t - 1, u - 1));
+      }
+      resist(p.axis[t], alone);
     }
   }
   for (std::size_t i = 0; i < proximal.size(); ++i) {
@@ -281,8 +278,7 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
     for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
       const auto moments = motion(copies_[k].arm, force);
       const int block = copies_[k].block;
-      for (int m = 0; m < rigid; ++m) mine[first_[block] + m] += moments[m];
-      for (int m = rigid; m < modes(block); ++m) mine[first_[block] + m] += moments[m];
+      for (int m = 0; m < modes; ++m) mine[modes * block + m] += moments[m];
     }
   }
   {
@@ -295,9 +291,8 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
     Vector<dim> moved{};
     for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
       const int block = copies_[k].block;
-      Modes motions{};
-      std::copy_n(&coarse[first_[block]], rigid, motions.begin());
-      for (int m = rigid; m < modes(block); ++m) motions[m] = coarse[first_[block] + m];
+      Modes motions;
+      std::copy_n(&coarse[modes * block], modes, motions.begin());
       moved = moved + displacement(copies_[k].arm, motions);
     }
     for (int c = 0; c < dim; ++c)
@@ -309,9 +304,10 @@ template <int dim>
 long long BlockMotions<dim>::bytes() const {
   return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
          static_cast<long long>(copies_.size() * sizeof(Copy) + elastic_.size() * sizeof(double) +
-                                (copy_start_.size() + couplings_.size() + first_.size()) * sizeof(int));
+                                (copy_start_.size() + couplings_.size()) * sizeof(int));
 }
 
 template class BlockMotions<2>;
+template class BlockMotions<3>;
 
 }  // namespace voussoir

@@ -1,9 +1,9 @@
-// The rigid-block operator: what is left of a structure when its stones only move as wholes, and some of them shear.
+// The rigid-block operator: what is left of a structure when its stones only move as wholes.
 //
-// Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D) and, of some blocks,
-// their shear (1, 3). Where nodes are tied the motion is the mean of the blocks'. To save memory Z is kept as one lever
-// arm per node copy, Z^T H Z, which is symmetric, as its upper half, and what a point adds to it is computed at every
-// update. Every rank holds and factors the whole coarse matrix.
+// Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are
+// tied the motion is the mean of the blocks'. To save memory Z is kept as one lever arm per node copy, Z^T H Z, which
+// is symmetric, as its upper half, and what a point adds to it is computed at every update. Every rank holds and
+// factors the whole coarse matrix.
 #pragma once
 
 #include <memory>
@@ -16,22 +16,20 @@ namespace voussoir {
 template <int dim>
 class BlockMotions {
  public:
-  /// @param active   per block of the whole structure: 1 if a point of it is selected
-  /// @param sheared  likewise: 1 if its shear is among its motions; empty where no shear is
+  /// @param active  per block of the whole structure: 1 if a point of it is selected
   BlockMotions(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
-               const MergedSpace<dim>&, const std::vector<int>& active, const std::vector<int>& sheared = {});
+               const MergedSpace<dim>&, const std::vector<int>& active);
 
   /// Assembles Z^T H Z for new statuses and factors it. Collective.
   void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
   /// z += Z (Z^T H Z)^-1 Z^T r. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
-  int size() const { return first_.back(); }
+  int size() const { return modes * blocks_; }
   long long bytes() const;
 
  private:
-  static constexpr int turns = dim * (dim - 1) / 2;  ///< and as many shears
-  static constexpr int rigid = dim + turns, most = rigid + turns;
-  using Modes = std::array<double, most>;  ///< of a block that is not sheared the last do not count
+  static constexpr int modes = dim + dim * (dim - 1) / 2;  ///< of a block: translations and turns
+  using Modes = std::array<double, modes>;
   /// A node copy that moves with its block.
   struct Copy {
     int block;        ///< among those that are active
@@ -46,9 +44,6 @@ class BlockMotions {
 
   static Modes motion(const Vector<dim>& arm, const Vector<dim>& direction);
   static Vector<dim> displacement(const Vector<dim>& arm, const Modes&);
-  int blocks() const { return static_cast<int>(first_.size()) - 1; }
-  int modes(int block) const { return first_[block + 1] - first_[block]; }
-  std::vector<int> number_unknowns(const std::vector<int>& active, const std::vector<int>& sheared);
   void find_copies(const std::vector<int>& number);
   void set_pattern(const std::vector<char>& selected);
   void add_elastic_energy();
@@ -60,7 +55,7 @@ class BlockMotions {
   const Structure<dim>& structure_;
   const ContactPoints<dim>& points_;
   const MergedSpace<dim>& space_;
-  std::vector<int> first_;       ///< unknown of each active block, and behind the last
+  int blocks_ = 0;               ///< that are active
   std::vector<int> copy_start_;  ///< per cluster, those of other ranks too where an owned block touches them
   std::vector<Copy> copies_;
   std::vector<int> couplings_;   ///< owned selected points that couple clusters
@@ -70,5 +65,6 @@ class BlockMotions {
 };
 
 extern template class BlockMotions<2>;
+extern template class BlockMotions<3>;
 
 }  // namespace voussoir

@@ -15,28 +15,18 @@
 namespace voussoir {
 namespace {
 
-template <int dim>
-std::array<BlockId, 2> blocks_beside(const ContactPoints<dim>& points, int k) {
-  const auto& joint = points.joints()[points.points()[k].joint];
-  return {joint.block_i, joint.block_j};
-}
-
-template <class T>
-std::vector<T> over_ranks(const Teuchos::Comm<int>& comm, Teuchos::EReductionType how, const std::vector<T>& mine) {
-  std::vector<T> all(mine.size());
-  Teuchos::reduceAll(comm, how, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
-}
-
 /// Blocks with a selected point, over the whole structure.
 template <int dim>
 std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints<dim>& points,
                                const std::vector<char>& selected) {
-  std::vector<int> mine(s.owner_of_block().size(), 0);
-  for (int k = 0; k < points.owned(); ++k)
-    if (selected[k])
-      for (const BlockId b : blocks_beside(points, k)) mine[b] = 1;
-  return over_ranks(*s.comm(), Teuchos::REDUCE_MAX, mine);
+  std::vector<int> mine(s.owner_of_block().size(), 0), all(mine.size());
+  for (int k = 0; k < points.owned(); ++k) {
+    if (!selected[k]) continue;
+    const auto& joint = points.joints()[points.points()[k].joint];
+    mine[joint.block_i] = mine[joint.block_j] = 1;
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
 }
 
 }  // namespace
@@ -48,7 +38,6 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
                                     const CoarseOperatorParameters& numbers)
     : numbers_(numbers),
       structure_(s),
-      points_(points),
       space_(space),
       factored_up_to_(parameters.factored_up_to),
       selected_(selected),
@@ -57,26 +46,26 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
       inner_(space.map()),
       inner_residual_(space.map()) {
   bool directly = false;
-  if (parameters.released_region && numbers_.released_region && parameters.homogenised) {
+  if (parameters.released_region && parameters.homogenised) {
     auto region = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space, numbers_);
     directly = region->pays();
     if (directly && region->size() > 0) region_ = std::move(region);
   }
-  auto active = directly ? std::vector<int>() : active_blocks(s, points, selected);
+  const auto active = directly ? std::vector<int>() : active_blocks(s, points, selected);
   const bool any = std::find(active.begin(), active.end(), 1) != active.end();
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves<dim>>(s, space, active);
-  if (parameters.rigid_blocks && any) active_ = std::move(active);
+  if (parameters.rigid_blocks && any)
+    motions_ = std::make_unique<BlockMotions<dim>>(s, points, selected, space, active);
 }
 
 template <int dim>
 void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>& stiffness,
-                                 const std::vector<double>& proximal, bool shear) {
+                                 const std::vector<double>& proximal) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
   if (!parted()) return;
-  const bool others = !whole_ && choose_motions(stiffness, shear);
-  const bool stays = !others && !changed(stiffness, proximal);
+  const bool stays = !changed(stiffness, proximal);
   begins_ = false;
   if (stays) {
     ++cost_.reused;
@@ -98,7 +87,7 @@ template <int dim>
 bool CoarseOperator<dim>::begin_step() {
   cost_ = {};
   begins_ = true;
-  return !whole_ && !whole_fails_ && sheared_.empty();
+  return !whole_ && !whole_fails_;
 }
 
 template <int dim>
@@ -119,12 +108,12 @@ void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) 
 /// Whether a selection has parted anything that is factored anew with its statuses.
 template <int dim>
 bool CoarseOperator<dim>::parted() const {
-  return !active_.empty() || blocks_ || region_ || whole_;
+  return motions_ || blocks_ || region_ || whole_;
 }
 
 template <int dim>
 bool CoarseOperator<dim>::may_factor_whole() const {
-  return numbers_.whole_factorisation && !whole_ && !whole_fails_ && parted() &&
+  return !whole_ && !whole_fails_ && parted() &&
          space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
 }
 
@@ -149,42 +138,6 @@ bool CoarseOperator<dim>::factor_whole() {
   region_.reset();
   continuum_.reset();
   malloc_trim(0);
-  return true;
-}
-
-/// Per block of the whole structure: 1 where many points give way. Tied ones do not.
-template <int dim>
-std::vector<int> CoarseOperator<dim>::loose_blocks(const std::vector<PointStiffness>& stiffness) const {
-  const std::size_t blocks = active_.size();
-  std::vector<double> stiffest(blocks, 0.0);
-  for (int k = 0; k < points_.owned(); ++k)
-    for (const BlockId b : blocks_beside(points_, k)) stiffest[b] = std::max(stiffest[b], stiffness[k].normal);
-  stiffest = over_ranks(*structure_.comm(), Teuchos::REDUCE_MAX, stiffest);
-  std::vector<int> count(2 * blocks, 0);  // of points, and of those that give way
-  for (int k = 0; k < points_.owned(); ++k)
-    for (const BlockId b : blocks_beside(points_, k)) {
-      ++count[b];
-      count[blocks + b] += selected_[k] && stiffness[k].normal < numbers_.giving_way * stiffest[b];
-    }
-  count = over_ranks(*structure_.comm(), Teuchos::REDUCE_SUM, count);
-  std::vector<int> loose(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) loose[b] = count[blocks + b] > numbers_.many * count[b];
-  return loose;
-}
-
-/// Returns whether motions are others than before.
-template <int dim>
-bool CoarseOperator<dim>::choose_motions(const std::vector<PointStiffness>& stiffness, bool shear) {
-  if (active_.empty()) return false;
-  auto wanted = shear && numbers_.shear ? loose_blocks(stiffness) : std::vector<int>();
-  bool enough = motions_ && wanted.empty() == sheared_.empty();
-  for (std::size_t b = 0; b < wanted.size() && enough; ++b) enough = wanted[b] <= sheared_[b];
-  if (enough) return false;
-  sheared_ = std::move(wanted);
-  // Others need the room, which the heap keeps in pieces too small for them: 1.3 kB per block of a wall.
-  motions_.reset();
-  malloc_trim(0);
-  motions_ = std::make_unique<BlockMotions<dim>>(structure_, points_, selected_, space_, active_, sheared_);
   return true;
 }
 

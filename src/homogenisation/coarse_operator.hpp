@@ -32,12 +32,10 @@ class CoarseOperator : public Preconditioner {
 
   /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
   /// a tenth. Collective, as is a SolverFailure of this and of couple.
-  /// @param shear  stones that many points let go shear: where closed points resist far more than stones
-  void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal,
-              bool shear = false);
+  void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
   /// A step begins, with H of the same pattern. What the step before has learnt is forgotten, so that this one does not
   /// depend on whether there was one; factors stay where no resistance changes at all. Whether that goes: not where H
-  /// was factored whole or stones were let shear.
+  /// was factored whole.
   bool begin_step();
   /// Takes over the couplings that H has got since, and the symmetry of the method that will apply this. Collective.
   void couple(const SystemMatrix<dim>& h, Symmetry);
@@ -56,19 +54,15 @@ class CoarseOperator : public Preconditioner {
   bool parted() const;
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
   bool differ(double a, double b) const;
-  std::vector<int> loose_blocks(const std::vector<PointStiffness>&) const;
-  bool choose_motions(const std::vector<PointStiffness>&, bool shear);
   void leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const;
   void apply_inner(const TpetraVector& r, TpetraVector& z) const;
   void apply_around_region(const TpetraVector& r, TpetraVector& z) const;
 
   const CoarseOperatorParameters numbers_;
   const Structure<dim>& structure_;
-  const ContactPoints<dim>& points_;
   const MergedSpace<dim>& space_;
   int factored_up_to_;  ///< unknowns
   bool whole_fails_ = false;
-  std::vector<int> active_, sheared_;  ///< per block of the whole structure; empty where none is
   std::unique_ptr<BlockMotions<dim>> motions_;
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;

@@ -134,5 +134,6 @@ void MergedSpace<dim>::average(const std::vector<double>& u, TpetraVector& x) co
 }
 
 template class MergedSpace<2>;
+template class MergedSpace<3>;
 
 }  // namespace voussoir

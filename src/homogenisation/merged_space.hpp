@@ -55,5 +55,6 @@ class MergedSpace {
 };
 
 extern template class MergedSpace<2>;
+extern template class MergedSpace<3>;
 
 }  // namespace voussoir

@@ -229,5 +229,6 @@ long long SystemMatrix<dim>::bytes() const {
 }
 
 template class SystemMatrix<2>;
+template class SystemMatrix<3>;
 
 }  // namespace voussoir

@@ -68,5 +68,6 @@ class SystemMatrix {
 };
 
 extern template class SystemMatrix<2>;
+extern template class SystemMatrix<3>;
 
 }  // namespace voussoir

@@ -54,7 +54,8 @@ class ContactPoints {
   PointId total() const { return total_; }
   long long total_joints() const { return total_joints_; }
   const Exchange& exchange() const { return *exchange_; }
-  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean.
+  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean; in the
+  /// plane alone.
   void follow(const Structure<dim>&);
 
  private:
@@ -78,6 +79,9 @@ void relative_motions(const ContactPoints<dim>& points, const std::vector<double
   }
 }
 
+template <>
+void ContactPoints<3>::follow(const Structure<3>&);
 extern template class ContactPoints<2>;
+extern template class ContactPoints<3>;
 
 }  // namespace voussoir

@@ -69,8 +69,8 @@ double held_energy(const PointLaw& whole, const Softening&, const JointWear&, do
 /// way it is the work that a mode takes.
 double mean_strength(const Softening&, const JointWear& from, const JointWear& to);
 
-/// Softening of many points during one step, as the nonlinear solver sees it. Points wear with every state that it comes
-/// to on its way (wear_by), and their strength may be held as it is meanwhile.
+/// Softening of many points during one step, as the nonlinear solver sees it. Points wear with every state that it
+/// comes to on its way (wear_by), and their strength may be held as it is meanwhile.
 class SofteningPoints {
  public:
   /// References must outlive it.

@@ -2,27 +2,54 @@
 
 #include <algorithm>
 
+#include "base/check.hpp"
+
 namespace voussoir {
+namespace {
 
-std::array<VertexId, 2> ascending(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+/// Nodes of the facets of a cell, each as BorderFacet has them.
+std::vector<std::array<int, 2>> facets_of(const Cell& cell, const Block<2>&) {
+  std::vector<std::array<int, 2>> edges;
+  for (int k = 0; k < cell.count; ++k) edges.push_back({cell.node[k], cell.node[(k + 1) % cell.count]});
+  return edges;
+}
 
-std::vector<BorderEdge> border_edges(const std::vector<Block<2>>& blocks) {
-  std::vector<BorderEdge> border, edges;
-  for (const Block<2>& block : blocks) {
-    edges.clear();
+std::vector<std::array<int, 4>> facets_of(const Cell& cell, const Block<3>&) {
+  constexpr std::array<std::array<int, 4>, 6> faces{
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  VOUSSOIR_EXPECT(cell.count == 8);
+  std::vector<std::array<int, 4>> nodes;
+  for (const auto& f : faces) nodes.push_back({cell.node[f[0]], cell.node[f[1]], cell.node[f[2]], cell.node[f[3]]});
+  return nodes;
+}
+
+template <int dim>
+std::vector<BorderFacet<dim>> border_facets(const std::vector<Block<dim>>& blocks) {
+  std::vector<BorderFacet<dim>> border, facets;
+  for (const Block<dim>& block : blocks) {
+    facets.clear();
     for (const Cell& cell : block.cells)
-      for (int k = 0; k < cell.count; ++k) {
-        const int a = cell.node[k], b = cell.node[(k + 1) % cell.count];
-        edges.push_back({ascending(block.vertex[a], block.vertex[b]), block.id, {a, b}});
+      for (const auto& node : facets_of(cell, block)) {
+        BorderFacet<dim> facet{{}, block.id, node};
+        for (std::size_t k = 0; k < node.size(); ++k) facet.vertices[k] = block.vertex[node[k]];
+        std::sort(facet.vertices.begin(), facet.vertices.end());
+        facets.push_back(facet);
       }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t from = 0, to = 0; from < edges.size(); from = to) {
-      while (to < edges.size() && !(edges[from] < edges[to])) ++to;
-      if (to == from + 1) border.push_back(edges[from]);
+    std::sort(facets.begin(), facets.end());
+    for (std::size_t from = 0, to = 0; from < facets.size(); from = to) {
+      while (to < facets.size() && !(facets[from] < facets[to])) ++to;
+      if (to == from + 1) border.push_back(facets[from]);
     }
   }
   std::sort(border.begin(), border.end());
   return border;
 }
+
+}  // namespace
+
+std::array<VertexId, 2> ascending(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::vector<BorderEdge> border_edges(const std::vector<Block<2>>& blocks) { return border_facets(blocks); }
+std::vector<BorderFace> border_faces(const std::vector<Block<3>>& blocks) { return border_facets(blocks); }
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-// The borders of blocks, edge by edge.
+// The borders of blocks, facet by facet: edges in the plane, faces in space.
 #pragma once
 
 #include <array>
@@ -9,19 +9,26 @@
 
 namespace voussoir {
 
-/// An edge that belongs to one cell of its block. The block lies to its left.
-struct BorderEdge {
-  std::array<VertexId, 2> vertices;  ///< ascending, so that both sides of a joint have the same
+/// A facet that belongs to one cell of its block: an edge of the plane, or a face of four nodes in space.
+template <int dim>
+struct BorderFacet {
+  static constexpr int corners = 2 * (dim - 1);
+  std::array<VertexId, corners> vertices;  ///< ascending, so that both sides of a joint have the same
   BlockId block;
-  std::array<int, 2> node;  ///< local numbers, counter-clockwise about the block
-  bool operator<(const BorderEdge& other) const {
+  /// Local numbers, counter-clockwise about the block: it lies to the left of an edge, and behind a face whose nodes
+  /// are counter-clockwise.
+  std::array<int, corners> node;
+  bool operator<(const BorderFacet& other) const {
     return std::tie(vertices, block) < std::tie(other.vertices, other.block);
   }
 };
+using BorderEdge = BorderFacet<2>;
+using BorderFace = BorderFacet<3>;
 
 std::array<VertexId, 2> ascending(VertexId, VertexId);
 
-/// Border edges of all blocks, sorted: the sides of a joint follow each other.
+/// Border facets of all blocks, sorted: the sides of a joint follow each other.
 std::vector<BorderEdge> border_edges(const std::vector<Block<2>>&);
+std::vector<BorderFace> border_faces(const std::vector<Block<3>>&);
 
 }  // namespace voussoir

@@ -15,8 +15,8 @@
 
 namespace voussoir {
 
-/// P1 or Q1 cell: `count` local node numbers, counter-clockwise in 2D
-/// (3 = triangle, 4 = quadrilateral; in 3D 4 = tetrahedron, 8 = hexahedron).
+/// P1 or Q1 cell: `count` local node numbers. In 2D counter-clockwise, 3 = triangle, 4 = quadrilateral. In 3D
+/// 8 = hexahedron: four of one face, counter-clockwise seen from the other four, which lie across from them.
 struct Cell {
   std::array<int, 8> node{};
   int count = 0;

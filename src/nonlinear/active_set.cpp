@@ -54,48 +54,50 @@ bool ActiveSet::same_statuses(const std::vector<char>& closed, const PointField&
   return largest_over_ranks(*problem_.map()->getComm(), differ) == 0;
 }
 
-/// No point turns round from the direction in which it slid before: between the two it sticks.
 void ActiveSet::set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before) {
-  const auto law = laws_[point];
-  const auto* const weakened = laws_.softened(point);
-  const std::size_t at = std::size_t(point) * components_, tangents = components_ - 1;
+  const auto weakened = laws_.at(point);
+  const auto& law = weakened.law;
+  const std::size_t at = std::size_t(point) * components_;
   const auto motion = [&](int c) { return motion_of(problem_, point, c, gap, lambda); };
   const auto trial = [&](int c) { return lambda[at + c] - stiffness_of(problem_, point, c, 1.0) * motion(c); };
   const double normal = trial(0);
-  double* s = &sliding_[point * tangents];
-  double shear = 0, turn = 0, advance = 0;
+  double* s = &sliding_[std::size_t(point) * (components_ - 1)];
+  double shear = 0, advance = 0;
   for (int c = 1; c < components_; ++c) {
     s[c - 1] = trial(c);
     shear += s[c - 1] * s[c - 1];
+    advance -= s[c - 1] * motion(c);
   }
   shear = std::sqrt(shear);
-  auto& r = resistance_[point];
   auto status = judge(law, normal, shear, friction_bound(law, normal));
   const bool closed = status != ContactStatus::open;
   closed_[point] = closed;
   const double bound = friction_bound(law, closed ? normal : -law.tension);
   // An open point that still has cohesion sticks or slips likewise.
-  if (!closed && weakened && bound > 0) status = shear < bound ? ContactStatus::stick : ContactStatus::slip;
-  if (status == ContactStatus::slip) {
-    for (std::size_t c = 0; c < tangents; ++c) {
-      // Where nothing rubs and nothing pulls either direction is as good as the other.
-      s[c] = shear > 0 ? s[c] / shear : c == 0;
-      turn += s[c] * before[point * tangents + c];
-      advance -= s[c] * motion(static_cast<int>(c) + 1);
-    }
-    if (bound > 0 && turn < 0) status = ContactStatus::stick;
-  }
-  r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened ? weakened->pull_per_opening : 0.0;
-  if (status == ContactStatus::stick) {
-    const double stick = stiffness_of(problem_, point, 1, augmentation_);
-    r.tangential = {stick, 0, stick};
-  }
-  if (status != ContactStatus::slip) return std::fill(s, s + tangents, 0.0);
+  if (!closed && bound > 0) status = shear < bound ? ContactStatus::stick : ContactStatus::slip;
+  if (status == ContactStatus::slip && turns_round(point, shear, before) && bound > 0) status = ContactStatus::stick;
+  auto& r = resistance_[point];
+  r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened.pull_per_opening;
+  if (status == ContactStatus::stick) r.hold(r.normal, stiffness_of(problem_, point, 1, augmentation_));
+  if (status != ContactStatus::slip) return std::fill(s, s + components_ - 1, 0.0);
   if (!(bound > 0)) return;
   const double by_pressure = std::isfinite(law.friction) ? law.friction * r.normal : 0.0;
-  r.slide(s, static_cast<int>(tangents), by_pressure - (weakened ? weakened->cohesion_per_gap : 0.0),
-          stiffness_of(problem_, point, 1, 1.0) * bound / shear,
-          weakened && advance >= 0 ? weakened->cohesion_per_slip : 0.0);
+  r.slide(s, components_ - 1, by_pressure - weakened.cohesion_per_gap,
+          stiffness_of(problem_, point, 1, 1.0) * bound / shear, advance >= 0 ? weakened.cohesion_per_slip : 0.0);
+}
+
+/// Makes the trial force of a slipping point its direction. No point turns round from the direction in which it slid
+/// before: between the two it sticks.
+bool ActiveSet::turns_round(int point, double shear, const PointField& before) {
+  double turn = 0;
+  const int tangents = components_ - 1;
+  double* s = &sliding_[std::size_t(point) * tangents];
+  for (int c = 0; c < tangents; ++c) {
+    // Where nothing rubs and nothing pulls either direction is as good as the other.
+    s[c] = shear > 0 ? s[c] / shear : c == 0;
+    turn += s[c] * before[std::size_t(point) * tangents + c];
+  }
+  return turn < 0;
 }
 
 /// Forces of all points at these gaps.
@@ -104,29 +106,38 @@ void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
   target_ = lambda;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const auto law = laws_[k];
-    const auto* const weakened = laws_.softened(k);
     const auto& r = resistance_[k];
     const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
     const std::size_t at = std::size_t(k) * components_;
     double* force = &target_[at];
     const bool slips = std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
-    const double opens = gap_[at] - chosen[at];
     force[0] = closed_[k] ? force[0] - r.normal * motion_of(problem_, k, 0, gap_, lambda)
-               : weakened ? -weakened->pull - r.normal * opens
-                          : -law.tension;
-    if (!slips && (closed_[k] || r.resists_slip())) {
+                          : -laws_.at(k).pull - r.normal * (gap_[at] - chosen[at]);
+    if (slips) {
+      aim_sliding(k, s, chosen);
+    } else if (closed_[k] || r.resists_slip()) {
       for (int c = 1; c < components_; ++c) force[c] -= r.along(c - 1, c - 1) * motion_of(problem_, k, c, gap_, lambda);
-      continue;
+    } else {
+      const double bound = friction_bound(laws_[k], force[0]), size = tangential_size(target_, k, components_);
+      for (int c = 1; size > bound && c < components_; ++c) force[c] *= bound / size;
     }
-    const bool follows = slips && (r.coupling[0] != 0 || r.coupling[1] != 0);
-    const double cohesion = law.cohesion + (weakened && !closed_[k] ? weakened->cohesion_per_gap * opens : 0.0);
-    const double bound = follows ? cohesion + law.friction * force[0] : friction_bound(law, force[0]);
-    const double size = slips ? 1.0 : tangential_size(target_, k, components_);
-    for (int c = 1; c < components_; ++c)
-      force[c] = slips ? s[c - 1] * bound : size > bound ? force[c] * bound / size : force[c];
-    for (int c = 1; weakened && slips && c < components_; ++c)
-      for (int d = 1; d < components_; ++d) force[c] -= r.along(c - 1, d - 1) * (gap_[at + d] - chosen[at + d]);
+  }
+}
+
+/// Tangential force of a point that slides along s: what its cohesion is at these gaps, and friction.
+void ActiveSet::aim_sliding(int point, const double* s, const PointField& chosen) {
+  const auto weakened = laws_.at(point);
+  const auto& r = resistance_[point];
+  const std::size_t at = std::size_t(point) * components_;
+  double* force = &target_[at];
+  auto law = weakened.law;
+  law.cohesion += closed_[point] ? 0.0 : weakened.cohesion_per_gap * (gap_[at] - chosen[at]);
+  const bool follows = r.coupling[0] != 0 || r.coupling[1] != 0;
+  const double bound = follows ? law.cohesion + law.friction * force[0] : friction_bound(law, force[0]);
+  for (int c = 1; c < components_; ++c) {
+    force[c] = s[c - 1] * bound;
+    if (weakened.cohesion_per_slip == 0) continue;
+    for (int d = 1; d < components_; ++d) force[c] -= r.along(c - 1, d - 1) * (gap_[at + d] - chosen[at + d]);
   }
 }
 
@@ -203,7 +214,7 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
     damped[k].hold(stiffness_of(problem_, k, 0, damping), stiffness_of(problem_, k, 1, damping));
   }
   direction_->putScalar(0);
-  const auto solved = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most, !in_time()});
+  const auto solved = problem_.solve(damped, proximal_, gradient_, direction_, {relative_tolerance, most});
   if (solved.nothing) return solved;
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;

@@ -71,7 +71,9 @@ class ActiveSet {
   void choose(const PointField& lambda, const PointField& gap, bool in_balance);
   void set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before);
   bool same_statuses(const std::vector<char>& closed, const PointField& sliding) const;
+  bool turns_round(int point, double shear, const PointField& before);
   void aim(const PointField& lambda, const PointField& chosen);
+  void aim_sliding(int point, const double* s, const PointField& chosen);
   double step_length(const PointField& lambda) const;
   double accuracy_of_next(const Search&, const NewtonReport&) const;
   LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);

@@ -19,11 +19,8 @@ void ContactSolverParameters::declare(ParameterSection& section) {
   section.add("patience from near", patience_from_near, "-", between(1, 1e6),
               "solves without a gain after which they give up there. Reason: the path goes on and offers a better "
               "state");
-  section.add(
-      "finest accuracy", finest_accuracy, "-", inside(0.0, 1.0),
-      "of the linear solve of a structure without contact points, where one solve is the answer. Reason: round-off");
   section.add("largest path", largest_path, "-", between(1, 1e6),
-              "steps of the path. Reason: paths that arrive took up to 130");
+              "steps of the path. Reason: those that arrive take up to 130");
   section.add("closing solves", closing_solves, "-", between(1, 1e6),
               "linear solves in pseudo-time before another path is tried. Reason: a structure that stones in flight "
               "have left is near a solution, from where the path is short");

@@ -12,13 +12,14 @@ struct ContactSolverParameters {
   bool shortcut = true;     ///< active sets are tried again near the end of the path
   /// active sets that failed are left out of the load steps that follow, for longer after every failure
   bool back_off = true;
-  int longest_wait = 7;            ///< solves that active sets are left out of at most
-  int fast_solves = 30;            ///< linear solves of active sets
-  int patience_from_near = 3;      ///< solves without a gain after which they give up near the end of the path
-  double finest_accuracy = 1e-12;  ///< of the linear solve of a structure without contact points
-  double held_accuracy = 1e-3;     ///< of an equilibrium with strength that is held
-  int largest_path = 200;          ///< steps of the path
-  int closing_solves = 80;         ///< linear solves in pseudo-time before another path is tried
+  int longest_wait = 7;         ///< solves that active sets are left out of at most
+  int fast_solves = 30;         ///< linear solves of active sets
+  int patience_from_near = 3;   ///< solves without a gain after which they give up near the end of the path
+  double held_accuracy = 1e-3;  ///< of an equilibrium with strength that is held
+  int largest_path = 200;       ///< steps of the path
+  int closing_solves = 80;      ///< linear solves in pseudo-time before another path is tried
+  /// of the linear solve of a structure without contact points, where one solve is the answer: round-off
+  static constexpr double finest_accuracy = 1e-12;
   void declare(ParameterSection&);
 };
 

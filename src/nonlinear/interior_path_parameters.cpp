@@ -10,7 +10,7 @@ void InteriorPathParameters::declare(ParameterSection& section) {
               "friction follows the pressure by less where the path folds. Reason: no path of a convex problem folds");
   section.add("start", start, "-", inside(0.0, 1.0),
               "distance from the bounds at which the path begins, relative to the largest force. Reason: of W(16), "
-              "A(61), A(121): 138 solves; 0.01 took 148, 1 took 152");
+              "A(61), A(121): 138 solves, 148 with 0.01, 152 with 1");
   section.add("to boundary", to_boundary, "-", inside(0.0, 1.0),
               "share of the step to the boundary that is taken, at most a full step. Reason: slacks stay positive: "
               "Wright (1997)");
@@ -34,7 +34,8 @@ void InteriorPathParameters::declare(ParameterSection& section) {
   section.add(
       "resistance", resistance, "-", above(0.0),
       "bound on the resistance of a point at the start, relative to its local stiffness; it rises as the distance "
-      "from the bounds falls. Reason: once takes half as many steps more on A(121); a hundred times lets forces "
+      "from the bounds falls. Reason: with the local stiffness itself A(121) takes half as many steps more; a hundred "
+      "times lets forces "
       "at shared vertices grow");
   section.add(
       "largest resistance", largest_resistance, "-", above(0.0),

@@ -22,9 +22,8 @@ inline const std::vector<PointCompliance>& no_mortar() {
 
 /// How a linear system is to be solved.
 struct SolveRequest {
-  double tolerance;           ///< relative to the right-hand side
-  int largest_krylov = 0;     ///< 0 = as many iterations as the scene allows
-  bool stiff_joints = false;  ///< closed points resist far more than the stones beside them
+  double tolerance;        ///< relative to the right-hand side
+  int largest_krylov = 0;  ///< 0 = as many iterations as the scene allows
 };
 
 /// Equilibrium K u - f = B^T lambda of one load step with the contact law at its selected points.

@@ -48,6 +48,14 @@ class CurrentLaws {
     const auto* w = softened(point);
     return w ? w->law : problem_.law()[point];
   }
+  /// With how it changes.
+  WeakenedLaw at(int point) const {
+    if (const auto* w = softened(point)) return *w;
+    WeakenedLaw law;
+    law.law = problem_.law()[point];
+    law.pull = law.law.tension;
+    return law;
+  }
   /// Force [N] with which a point pulls where it is open; below 0 where one that pulls back would be pressed.
   double pull(int point) const {
     const auto* w = softened(point);

@@ -29,7 +29,7 @@ bool bond_what_rests(Rest& rest, std::vector<char>& selected, const std::vector<
     auto& steps = rest.steps[k];
     auto& needed = rest.needed[k];
     if (!selected[k]) {
-      if (rest.bonded[k] != 0 && ++steps > numbers.trusted_after * needed) needed = patience;
+      if (rest.bonded[k] != 0 && ++steps > numbers.longest_wait * needed) needed = patience;
       continue;
     }
     if (rest.bonded[k] != 0) {

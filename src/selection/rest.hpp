@@ -36,7 +36,7 @@ struct KnownError {
   /// @param unknown  error by root where it was not computed
   double bound(double unknown, const RestParameters& numbers = {}) const {
     if (ratio == 0 || root > numbers.growth * root_known) return unknown * root;
-    return ratio * std::min(numbers.margin * root, root + numbers.distrust * travelled);
+    return ratio * std::min(numbers.margin * root, root + numbers.growth * travelled);
   }
 };
 

@@ -8,13 +8,16 @@ namespace voussoir {
 class ParameterSection;
 
 struct RestParameters {
-  double longest_wait = 16;  ///< times the patience that a point which never stays bonded waits at most
-  double trusted_after = 8;  ///< times the steps it had to rest after which a bonded point is trusted as at first
-  double growth = 2;         ///< growth of the indicator beyond which a computed error says nothing of it
-  double margin = 1.5;       ///< times the computed ratio that the error may be at most
-  double distrust = 2;       ///< times the way of the indicator that is added to it
-  int octaves = 60;          ///< below the largest decrease in which the cut of bulk marking lies
-  int bisections = 40;       ///< of these to find the cut
+  /// times the patience that a point which never stays bonded waits at most, and times the steps it had to rest after
+  /// which a bonded point is trusted as at first
+  double longest_wait = 16;
+  double growth =
+      2;  ///< of the indicator beyond which a computed error says nothing of it; times its way that is added
+  double margin = 1.5;  ///< times the computed ratio that the error may be at most
+  /// below the largest decrease in which the cut of bulk marking lies: 2^-60 is round-off
+  static constexpr int octaves = 60;
+  /// to find it: 60 2^-40 octaves is round-off
+  static constexpr int bisections = 40;
   void declare(ParameterSection&);
 };
 

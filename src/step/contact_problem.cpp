@@ -42,7 +42,6 @@ void ContactProblem<dim>::begin(const Asked& asked) {
   deformed_.clear();
   internal_scale_ = 0;
   patches_.reset();
-  shear_ = false;
   set_proximal_weights();
   set_movable();
   set_scales();
@@ -220,11 +219,11 @@ void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, Tpet
 
 /// Matrix and preconditioner. A SolverFailure is one of all ranks.
 template <int dim>
-Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffness, double proximal_scale, bool shear) {
+Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffness, double proximal_scale) {
   std::vector<double> proximal(proximal_weight_.size());
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
   matrix_->update(stiffness, proximal);
-  coarse_->update(*matrix_, stiffness, proximal, shear);
+  coarse_->update(*matrix_, stiffness, proximal);
   const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
   coarse_->couple(*matrix_, symmetry);
   return symmetry;
@@ -237,7 +236,7 @@ LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& 
   const TrafficScope sent_for(TrafficOf::set_up);
   auto symmetry = Symmetry::none;
   try {
-    symmetry = set_up(stiffness, proximal_scale, request.stiff_joints && shear_);
+    symmetry = set_up(stiffness, proximal_scale);
   } catch (const SolverFailure& failure) {
     return not_solved(failure.what());
   }
@@ -255,7 +254,6 @@ LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& 
     result = krylov(most);
     result.iterations += before;
   }
-  shear_ |= request.stiff_joints && result.iterations > parts_.internals.preconditioner.krylov_to_shear;
   return result;
 }
 

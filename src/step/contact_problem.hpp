@@ -92,7 +92,7 @@ class ContactProblem : public NonlinearProblem {
  private:
   void gaps(PointField& gap, bool initial) const;
   void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const;
-  Symmetry set_up(const std::vector<PointStiffness>&, double proximal_scale, bool shear);
+  Symmetry set_up(const std::vector<PointStiffness>&, double proximal_scale);
   void make_preconditioner();
   void set_scales();
   void set_proximal_weights();
@@ -113,7 +113,6 @@ class ContactProblem : public NonlinearProblem {
   std::vector<double> rigid_, rigid_gap_, deformed_;
   double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
   std::unique_ptr<PatchSource> patches_;  ///< none as long as nothing was stuck
-  bool shear_ = false;                    ///< stones of systems with stiff joints
 };
 
 extern template class ContactProblem<2>;

@@ -153,7 +153,7 @@ void DynamicStep<dim>::set_time_step(double time_step) {
 template <int dim>
 void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
-  const double left = at_rest_.scene().internals.time_step.left_by_solver * at_rest_.scene().newton.tolerance *
+  const double left = at_rest_.scene().internals.step.noise * at_rest_.scene().newton.tolerance *
                       largest_normal_force(at_rest_, lambda);
   std::vector<double> offset(at_rest_.points().size());
   for (std::size_t k = 0; k < offset.size(); ++k) {
@@ -180,49 +180,6 @@ void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<doub
   state.velocity = v;
 }
 
-/// What friction and lost strength take at one point. A point that pulls takes its force times the way it opens; what it
-/// would give back is no loss.
-/// @param gap  [m] of the middle, half of that at the end
-template <int dim>
-EnergyOfStep DynamicStep<dim>::loss_of_point(const ContactState& mid, const ContactState& before, const PointField& gap,
-                                             int k) const {
-  EnergyOfStep loss;
-  std::array<double, dim - 1> force, slip;
-  for (int c = 1; c < dim; ++c) {
-    force[c - 1] = mid.lambda[dim * k + c];
-    slip[c - 1] = 2 * gap[dim * k + c];
-  }
-  const double normal = mid.lambda[dim * k], stiffness = at_rest_.local_stiffness()[k];
-  const auto& whole = at_rest_.law()[k];
-  if (at_rest_.softening().empty()) {
-    loss.friction = friction_work(friction_bound(whole, normal), force, slip, stiffness);
-    return loss;
-  }
-  const auto& softening = at_rest_.softening()[k];
-  const JointWear start{before.opened[k], before.slipped[k]}, end{mid.opened[k], mid.slipped[k]};
-  const double opening = model_->initial_gap()[k], middle = gap[dim * k] + opening;
-  const auto law = weaken(whole, softening, start, middle, norm(slip) / 2).law;
-  const double taken = friction_work(friction_bound(law, normal), force, slip, stiffness);
-  const double by_cohesion = std::min(taken, strength_left(law.cohesion, 0) * norm(slip));
-  loss.friction = taken - by_cohesion;
-  loss.fracture = by_cohesion - 2 * std::min(0.0, normal) * (gap[dim * k] - opening) +
-                  held_energy(whole, softening, start, 2 * opening) -
-                  held_energy(whole, softening, end, 2 * gap[dim * k]);
-  return loss;
-}
-
-/// Energy that open joints would give back [J], of this rank's points.
-template <int dim>
-double DynamicStep<dim>::held_by_joints(const ContactState& state) const {
-  if (at_rest_.softening().empty()) return 0;
-  const auto gap = at_rest_.gaps(state.displacement);
-  double energy = 0;
-  for (int k = 0; k < at_rest_.points().owned(); ++k)
-    energy +=
-        held_energy(at_rest_.law()[k], at_rest_.softening()[k], {state.opened[k], state.slipped[k]}, gap[dim * k]);
-  return energy;
-}
-
 /// Work and losses of a step, exact, from its middle; returns the energy that the closing of points took [J].
 template <int dim>
 double DynamicStep<dim>::book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
@@ -239,14 +196,14 @@ double DynamicStep<dim>::book(const ContactState& mid, const ContactState& befor
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
-  const double none = at_rest_.scene().internals.time_step.no_force * largest_force(at_rest_, mid);
+  const double none = at_rest_.scene().internals.step.least_noise * largest_force(at_rest_, mid);
   double lost = 0;
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
     if (!mid.selected[k]) continue;
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
     if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
       lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
-    const auto loss = loss_of_point(mid, before, gap, k);
+    const auto loss = loss_in_time(at_rest_, before, mid, k, model_->initial_gap()[k], gap);
     friction += loss.friction;
     fracture += loss.fracture;
   }
@@ -294,7 +251,7 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   const auto& joints = at_rest_.scene().joints;
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
   if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
-  const double share = at_rest_.scene().internals.time_step.share_of_tolerance * selection.error_tolerance;
+  const double share = at_rest_.scene().internals.step.share_of_violation * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
@@ -372,7 +329,7 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
   s.apply_stiffness(after.displacement, ku);
   double elastic = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += after.displacement[i] * ku[i] / 2;
-  report.elastic = total(elastic + held_by_joints(after));
+  report.elastic = total(elastic + held_by_joints(at_rest_, after));
   const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
   const double resting = resting_speed(after, energy);
   try {

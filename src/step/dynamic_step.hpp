@@ -7,7 +7,6 @@
 
 #include <memory>
 
-#include "dynamics/energy_book.hpp"
 #include "dynamics/load_steps.hpp"
 #include "step/adaptive_step.hpp"
 #include "step/velocity_update.hpp"
@@ -70,8 +69,6 @@ class DynamicStep {
   ContactState at_end(const ContactState& before, ContactState mid) const;
   bool update_velocities(ContactState&, const std::vector<double>& velocity_before, double closing, TimeStepReport&);
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
-  EnergyOfStep loss_of_point(const ContactState& mid, const ContactState& before, const PointField& gap, int k) const;
-  double held_by_joints(const ContactState&) const;
   double book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
               const std::vector<double>& effective, TimeStepReport&) const;
   EnergyOfJump bond_what_rests(ContactState&, const PointField& gap, double energy, double resting);

@@ -111,7 +111,7 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typen
   problem.subtract_contact_forces(forces, *b);
   b->scale(-1);
   TieError error;
-  const auto solved = problem.solve(resistance, 1.0, b, e, {parts.internals.step.estimate_accuracy});
+  const auto solved = problem.solve(resistance, 1.0, b, e, {parts.internals.step.first_look});
   error.krylov_iterations = solved.iterations;
   error.known = solved.converged;
   error.linear_solves = 1;

@@ -1,7 +1,10 @@
 #include "step/joint_strength.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "joints/friction_work.hpp"
 
 namespace voussoir {
 
@@ -25,6 +28,46 @@ void wear(const Model<dim>& model, const ContactState& before, ContactState& aft
   }
 }
 
+template <int dim>
+EnergyOfStep loss_in_time(const Model<dim>& model, const ContactState& before, const ContactState& mid, int k,
+                          double opening, const PointField& gap) {
+  EnergyOfStep loss;
+  std::array<double, dim - 1> force, slip;
+  for (int c = 1; c < dim; ++c) {
+    force[c - 1] = mid.lambda[dim * k + c];
+    slip[c - 1] = 2 * gap[dim * k + c];
+  }
+  const double normal = mid.lambda[dim * k], stiffness = model.local_stiffness()[k];
+  const auto& whole = model.law()[k];
+  if (model.softening().empty()) {
+    loss.friction = friction_work(friction_bound(whole, normal), force, slip, stiffness);
+    return loss;
+  }
+  const auto& softening = model.softening()[k];
+  const JointWear start{before.opened[k], before.slipped[k]}, end{mid.opened[k], mid.slipped[k]};
+  const auto law = weaken(whole, softening, start, gap[dim * k] + opening, norm(slip) / 2).law;
+  const double taken = friction_work(friction_bound(law, normal), force, slip, stiffness);
+  const double by_cohesion = taken > 0 ? std::min(taken, law.cohesion * norm(slip)) : 0.0;
+  loss.friction = taken - by_cohesion;
+  loss.fracture = by_cohesion - 2 * std::min(0.0, normal) * (gap[dim * k] - opening) +
+                  held_energy(whole, softening, start, 2 * opening) -
+                  held_energy(whole, softening, end, 2 * gap[dim * k]);
+  return loss;
+}
+
+template <int dim>
+double held_by_joints(const Model<dim>& model, const ContactState& state) {
+  if (model.softening().empty()) return 0;
+  const auto gap = model.gaps(state.displacement);
+  double energy = 0;
+  for (int k = 0; k < model.points().owned(); ++k)
+    energy += held_energy(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap[dim * k]);
+  return energy;
+}
+
 template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
+template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,
+                                      const PointField&);
+template double held_by_joints<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

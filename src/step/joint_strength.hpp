@@ -1,6 +1,7 @@
 // What joints have left of their strength in a state, and what a step takes of it (joints/softening.hpp).
 #pragma once
 
+#include "dynamics/energy_book.hpp"
 #include "joints/softening.hpp"
 #include "step/contact_state.hpp"
 #include "step/model.hpp"
@@ -51,6 +52,22 @@ template <int dim>
 void wear(const Model<dim>&, const ContactState& before, ContactState& after, const PointField& gap,
           const PointField& slip);
 
+/// What friction and lost strength take at one point in a time step [J]. A point that pulls takes its force times the
+/// way it opens; what it would give back is no loss.
+/// @param mid      the middle of the step, with the wear of its end
+/// @param opening  [m] half the gap at the start, 0 where the point was closed
+/// @param gap      [m] gaps of the middle as a time step has them, half of those at the end
+template <int dim>
+EnergyOfStep loss_in_time(const Model<dim>&, const ContactState& before, const ContactState& mid, int k, double opening,
+                          const PointField& gap);
+
+/// Energy that open joints would give back [J], of this rank's points.
+template <int dim>
+double held_by_joints(const Model<dim>&, const ContactState&);
+
 extern template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
+extern template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,
+                                             const PointField&);
+extern template double held_by_joints<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

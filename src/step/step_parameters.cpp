@@ -7,13 +7,16 @@ namespace voussoir {
 void StepParameters::declare(ParameterSection& section) {
   section.add("carry", carry,
               "motions of stones as wholes are taken out of the unknowns where round-off of them makes forces");
-  section.add("share of violation", share_of_violation, "-", inside(0.0, 1.0),
-              "of the largest violation to which a round is solved that releases points. Reason: what is wrong with "
-              "them is worth no more");
+  section.add(
+      "share of violation", share_of_violation, "-", inside(0.0, 1.0),
+      "of the largest violation to which a round is solved that releases points, and of the error tolerance that "
+      "points which count as resting may make together. Reason: what is wrong beside is worth no more");
   section.add("coarsest tolerance", coarsest_tolerance, "-", inside(0.0, 1.0),
               std::string("of such a round. ") + no_reason);
-  section.add("first look", first_look, "-", inside(0.0, 1.0),
-              std::string("tolerance of the first round, whose violations show what to release. ") + no_reason);
+  section.add(
+      "first look", first_look, "-", inside(0.0, 1.0),
+      "tolerance of the first round, whose violations show what to release, and of the linear solve of the estimate. "
+      "Reason: with 1e-2 the estimate would depend on ranks by as much");
   section.add("error by indicator", error_by_indicator, "-", above(0.0),
               "times the indicator, the root of decreases, that the error is at most. Reason: measured 1 to 5 times "
               "(src/selection/README.md)");
@@ -34,22 +37,15 @@ void StepParameters::declare(ParameterSection& section) {
   section.add("least noise", least_noise, "-", above(0.0),
               "share of the largest force by which forces may be beside their bounds. Reason: round-off would tell, "
               "which differs with the number of ranks");
-  section.add("estimate accuracy", estimate_accuracy, "-", inside(0.0, 1.0),
-              "of the linear solve of the estimate. Reason: with 1e-2 the estimate would depend on ranks by as much");
-  section.add("largest error", largest_error, "-", above(0.0),
-              "beyond which errors are all the same. Reason: bounds the estimate where nothing would be left under "
-              "load");
   section.add("proximal strain", proximal_strain, "-", above(0.0),
               "strain of a foundation that lets the structure move by its size: the proximal weight. Reason: far "
               "below the stiffness of any arch that stands, and bounds free motions");
   section.add("next to rigid", next_to_rigid, "-", above(0.0),
               "times the pressure below a column of them from which on stones are next to rigid. Reason: how far "
               "they move is geometry then");
-  section.add("share of round off", share_of_round_off, "-", above(0.0),
-              std::string("of the tolerance that round-off of displacements may make. ") + no_reason);
   section.add("beyond mortar", beyond_mortar, "-", above(0.0),
               "times the stiffness of mortar that the local stiffness is at least. Reason: W(8) with mortar of 1e12 "
-              "Pa/m took 254 solves without, 57 with both");
+              "Pa/m takes 57 solves, 254 without both");
   section.add("beyond stone", beyond_stone, "-", above(0.0),
               "times the stiffness of stones that this may be at most. Reason: likewise");
   section.add(
@@ -59,8 +55,6 @@ void StepParameters::declare(ParameterSection& section) {
   section.add("negligible turn", negligible_turn, "rad", above(0.0),
               "turn of stones that is followed no further. Reason: moves forces by this share of a stone; the next "
               "load step makes up for it");
-  section.add("rounds of rotations", rounds_of_rotations, "-", between(1, 1e6),
-              "of solving and following. Reason: those that settle take two to five");
 }
 
 }  // namespace voussoir

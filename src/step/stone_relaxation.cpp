@@ -250,13 +250,16 @@ RelaxedStones StoneRelaxation::relax(const std::vector<double>& bearable, int lo
   if (!known_.empty() && lacking > 0 && there == 0) return {lacks_there, loose_already > 0};
   if (!known_.empty()) take_back();
   double least = force;  // [N] that all stones which lack too much have lacked together
+  // A push crosses a stone in a sweep, and may have to cross the whole structure before anything gets better.
+  const auto across = static_cast<int>(std::sqrt(static_cast<double>(model_.structure().owner_of_block().size())));
+  const int patience = std::max(numbers_.patience, across);
   int sweep = 0;
   for (int last_progress = 0;; ++sweep) {
     if (force < numbers_.progress * least) {
       least = force;
       last_progress = sweep;
     }
-    if (lacking == 0 || sweep - last_progress == numbers_.patience) break;
+    if (lacking == 0 || sweep - last_progress == patience) break;
     move(steps(lacks));
     const auto all = over_ranks(measure(lacks), 0);
     lacking = all[0];

@@ -295,7 +295,7 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
   auto& relaxation = stones_->relaxation;
   relaxation.begin(std::move(points), demands.lacks);
   demands.own = measures(demands, load);
-  const double unknown = numbers.noise * model_.scene().newton.tolerance * largest_normal;
+  const double unknown = model_.scene().internals.step.noise * model_.scene().newton.tolerance * largest_normal;
   std::vector<double> bearable;
   for (const double own : demands.own) bearable.push_back(std::max(unknown, numbers.largest_share * own));
   const auto alone = left_alone(demands, unknown, below);

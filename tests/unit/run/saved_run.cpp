@@ -48,8 +48,7 @@ TEUCHOS_UNIT_TEST(SavedRun, WithoutATableThatEveryRunHasIsRefused) {
   Run run;
   TEST_ASSERT(run.experiment.advance({{"weight", 1.0}}));
   run.saved(whole).save(run.state());
-  const std::vector<std::string> tables = {"displacement", "load",   "lambda", "slip_origin",
-                                           "selected",     "broken", "status"};
+  const std::vector<std::string> tables = {"displacement", "load", "lambda", "slip_origin", "selected", "status"};
   for (const auto& table : tables) {
     copy_without(table, tables, whole, forged);
     Run other;
@@ -83,11 +82,11 @@ struct CollapseFound {
 TEUCHOS_UNIT_TEST(SavedRun, OfACollapseThatWasFoundNeedsItsMechanism) {
   LoadFactorAnalysis analysis{LoadFactorParameters{}};
   CollapseFound archive;
-  analysis.keep(archive, LocalRows{{0, 1, 2}, 3, 3}, LocalRows{{0, 1}, 2, 2}, 2);
+  analysis.keep(archive, LocalRows{{0, 1, 2}, 3, 3}, LocalRows{{0, 1}, 2, 2}, 2, true);
   TEST_EQUALITY_CONST(archive.values_before["load_factor.mechanism"], 6u);
   TEST_EQUALITY_CONST(archive.values_before["load_factor.failed.lambda"], 4u);
   TEST_EQUALITY_CONST(archive.values_before["load_factor.failed.selected"], 2u);
-  TEST_EQUALITY_CONST(archive.values_before["load_factor.failed.broken"], 2u);
+  TEST_EQUALITY_CONST(archive.values_before["load_factor.failed.opened"], 2u);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(Rest, APointThatATieWouldStopIsNotBonded) {
 TEUCHOS_UNIT_TEST(Rest, APointReleasedSoonMustRestTwiceAsLongUntilItIsTrustedAgain) {
   Point p;
   std::vector<int> needed;
-  for (const int bonded_before : {0, 0, 0, 200}) {  // the last: more than 8 times the 12 steps it had to rest
+  for (const int bonded_before : {0, 0, 0, 200}) {  // the last: more than 16 times the 12 steps it had to rest
     for (int k = 0; k < bonded_before; ++k) p.step(0, 0);
     p.selected[0] = 1;  // released
     needed.push_back(0);

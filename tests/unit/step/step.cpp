@@ -19,7 +19,8 @@ using namespace voussoir::test;
 
 bool same(const ContactState& a, const ContactState& b) {
   return a.displacement == b.displacement && a.lambda == b.lambda && a.slip_origin == b.slip_origin &&
-         a.selected == b.selected && a.status == b.status && a.broken == b.broken && a.velocity == b.velocity;
+         a.selected == b.selected && a.status == b.status && a.opened == b.opened && a.slipped == b.slipped &&
+         a.velocity == b.velocity;
 }
 
 bool same(const StepReport& a, const StepReport& b) {
