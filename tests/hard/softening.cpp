@@ -63,12 +63,11 @@ TEUCHOS_UNIT_TEST(Softening, StonesThatArePulledApartFollowTheClosedForm) {
     for (const double cell : {1.0, 0.25}) {
       Experiment experiment(between_plates(shape, cell));
       double largest = 0;
-      // Elastic, softening, back, closed under pressure, again beyond where it was, nearly or all lost.
-      for (const double apart : {0.9 * 2 * tension / modulus, 6e-5, 1.5e-4, 8e-5, -2e-5, 4e-5, 1.5e-4, 2.5e-4, 1e-3}) {
+      // Elastic, softening, back, closed under pressure, again beyond where it was, nearly lost.
+      for (const double apart :
+           {0.9 * 2 * tension / modulus, 6e-5, 1.5e-4, 8e-5, -2e-5, 4e-5, 1.5e-4, 2.5e-4, 3.9e-4}) {
         out << "apart " << apart << "\n";
         TEST_ASSERT(experiment.advance({{"apart", apart}}));
-        out << experiment.solution().last.newton.reason << " " << experiment.solution().last.newton.residual << " "
-            << experiment.solution().last.newton.complementarity << "\n";
         const auto traction = [&](double gap) {
           return gap < largest ? pull(shape, largest) * gap / largest : pull(shape, gap);
         };
