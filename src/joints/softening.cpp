@@ -49,10 +49,13 @@ WeakenedLaw weaken(const PointLaw& whole, const Softening& softening, const Join
 
 WeakenedLaw SofteningPoints::at(std::size_t k, double gap, double slip) const {
   const JointWear before{opened_[k], slipped_[k]};
-  const double reached = held_ ? std::min(seen(k, gap), before.opened) : seen(k, gap);
-  auto now = weaken(whole_[k], softening_[k], before, reached, held_ ? way_[k] : std::max(way_[k], std::abs(slip)));
+  const double worn = std::max(before.opened, reached_[k]), here = seen(k, gap);
+  // One that pulls back does so within the largest opening that counts; the others are rigid with what is left to them.
+  const bool back = before.opened > 0 && here < before.opened, stays = !back && (held_ || here < worn);
+  auto now = weaken(whole_[k], softening_[k], before, stays ? worn : here,
+                    held_ ? way_[k] : std::max(way_[k], std::abs(slip)));
   if (held_ || std::abs(slip) < way_[k]) now.cohesion_per_slip = 0;
-  if (held_ && seen(k, gap) >= before.opened) now.pull_per_opening = now.cohesion_per_gap = 0;
+  if (stays) now.pull_per_opening = now.cohesion_per_gap = 0;
   return now;
 }
 
@@ -62,6 +65,7 @@ void SofteningPoints::wear_by(std::size_t k, double gap, double slip, double nor
   const auto& law = now.law;
   const bool opens = normal - stiffness * gap < -law.tension, slips = !(shear < friction_bound(law, normal));
   // An opening within what the stones beside it stretch by is not told from none: it would close again rigidly.
+  if (opens) reached_[k] = std::max(reached_[k], seen(k, gap));
   if (opens && now.pull <= stiffness * seen(k, gap)) opened_[k] = std::max(opened_[k], seen(k, gap));
   if (slips) way_[k] = std::max(way_[k], std::abs(slip));
 }

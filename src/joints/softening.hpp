@@ -85,6 +85,7 @@ class SofteningPoints {
         opened_(std::move(opened)),
         slipped_(slipped),
         way_(slipped_.size(), 0.0),
+        reached_(way_),
         gap_before_(std::move(gap_before)) {}
 
   /// Whether a point is one that can lose its strength, or has.
@@ -108,7 +109,7 @@ class SofteningPoints {
   const std::vector<Softening>& softening_;
   std::vector<double> opened_;
   const std::vector<double>& slipped_;
-  std::vector<double> way_;
+  std::vector<double> way_, reached_;  ///< [m] since the start of the step: slipped, and opened however little
   const std::vector<double> gap_before_;
   bool held_ = false;
 };

@@ -167,7 +167,7 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
     problem_.evaluate(x, residual, gap);
     wear_by(problem_, lambda, gap);
     softening.hold(false);
-    if (try_active_set(x, lambda, tolerance, nullptr, patience, report) == ActiveSetEnd::arrived) {
+    if (try_active_set(x, lambda, tolerance, nullptr, numbers.patience_from_near, report) == ActiveSetEnd::arrived) {
       report.outcome = NewtonOutcome::converged;
       break;
     }
