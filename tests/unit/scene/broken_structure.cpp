@@ -16,8 +16,8 @@ TEUCHOS_UNIT_TEST(BrokenScenes, AKeyThatIsNotKnownIsRefusedWithTheNearest) {
            "\"friction coefficient\"",
            "\"friction\"",
            {"scene > joints > dry > friction is not known here", "did you mean \"friction coefficient\"?",
-            "knows: between, and, friction coefficient, cohesion, tension strength, "
-            "normal stiffness, tangential stiffness, initial gap."}},
+            "knows: between, and, friction coefficient, cohesion, tension strength, fracture energy, "
+            "shear fracture energy, softening, normal stiffness, tangential stiffness, initial gap."}},
           {"wall", "\"density\"", "\"dnesity\"", {"stone > dnesity", "did you mean \"density\"?"}},
           {"wall", "\"Young modulus\"", "\"young_modulus\"", {"young_modulus", "did you mean \"Young modulus\"?"}},
           {"wall",
