@@ -64,7 +64,8 @@ void SofteningPoints::wear_by(std::size_t k, double gap, double slip, double nor
   const auto now = at(k, gap, slip);
   const auto& law = now.law;
   const bool opens = normal - stiffness * gap < -law.tension, slips = !(shear < friction_bound(law, normal));
-  // An opening within what the stones beside it stretch by is not told from none: it would close again rigidly.
+  // Within a step any opening weakens, or a state that is held would come again for ever. Of one within what the stones
+  // beside it stretch by no more is kept: it closes rigidly, as what has not opened.
   if (opens) reached_[k] = std::max(reached_[k], seen(k, gap));
   if (opens && now.pull <= stiffness * seen(k, gap)) opened_[k] = std::max(opened_[k], seen(k, gap));
   if (slips) way_[k] = std::max(way_[k], std::abs(slip));

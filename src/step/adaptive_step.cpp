@@ -1,10 +1,8 @@
 #include "step/adaptive_step.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "joints/tractions.hpp"
-#include "linalg/reduce.hpp"
 #include "step/point_status.hpp"
 
 namespace voussoir {
