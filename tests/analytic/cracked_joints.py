@@ -1,0 +1,49 @@
+"""What the tests of joints that soften share: runs, and what their contact points carry after every step."""
+
+import pathlib
+import sys
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hard" / "ground"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "restart"))
+import scenes  # noqa: E402  (folders of their own)
+from runs import empty, run_scene  # noqa: E402
+
+XML = pathlib.Path(__file__).resolve().parents[2] / "xml"
+
+
+class Programs:
+    """The programs under test; set by the script that is run."""
+
+    voussoir = mpiexec = None
+
+    @classmethod
+    def take(cls, arguments):
+        cls.voussoir, cls.mpiexec = (str(pathlib.Path(argument).resolve()) for argument in arguments)
+
+
+def run(name, scene, *settings, ranks=1):
+    """Runs a scene, given as a path or as nested dictionaries; its result.json and its Steps."""
+    folder = empty(name)
+    if isinstance(scene, dict):
+        (folder / "scene").mkdir(parents=True)
+        scene = scenes.write(scene, folder / "scene")
+    result = run_scene(Programs.voussoir, Programs.mpiexec, folder / "run", scene, *settings, ranks=ranks)
+    return result, Steps(folder / "run")
+
+
+class Steps:
+    """Contact points of a run: position [m], area [m2]; after each step, one row each, gap and slip [m], pressure and shear
+    [Pa], damage [-]."""
+
+    def __init__(self, folder):
+        with h5py.File(folder / "fields.h5") as file:
+            self.position, self.area = file["joints/position"][()], file["joints/area"][()]
+            steps = [file["steps"][name] for name in sorted(file["steps"])]
+            self.displacement = np.array([step["displacement"][()] for step in steps])
+            self.gap, self.slip, normal, tangential, self.damage = (
+                np.array([step["joint_" + key][()] for step in steps])
+                for key in ("gap_m", "slip_m", "normal_force_N", "tangential_force_N", "damage"))
+        self.pressure, self.shear = normal / self.area, tangential / self.area
