@@ -35,12 +35,12 @@ def run(name, scene, *settings, ranks=1):
 
 
 class Steps:
-    """Contact points of a run: position [m], area [m2]; after each step, one row each, gap and slip [m], pressure and shear
+    """Contact points of a run: position [m], normal, area [m2]; after each step, one row each, gap and slip [m], pressure and shear
     [Pa], damage [-]."""
 
     def __init__(self, folder):
         with h5py.File(folder / "fields.h5") as file:
-            self.position, self.area = file["joints/position"][()], file["joints/area"][()]
+            self.position, self.normal, self.area = (file["joints/" + key][()] for key in ("position", "normal", "area"))
             steps = [file["steps"][name] for name in sorted(file["steps"])]
             self.displacement = np.array([step["displacement"][()] for step in steps])
             self.gap, self.slip, normal, tangential, self.damage = (
