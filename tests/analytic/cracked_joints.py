@@ -47,3 +47,17 @@ class Steps:
                 np.array([step["joint_" + key][()] for step in steps])
                 for key in ("gap_m", "slip_m", "normal_force_N", "tangential_force_N", "damage"))
         self.pressure, self.shear = normal / self.area, tangential / self.area
+
+    def lost_beyond_states(self, law, strength=1.0):
+        """Largest damage of a point beyond what the largest of its openings and its way from slip to slip, in the recorded
+        steps, take by a law (the keys of a scene); its strength times a share, per point."""
+        def give(key):
+            return 1 / law[key] if key in law else 0.0
+
+        opened = np.maximum.accumulate(np.maximum(self.gap + give("normal stiffness") * self.pressure, 0))
+        slip = self.slip + give("tangential stiffness") * self.shear
+        way = np.abs(np.diff(slip, axis=0, prepend=0)).cumsum(axis=0)
+        kappa = strength * np.hypot(law["tension strength"] * opened / law["fracture energy"],
+                                    law["cohesion"] * way / law["shear fracture energy"])
+        lost = -np.expm1(-kappa) if law.get("softening") == "exponential" else np.minimum(kappa / 2, 1)
+        return (self.damage - lost).max()
