@@ -104,7 +104,7 @@ class CracksWhateverTheWay(unittest.TestCase):
             np.testing.assert_array_equal(other.damage, si.damage)
 
     def test_millimetres_and_megapascals(self):
-        for kind in ("stack",):
+        for kind in ("stack", "wall"):
             (_, si), (_, other) = (pushed(kind, f"{length:g}", length=length) for length in (1.0, 1000.0))
             other.displacement /= 1000
             self.equal(other, si)

@@ -11,6 +11,7 @@ Expected  Measured (T. M. J. Raijmakers, A. Th. Vermeltfoort, 1992; P. B. Louren
           runs through, and goes on upwards as the strut between the corners is squeezed.
           Before anything cracks the wall is a cantilever that cannot turn: shear of the wall as a whole, G A / h, bending
           with both ends held, 12 E I / h^3, and that of 17 beds, in series, which leaves out what head joints give.
+          What a point has lost follows from the states it has been in after each step.
 Tolerance The plateau: the range of the tests. Steps and mesh: half as many steps change the curve by 3 %, at the plateau, where
           a step of 0.2 mm jumps over its dip. Cells half as large: drivers/studies/eindhoven_wall.csv.
 """
@@ -26,6 +27,9 @@ from cracked_joints import XML, Programs, run
 AREA, WIDTH, HEIGHT, THICK = 0.099, 0.99, 1.0, 0.1  # [m2, m]
 MODULUS, POISSON = 16.7e9, 0.15  # [Pa, -] of bricks
 NORMAL, TANGENTIAL, BEDS = 82e9, 36e9, 17  # [Pa/m], [-] of mortar
+
+MORTAR = {"tension strength": 0.25e6, "cohesion": 0.35e6, "fracture energy": 18.0, "shear fracture energy": 125.0,
+          "softening": "exponential", "normal stiffness": NORMAL, "tangential stiffness": TANGENTIAL}
 
 
 class Curve:
@@ -83,6 +87,13 @@ class EindhovenWall(unittest.TestCase):
         heads = cracked & ~bed
         self.assertGreater(np.unique(y[heads].round(3)).size, 20)  # in most courses
         self.assertLess(np.abs(x + y - 1)[heads].max(), 0.35)  # from above on the left to below on the right
+
+    def test_no_point_loses_more_than_its_states_take(self):
+        for increments in (1, 40):
+            steps = self.curve.steps if increments == 40 else Curve(f"steps/stages/pushed/increments={increments}").steps
+            beyond = steps.lost_beyond_states(MORTAR)
+            print(f"{increments} steps: beyond the states {beyond:.1e}")
+            self.assertLess(beyond, 1e-6)
 
     def test_steps_change_little(self):
         half = Curve("steps/stages/pushed/increments=20")
