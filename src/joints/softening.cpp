@@ -1,5 +1,7 @@
 #include "joints/softening.hpp"
 
+#include <limits>
+
 namespace voussoir {
 namespace {
 
@@ -59,16 +61,55 @@ WeakenedLaw SofteningPoints::at(std::size_t k, double gap, double slip) const {
   return now;
 }
 
-void SofteningPoints::wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness) {
-  if (!softens(k)) return;
+bool SofteningPoints::wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness) {
+  if (!softens(k)) return false;
   const auto now = at(k, gap, slip);
   const auto& law = now.law;
   const bool opens = normal - stiffness * gap < -law.tension, slips = !(shear < friction_bound(law, normal));
   // Within a step any opening weakens, or a state that is held would come again for ever. Of one within what the stones
   // beside it stretch by no more is kept: it closes rigidly, as what has not opened.
+  const auto& rate = softening_[k];
+  const bool loses = law.tension > 0 || law.cohesion > 0;
+  if (held_ && loses && ((opens && rate.brittle_opening) || (slips && rate.brittle_slip))) {
+    break_off(k);
+    return rate.damage(rate.kappa(opens ? seen(k, gap) : 0.0, slips ? slip : 0.0)) == 1;
+  }
   if (opens) reached_[k] = std::max(reached_[k], seen(k, gap));
   if (opens && now.pull <= stiffness * seen(k, gap)) opened_[k] = std::max(opened_[k], seen(k, gap));
   if (slips) way_[k] = std::max(way_[k], std::abs(slip));
+  return false;
+}
+
+/// It opens, or slips, as far as it takes to lose all.
+void SofteningPoints::break_off(std::size_t k) {
+  const auto& rate = softening_[k];
+  const double kappa = rate.exponential ? all_lost : 2 * (1 + 4 * std::numeric_limits<double>::epsilon());
+  if (rate.per_opening > 0)
+    reached_[k] = opened_[k] = std::max(opened_[k], kappa / rate.per_opening);
+  else
+    way_[k] = std::max(way_[k], kappa / rate.per_slip);
+}
+
+void SofteningPoints::come_back(Since since) {
+  opened_ = std::move(since.opened);
+  way_ = std::move(since.way);
+  reached_ = std::move(since.reached);
+}
+
+double SofteningPoints::lost_beyond(const Since& other) const {
+  double most = 0;
+  for (std::size_t k = 0; k < softening_.size(); ++k) {
+    const auto& rate = softening_[k];
+    const auto damage = [&](double opened, double way) { return rate.damage(rate.kappa(opened, slipped_[k] + way)); };
+    if (!rate.brittle()) most = std::max(most, damage(other.opened[k], other.way[k]) - damage(opened_[k], way_[k]));
+  }
+  return most;
+}
+
+void SofteningPoints::start_again() {
+  opened_ = opened_before_;
+  way_.assign(way_.size(), 0.0);
+  reached_.assign(reached_.size(), 0.0);
 }
 
 double held_energy(const PointLaw& whole, const Softening& softening, const JointWear& wear, double gap) {

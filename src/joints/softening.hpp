@@ -28,10 +28,13 @@ struct Softening {
   double per_opening = 0;    ///< [1/m] T / G_I
   double per_slip = 0;       ///< [1/m] C / G_II
   bool exponential = false;  ///< else linear
+  /// As fast as stones can follow: in that mode the point breaks off where an equilibrium overloads it.
+  bool brittle_opening = false, brittle_slip = false;
 
   /// Whether there is a way to lose it.
   bool any() const { return per_opening > 0 || per_slip > 0; }
   double kappa(double opened, double slipped) const { return std::hypot(per_opening * opened, per_slip * slipped); }
+  bool brittle() const { return brittle_opening || brittle_slip; }
   /// D, from 0 where all strength is there to 1 where none is left.
   double damage(double kappa) const { return exponential ? -std::expm1(-kappa) : std::min(1.0, kappa / 2); }
   /// dD / d kappa.
@@ -82,7 +85,8 @@ class SofteningPoints {
                   const std::vector<double>& slipped, std::vector<double> gap_before = {})
       : whole_(whole),
         softening_(softening),
-        opened_(std::move(opened)),
+        opened_before_(std::move(opened)),
+        opened_(opened_before_),
         slipped_(slipped),
         way_(slipped_.size(), 0.0),
         reached_(way_),
@@ -95,18 +99,31 @@ class SofteningPoints {
   /// From now on, strength stays as it is wherever points open or slip to; or falls again.
   void hold(bool held) { held_ = held; }
   /// A point has come to this gap and slip [m]. Nothing is undone, and what the solver leaves of closed points is none.
+  /// While strength is held a point that has opened or slipped, and is brittle in that, breaks off.
   /// @param normal  [N] its force
   /// @param shear   [N] size of its tangential force less stiffness times slip
-  void wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness);
+  /// @return whether it has broken off by more than all that it had to lose
+  bool wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness);
+  /// What points have gone through since the start of the step, to come back to; and as if that were nothing.
+  struct Since {
+    std::vector<double> opened, way, reached;  ///< [m] per point
+  };
+  Since since_start() const { return {opened_, way_, reached_}; }
+  void come_back(Since);
+  void start_again();
+  /// Largest damage of a point that has these behind it beyond what it has now, brittle ones left out.
+  double lost_beyond(const Since&) const;
   /// [m] largest opening, and way slipped since the start of the step.
   double opened(std::size_t k) const { return opened_[k]; }
   double way(std::size_t k) const { return way_[k]; }
 
  private:
+  void break_off(std::size_t k);
   double seen(std::size_t k, double gap) const { return gap + (gap_before_.empty() ? 0.0 : gap_before_[k]); }
 
   const PointLaws& whole_;
   const std::vector<Softening>& softening_;
+  const std::vector<double> opened_before_;
   std::vector<double> opened_;
   const std::vector<double>& slipped_;
   std::vector<double> way_, reached_;  ///< [m] since the start of the step: slipped, and opened however little

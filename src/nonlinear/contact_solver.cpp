@@ -9,6 +9,17 @@
 #include "nonlinear/saved_position.hpp"
 
 namespace voussoir {
+namespace {
+
+/// Points wear by where they are and what they bear. Whether a brittle one has broken off, far beyond what it bears.
+bool take_wear(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda) {
+  PointField gap;
+  TpetraVector residual(problem.map());
+  problem.evaluate(x, residual, gap);
+  return largest_over_ranks(problem, wear_by(problem, lambda, gap)) > 0;
+}
+
+}  // namespace
 
 ContactSolver::ContactSolver(NonlinearProblem& problem, const NewtonParameters& parameters,
                              const MethodParameters& methods, FastWay& fast)
@@ -145,14 +156,29 @@ void ContactSolver::go_the_ways(TpetraVector& x, PointField& lambda, double tole
   }
 }
 
+/// States on the way may have worn points more than the one arrived at: an equilibrium close by does without that.
+void ContactSolver::forget_the_way(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
+  auto& softening = *problem_.softening();
+  auto worn = softening.since_start();
+  softening.start_again();
+  if (measure(x, lambda, report) <= tolerance) return;
+  const int patience = methods_.active_set.patience;
+  const bool there = try_active_set(x, lambda, tolerance, nullptr, patience, report) == ActiveSetEnd::arrived;
+  if (there) return;
+  take_wear(problem_, x, lambda);
+  report.lost_on_the_way = largest_over_ranks(problem_, softening.lost_beyond(worn));
+  softening.come_back(std::move(worn));
+}
+
 void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                               NewtonReport& report) {
   auto& softening = *problem_.softening();
   const auto& numbers = methods_.solver;
   report.fail("the largest number of linear solves was reached");
-  for (double rough = numbers.held_accuracy; report.newton_iterations < parameters_.largest_iterations; rough /= 10) {
+  bool breaks = false;
+  double rough = std::max(tolerance, numbers.held_accuracy);
+  while (report.newton_iterations < parameters_.largest_iterations) {
     softening.hold(true);
-    rough = std::max(tolerance, rough);
     const int patience = methods_.active_set.patience;
     const bool there = (!known_gap && measure(x, lambda, report) <= rough) ||
                        try_active_set(x, lambda, rough, known_gap, patience, report) == ActiveSetEnd::arrived;
@@ -162,13 +188,14 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
       report.fail("the largest number of linear solves was reached");
     }
     known_gap = nullptr;
-    PointField gap;
-    TpetraVector residual(problem_.map());
-    problem_.evaluate(x, residual, gap);
-    wear_by(problem_, lambda, gap);
+    const bool broke = take_wear(problem_, x, lambda);
     softening.hold(false);
+    breaks |= broke;
+    if (broke) continue;  // what it bore goes elsewhere first
+    rough = std::max(tolerance, rough / 10);
     if (try_active_set(x, lambda, tolerance, nullptr, numbers.patience_from_near, report) == ActiveSetEnd::arrived) {
       report.outcome = NewtonOutcome::converged;
+      if (!breaks) forget_the_way(x, lambda, tolerance, report);
       break;
     }
   }

@@ -45,6 +45,9 @@ class ContactSolver {
   /// Where strength that falls keeps active sets from arriving: strength is held, an equilibrium is found with it, what
   /// that opens wears, and so on. Leaves the outcome in the report.
   void wear_down(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, NewtonReport&);
+  /// Without the wear of the states on the way to this equilibrium, where there is one close by that does without. Else
+  /// leaves in the report how much more has been lost.
+  void forget_the_way(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   void in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int most,
                       NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.

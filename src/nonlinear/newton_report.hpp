@@ -32,6 +32,7 @@ struct NewtonReport {
   double residual = 0;         ///< [-] equilibrium, relative to the largest force
   double complementarity = 0;  ///< [-] contact law, relative to the largest force
   double penetration = 0;      ///< [m]
+  double lost_on_the_way = 0;  ///< [-] largest damage of a point beyond what the state found gives it
   std::string reason;          ///< why it stopped, when it did not converge
   std::string failure;         ///< what the last of the failed linear solves said
   bool no_way_on = false;      ///< it stopped because a library refused a system
@@ -62,6 +63,7 @@ struct NewtonReport {
     residual = other.residual;
     complementarity = other.complementarity;
     penetration = other.penetration;
+    lost_on_the_way = other.lost_on_the_way;
     reason = other.reason;
     no_way_on = other.no_way_on;
   }

@@ -41,9 +41,10 @@ void CurrentLaws::follow(const PointField& lambda, const PointField& gap) {
   }
 }
 
-void wear_by(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
+bool wear_by(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
   auto* const softening = problem.softening();
   const int n = problem.components();
+  bool far = false;
   for (int k = 0; softening && k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
     double slip = 0, shear = 0;
@@ -53,9 +54,10 @@ void wear_by(const NonlinearProblem& problem, const PointField& lambda, const Po
       slip += s * s;
       shear += trial * trial;
     }
-    softening->wear_by(k, motion_of(problem, k, 0, gap, lambda), std::sqrt(slip), lambda[k * n], std::sqrt(shear),
-                       stiffness_of(problem, k, 0, 1.0));
+    far |= softening->wear_by(k, motion_of(problem, k, 0, gap, lambda), std::sqrt(slip), lambda[k * n],
+                              std::sqrt(shear), stiffness_of(problem, k, 0, 1.0));
   }
+  return far;
 }
 
 void friction_bounds(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& forces,

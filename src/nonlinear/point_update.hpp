@@ -73,7 +73,7 @@ class CurrentLaws {
 };
 
 /// Points wear as far as they have opened and slipped in a state.
-void wear_by(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
+bool wear_by(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
 
 /// Largest tangential force of each point under the normal parts of some forces [N].
 void friction_bounds(const NonlinearProblem&, const CurrentLaws&, const PointField& forces, std::vector<double>& bound);

@@ -35,7 +35,8 @@ std::vector<Found> found_here(const Model<2>& model, const ContactState& state) 
     const auto& here = of_joint[j];
     const auto& joint = points.joints()[j];
     const auto& law = model.scene().joints[joint.family].parameters;
-    if (here.size() < 2 || here.size() > most_points || (law.cohesion == 0 && law.tension_strength == 0)) continue;
+    if (here.size() < 2 || here.size() > most_points || !model.weakens() || !model.softening()[here[0]].brittle())
+      continue;
     const auto& axis = points.points()[here[0]].axis;
     std::vector<BrittlePoint> brittle;
     bool bent = false;

@@ -139,6 +139,41 @@ void warn_of_idle_laws(const Model<2>& model, Warnings& all) {
   }
 }
 
+/// Fracture energies below what the stones can follow (Model::set_softening): the joint takes more than it was given.
+void warn_of_raised_energies(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  const std::size_t laws = scene.joints.size();
+  if (!model.weakens()) return;
+  std::vector<double> mine(2 * laws, 0.0), most(2 * laws);  // [J/m2] least energy that points take
+  for (int k = 0; k < model.points().owned(); ++k) {
+    const auto& p = model.points().points()[k];
+    const int family = model.points().joints()[p.joint].family;
+    const auto& law = scene.joints[family].parameters;
+    const auto& rate = model.softening()[k];
+    const auto raise = [&](int mode, double strength, double per_way) {
+      if (per_way > 0) mine[2 * family + mode] = std::max(mine[2 * family + mode], strength / per_way);
+    };
+    raise(0, law.tension_strength, rate.per_opening);
+    raise(1, law.cohesion, rate.per_slip);
+  }
+  Teuchos::reduceAll(*model.structure().comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(),
+                     most.data());
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    const auto& law = scene.joints[i / 2].parameters;
+    const double asked = i % 2 == 0 ? law.fracture_energy : law.shear_fracture_energy;
+    constexpr double round_off = 1e-12;
+    if (!(asked > 0) || most[i] <= asked * (1 + round_off)) continue;
+    all.push_back(
+        {"raised_energy",
+         scene.file + ": scene > joints > " + scene.joints[i / 2].name + " > " +
+             (i % 2 == 0 ? "fracture energy" : "shear fracture energy"),
+         "", most[i] / asked,
+         number_text(asked) +
+             " J/m2 is little beside what the stones give way by: as a joint without an energy it takes up to " +
+             number_text(most[i]) + " J/m2; finer cells need less"});
+  }
+}
+
 }  // namespace
 
 Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
@@ -156,6 +191,7 @@ Warnings input_warnings(const Model<2>& model) {
   warn_of_bonds(model, all);
   append(all, mesh_warnings(model.scene(), model.source()));
   warn_of_idle_laws(model, all);
+  warn_of_raised_energies(model, all);
   append(all, model.loads().warnings());
   append(all, support_warnings(model));
   return all;

@@ -12,6 +12,7 @@
 #include "run/stop_signals.hpp"
 #include "step/finite_rotations.hpp"
 #include "step/halved_step.hpp"
+#include "step/joint_strength.hpp"
 #include "step/phase.hpp"
 #include "step/tie_balance.hpp"
 
@@ -21,6 +22,13 @@ namespace {
 constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
 struct StopWithinStep {};  ///< thrown when a signal is seen within a step, which is given up
+
+/// What a step that stands leaves open.
+Warnings warnings_of(const StepReport& report, const std::string& when) {
+  auto all = held_by_ties(report.tied_share, report.tied_block, when);
+  for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
+  return all;
+}
 
 }  // namespace
 
@@ -156,7 +164,7 @@ bool Run::load_step(const ContactState& before) {
     return fail(*failure_, target);
   }
   if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
-  for (const auto& w : held_by_ties(report.tied_share, report.tied_block, at_factor(stage, target))) warn(w);
+  for (const auto& w : warnings_of(report, at_factor(stage, target))) warn(w);
   failure_.reset();
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
   steps_.accept();
@@ -189,7 +197,7 @@ bool Run::time_step(const ContactState& before) {
   }
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
-  for (const auto& w : held_by_ties(report.step.tied_share, report.step.tied_block, at_time(stage, time))) warn(w);
+  for (const auto& w : warnings_of(report.step, at_time(stage, time))) warn(w);
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
   const double duration = steps_.stage_parameters().duration;
   steps_.accept();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "joints/friction_work.hpp"
 
 namespace voussoir {
@@ -63,6 +64,17 @@ double held_by_joints(const Model<dim>& model, const ContactState& state) {
   for (int k = 0; k < model.points().owned(); ++k)
     energy += held_energy(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap[dim * k]);
   return energy;
+}
+
+Warnings lost_on_the_way(double damage, const std::string& when) {
+  constexpr double worth_saying = 0.01;  // of the strength: what a mesh costs anyway
+  if (damage < worth_saying) return {};
+  return {
+      {"lost_on_the_way", "the structure", when, damage,
+       "no equilibrium was found that follows from the last one while cracks grow little by little: a joint has lost " +
+           number_text(damage) +
+           " of its strength more than where it stands now asks for, as in a jump; take more increments if where "
+           "cracks run matters"}};
 }
 
 template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);

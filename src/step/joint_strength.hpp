@@ -1,6 +1,7 @@
 // What joints have left of their strength in a state, and what a step takes of it (joints/softening.hpp).
 #pragma once
 
+#include "base/warning.hpp"
 #include "dynamics/energy_book.hpp"
 #include "joints/softening.hpp"
 #include "step/contact_state.hpp"
@@ -64,6 +65,11 @@ EnergyOfStep loss_in_time(const Model<dim>&, const ContactState& before, const C
 /// Energy that open joints would give back [J], of this rank's points.
 template <int dim>
 double held_by_joints(const Model<dim>&, const ContactState&);
+
+/// What is said of joints that lost more strength on the way to an equilibrium than it asks of them: one warning or
+/// none.
+/// @param damage  [-] beyond that of the state, at the point where it is most
+Warnings lost_on_the_way(double damage, const std::string& when);
 
 extern template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
 extern template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,

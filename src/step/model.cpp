@@ -138,16 +138,20 @@ void Model<dim>::set_softening() {
     const auto& joint = scene_.joints[points_->joints()[p.joint].family].parameters;
     const double tension = joint.tension_strength * p.area, cohesion = joint.cohesion * p.area;  // [N]
     const bool exponential = joint.softening == SofteningShape::exponential;
-    const auto rate = [&](double energy, double strength, double other, int component) {
+    const auto rate = [&](double energy, double strength, double other, int component, bool& brittle) {
       const double lost = strength > 0 ? strength : other;  // what a mode without strength of its own takes
       if (!(lost > 0) || lost == infinity) return 0.0;
       const double c = compliance_.empty() ? 0.0 : compliance_[k].along(component), stone = local_stiffness_[k];
       const double steepest = scene_.internals.step.steepest_softening * stone / (1 + c * stone);
       const double fastest = (exponential ? 1 : 2) * steepest / lost;
-      return energy > 0 ? std::min(fastest, lost / (energy * p.area)) : fastest;
+      const double asked = energy > 0 ? lost / (energy * p.area) : infinity;
+      brittle = asked > fastest;
+      return std::min(fastest, asked);
     };
-    softening_[k] = {rate(joint.fracture_energy, tension, cohesion, 0),
-                     rate(joint.shear_fracture_energy, cohesion, tension, 1), exponential};
+    auto& s = softening_[k];
+    s.exponential = exponential;
+    s.per_opening = rate(joint.fracture_energy, tension, cohesion, 0, s.brittle_opening);
+    s.per_slip = rate(joint.shear_fracture_energy, cohesion, tension, 1, s.brittle_slip);
   }
 }
 

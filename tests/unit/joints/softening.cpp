@@ -3,6 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -113,6 +114,55 @@ TEUCHOS_UNIT_TEST(Softening, StiffnessThatFallsIsNoSpring) {
   TEST_ASSERT(!across.softens() && across.springs().tangential == across.tangential);
   PointStiffness opens(-4.0, 7.0);
   TEST_ASSERT(opens.softens() && opens.springs().normal == 0 && opens.springs().along(0, 0) == 7.0);
+}
+
+/// One point of the mortar above, with a stiffness of 1e10 N/m.
+struct OnePoint {
+  explicit OnePoint(bool brittle) : softens(1, softening(false)), law(1) {
+    softens[0].brittle_opening = brittle;
+    law.set(0, mortar);
+  }
+  bool wear_by(SofteningPoints& points, double gap, double slip, double normal) const {
+    return points.wear_by(0, gap, slip, normal, 2 * mortar.cohesion, 1e10);
+  }
+  std::vector<Softening> softens;
+  PointLaws law;
+  std::vector<double> none{0};
+};
+
+TEUCHOS_UNIT_TEST(Softening, BrittlePointsBreakOffWhereHeldStrengthIsExceeded) {
+  const double end = 2 * opening / mortar.tension;  // [m] opening that takes all
+  for (const bool brittle : {false, true})
+    for (const double gap : {0.1 * end, 2 * end}) {
+      const OnePoint one(brittle);
+      SofteningPoints points(one.law, one.softens, one.none, one.none);
+      points.hold(true);
+      TEST_EQUALITY(points.at(0, gap, 0).pull, mortar.tension);
+      const bool far = one.wear_by(points, gap, 0, -mortar.tension), lost = points.at(0, gap, 0).pull == 0;
+      TEST_EQUALITY(far, (brittle && gap > end));
+      TEST_EQUALITY(lost, (brittle || gap > end));
+      TEST_ASSERT(!one.wear_by(points, gap, 0, 0));  // what is lost is lost once
+    }
+  const OnePoint one(true);
+  SofteningPoints points(one.law, one.softens, one.none, one.none);
+  points.hold(true);
+  TEST_ASSERT(!one.wear_by(points, 0, 0, mortar.cohesion * 10));  // pressed: neither opens nor slips
+  TEST_EQUALITY(points.at(0, 0, 0).law.cohesion, mortar.cohesion);
+}
+
+TEUCHOS_UNIT_TEST(Softening, WhatStatesOnTheWayTookIsGivenBack) {
+  const double end = 2 * opening / mortar.tension;
+  const OnePoint one(false);
+  SofteningPoints points(one.law, one.softens, one.none, one.none);
+  one.wear_by(points, 0.75 * end, 0, -mortar.tension);
+  const auto worn = points.since_start();
+  points.start_again();
+  TEST_EQUALITY(points.at(0, 0, 0).law.tension, mortar.tension);
+  one.wear_by(points, 0.25 * end, 0, -mortar.tension);
+  TEST_FLOATING_EQUALITY(points.lost_beyond(worn), 0.5, 1e-13);
+  points.come_back(worn);
+  TEST_EQUALITY(points.lost_beyond(worn), 0);
+  TEST_FLOATING_EQUALITY(points.at(0, 0.75 * end, 0).pull, 0.25 * mortar.tension, 1e-13);
 }
 
 }  // namespace
