@@ -193,7 +193,9 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
     breaks |= broke;
     if (broke) continue;  // what it bore goes elsewhere first
     rough = std::max(tolerance, rough / 10);
-    if (try_active_set(x, lambda, tolerance, nullptr, numbers.patience_from_near, report) == ActiveSetEnd::arrived) {
+    const int near = numbers.patience_from_near;
+    if (measure(x, lambda, report) <= tolerance ||
+        try_active_set(x, lambda, tolerance, nullptr, near, report) == ActiveSetEnd::arrived) {
       report.outcome = NewtonOutcome::converged;
       if (!breaks) forget_the_way(x, lambda, tolerance, report);
       break;

@@ -1,9 +1,12 @@
 #include "run/support_warnings.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
+#include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
 
@@ -35,11 +38,52 @@ long long common_nodes(const Model<2>& model, const SupportParameters& a, const 
   return total_over_ranks(*s.comm(), mine);
 }
 
+/// What supports hold of a motion of all stones as one, (along x, along y, turn by the size): sum over what is held of
+/// the squares and products, the same on every rank.
+std::array<double, 9> held_of_whole(const Model<2>& model) {
+  const auto& s = model.structure();
+  const auto is_held = [&](int node, int c) { return model.held()[2 * node + c] != 0; };
+  double sum[3] = {0, 0, 0}, total[3];  // [m, m, -] levers are about the middle of what is held
+  for (int node = 0; node < s.owned_nodes(); ++node) {
+    if (!is_held(node, 0) && !is_held(node, 1)) continue;
+    sum[2] += 1;
+    for (int c = 0; c < 2; ++c) sum[c] += s.position()[node][c];
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, sum, total);
+  std::array<double, 9> mine{}, all;
+  for (int node = 0; node < s.owned_nodes(); ++node) {
+    const auto& x = s.position()[node];
+    const double row[2][3] = {{1, 0, -(x[1] - total[1] / total[2]) / s.size()},
+                              {0, 1, (x[0] - total[0] / total[2]) / s.size()}};
+    for (int c = 0; c < 2; ++c)
+      for (int i = 0; is_held(node, c) && i < 9; ++i) mine[i] += row[c][i / 3] * row[c][i % 3];
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 9, mine.data(), all.data());
+  return all;
+}
+
+/// Supports that leave the whole free to move in some way: where it ends up is then round-off, or nothing holds it.
+void warn_of_free_whole(const Model<2>& model, Warnings& all) {
+  if (only_time(model.scene().stages)) return;  // stones may fly
+  const auto g = held_of_whole(model);
+  const bool x = g[0] > 0, y = g[4] > 0;
+  const double determinant =
+      g[0] * (g[4] * g[8] - g[5] * g[7]) - g[1] * (g[3] * g[8] - g[5] * g[6]) + g[2] * (g[3] * g[7] - g[4] * g[6]);
+  constexpr double round_off = 1e-24;  // of the square of a lever
+  const double mean = (g[0] + g[4] + g[8]) / 3;
+  if (determinant > round_off * mean * mean * mean) return;
+  const std::string way = !x && !y ? "anywhere" : !x ? "along x" : !y ? "along y" : "round";
+  all.push_back({"free_to_move", model.scene().file + ": scene > supports", "", 1.0,
+                 "the supports leave the whole structure free to move " + way +
+                     ": where it comes to rest there is not told by equilibrium; hold it at one place more"});
+}
+
 }  // namespace
 
 Warnings support_warnings(const Model<2>& model) {
   const auto& scene = model.scene();
   Warnings all;
+  warn_of_free_whole(model, all);
   for (const auto& load : scene.loads) {
     const auto* settlement = load_as<SettlementParameters>(load);
     if (!settlement) continue;

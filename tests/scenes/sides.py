@@ -181,6 +181,28 @@ class Meshes(Scenes):
         nodes = [self.result(scene(mesh={"element size": size}))["nodes"] for size in (0.25, 0.125)]
         self.assertGreater(nodes[1], 2.5 * nodes[0])
 
+    def test_supports_that_leave_the_whole_free_to_move_are_named(self):
+        def free(components, on="foot", ranks=1):
+            result = self.result(scene(support={"on": on, "components": components}), ranks=ranks)
+            return [w["text"].split(" free to move ")[1].split(":")[0] for w in result["warnings"]
+                    if w["what"] == "free_to_move"]
+        for ranks in (1, 2):
+            self.assertEqual(free("xy", ranks=ranks), [])
+            self.assertEqual(free("y", ranks=ranks), ["along x"])  # weight alone: it stands, anywhere
+
+    def test_an_energy_below_what_the_stones_can_follow_is_named(self):
+        def raised(energy):
+            law = {"friction coefficient": 0.4, "tension strength": 5e4, "cohesion": 1e5, "fracture energy": energy,
+                   "shear fracture energy": 50.0}
+            return [(w["where"].split(" > ")[-1], w["how_much"]) for w in self.result(scene(joints={"mortar": law}))["warnings"]
+                    if w["what"] == "raised_energy"]
+        self.assertEqual(raised(10.0), [])
+        (key, share), = raised(1e-4)
+        self.assertEqual(key, "fracture energy")
+        # T^2 h / (2 s k) of a point with the share h = 0.25 m of the joint, where s = 1/4 and k = E: 0.125 J/m2.
+        self.assertAlmostEqual(share, 5e4**2 * 0.25 / (2 * 0.25 * 1e10) / 1e-4, delta=1e-6 * share)
+        self.assertAlmostEqual(raised(1e-5)[0][1], 10 * share, delta=1e-6 * share)
+
     def test_laws_that_hold_nowhere_are_named(self):
         base = {"friction coefficient": 0.4}
         between = {"between": "east", "and": "bed", "friction coefficient": 0.6}
