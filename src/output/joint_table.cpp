@@ -24,7 +24,8 @@ constexpr Column numbers[] = {{"x_m", &JointRow::x},
                               {"eccentricity_m", &JointRow::eccentricity},
                               {"edge_margin", &JointRow::edge_margin},
                               {"friction_margin", &JointRow::friction_margin},
-                              {"opening_m", &JointRow::opening}};
+                              {"opening_m", &JointRow::opening},
+                              {"damage", &JointRow::damage}};
 
 }  // namespace
 

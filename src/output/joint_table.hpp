@@ -18,6 +18,7 @@ struct JointRow {
   double edge_margin = 0;               ///< [-] 0.5 in the middle, 0 at the edge; NaN without compression
   double friction_margin = 0;           ///< [-] 1 without shear, 0 sliding; NaN where none could be borne
   double opening = 0;                   ///< [m] widest
+  double damage = 0;                    ///< [-] share of its strength that is lost, mean over its length
   int hinge = 0, slides = 0;            ///< 0 or 1
 };
 

@@ -26,9 +26,12 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
   const auto& points = model.points();
   const auto gap = step.stone_gaps(state);
   std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
+  std::vector<double> area(of_joint.size(), 0.0), lost(of_joint.size(), 0.0);  // [m2]
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
     const auto law = law_left(model, state, k);
+    area[p.joint] += p.area;
+    lost[p.joint] += p.area * damage_of(model, state, k);
     of_joint[p.joint].push_back({model.structure().position()[p.node_i], p.axis[0], state.lambda[2 * k],
                                  state.lambda[2 * k + 1], gap[2 * k], law});
   }
@@ -39,7 +42,7 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
     const auto s = joint_statics(of_joint[k]);
     rows.push_back({joint.block_i, joint.block_j, s.middle[0], s.middle[1], s.length, s.force[0], s.force[1],
                     s.normal_force, s.shear, s.place[0], s.place[1], s.eccentricity, s.edge_margin, s.friction_margin,
-                    s.opening, s.hinge, s.slides});
+                    s.opening, lost[k] / area[k], s.hinge, s.slides});
   }
   return rows;
 }

@@ -99,6 +99,19 @@ class JointTable(unittest.TestCase):
         # By symmetry the crown bears no vertical force; the springings bear half the weight each.
         self.near(left["y_N"], right["y_N"], 1e-5 * left["y_N"])
 
+    def test_joints_tell_how_much_of_their_strength_is_lost(self):
+        joints, _ = run("triplet", "triplet")
+        # The middle brick has slid by 3 mm in both, less some 60 micrometres by which bricks and mortar give way.
+        slid = [joint for joint in joints.values() if joint["damage"] > 0.5]
+        self.assertEqual(len(slid), 2)
+        cohesion, energy = 0.35e6, 125.0  # [Pa, J/m2]
+        for joint in slid:
+            left = 1 - joint["damage"]
+            self.assertGreater(left, math.exp(-cohesion * 3e-3 / energy))
+            self.assertLess(left, math.exp(-cohesion * 2.94e-3 / energy))
+        dry, _ = run("dry", "incline", "mesh/gmsh/geometry/slope=0.3")
+        self.assertEqual([joint["damage"] for joint in dry.values()], [0])
+
     def test_runs_that_end_in_time_have_no_table(self):
         with self.assertRaises(FileNotFoundError):
             run("time", "sliding-block")
