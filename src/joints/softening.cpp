@@ -66,14 +66,14 @@ bool SofteningPoints::wear_by(std::size_t k, double gap, double slip, double nor
   const auto now = at(k, gap, slip);
   const auto& law = now.law;
   const bool opens = normal - stiffness * gap < -law.tension, slips = !(shear < friction_bound(law, normal));
-  // Within a step any opening weakens, or a state that is held would come again for ever. Of one within what the stones
-  // beside it stretch by no more is kept: it closes rigidly, as what has not opened.
   const auto& rate = softening_[k];
   const bool loses = law.tension > 0 || law.cohesion > 0;
   if (held_ && loses && ((opens && rate.brittle_opening) || (slips && rate.brittle_slip))) {
     break_off(k);
     return rate.damage(rate.kappa(opens ? seen(k, gap) : 0.0, slips ? slip : 0.0)) == 1;
   }
+  // Within a step any opening weakens, or a state that is held would come again for ever. Of one within what the stones
+  // beside it stretch by no more is kept: it closes rigidly, as what has not opened.
   if (opens) reached_[k] = std::max(reached_[k], seen(k, gap));
   if (opens && now.pull <= stiffness * seen(k, gap)) opened_[k] = std::max(opened_[k], seen(k, gap));
   if (slips) way_[k] = std::max(way_[k], std::abs(slip));
@@ -107,9 +107,12 @@ double SofteningPoints::lost_beyond(const Since& other) const {
 }
 
 void SofteningPoints::start_again() {
-  opened_ = opened_before_;
-  way_.assign(way_.size(), 0.0);
-  reached_.assign(reached_.size(), 0.0);
+  for (std::size_t k = 0; k < softening_.size(); ++k) {
+    const auto& rate = softening_[k];
+    if (rate.brittle() && rate.damage(rate.kappa(opened_[k], slipped_[k] + way_[k])) == 1) continue;
+    opened_[k] = opened_before_[k];
+    way_[k] = reached_[k] = 0;
+  }
 }
 
 double held_energy(const PointLaw& whole, const Softening& softening, const JointWear& wear, double gap) {

@@ -104,7 +104,8 @@ class SofteningPoints {
   /// @param shear   [N] size of its tangential force less stiffness times slip
   /// @return whether it has broken off by more than all that it had to lose
   bool wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness);
-  /// What points have gone through since the start of the step, to come back to; and as if that were nothing.
+  /// What points have gone through since the start of the step, to come back to; and as if that were nothing, but for
+  /// what has broken off.
   struct Since {
     std::vector<double> opened, way, reached;  ///< [m] per point
   };

@@ -175,7 +175,6 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
   auto& softening = *problem_.softening();
   const auto& numbers = methods_.solver;
   report.fail("the largest number of linear solves was reached");
-  bool breaks = false;
   double rough = std::max(tolerance, numbers.held_accuracy);
   while (report.newton_iterations < parameters_.largest_iterations) {
     softening.hold(true);
@@ -190,14 +189,13 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
     known_gap = nullptr;
     const bool broke = take_wear(problem_, x, lambda);
     softening.hold(false);
-    breaks |= broke;
     if (broke) continue;  // what it bore goes elsewhere first
     rough = std::max(tolerance, rough / 10);
     const int near = numbers.patience_from_near;
     if (measure(x, lambda, report) <= tolerance ||
         try_active_set(x, lambda, tolerance, nullptr, near, report) == ActiveSetEnd::arrived) {
       report.outcome = NewtonOutcome::converged;
-      if (!breaks) forget_the_way(x, lambda, tolerance, report);
+      forget_the_way(x, lambda, tolerance, report);
       break;
     }
   }

@@ -144,17 +144,18 @@ void warn_of_raised_energies(const Model<2>& model, Warnings& all) {
   const auto& scene = model.scene();
   const std::size_t laws = scene.joints.size();
   if (!model.weakens()) return;
-  std::vector<double> mine(2 * laws, 0.0), most(2 * laws);  // [J/m2] least energy that points take
+  std::vector<double> mine(2 * laws, 0.0), most(2 * laws);  // [J/m2] the most that a point takes
   for (int k = 0; k < model.points().owned(); ++k) {
     const auto& p = model.points().points()[k];
     const int family = model.points().joints()[p.joint].family;
     const auto& law = scene.joints[family].parameters;
     const auto& rate = model.softening()[k];
-    const auto raise = [&](int mode, double strength, double per_way) {
+    const auto raise = [&](int mode, double own, double other, double per_way) {
+      const double strength = own > 0 ? own : other;  // as Model::set_softening
       if (per_way > 0) mine[2 * family + mode] = std::max(mine[2 * family + mode], strength / per_way);
     };
-    raise(0, law.tension_strength, rate.per_opening);
-    raise(1, law.cohesion, rate.per_slip);
+    raise(0, law.tension_strength, law.cohesion, rate.per_opening);
+    raise(1, law.cohesion, law.tension_strength, rate.per_slip);
   }
   Teuchos::reduceAll(*model.structure().comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(),
                      most.data());

@@ -9,8 +9,8 @@
 #include "run/mechanism_words.hpp"
 #include "run/settling_in_time.hpp"
 #include "run/static_theorem.hpp"
+#include "run/step_warnings.hpp"
 #include "step/finite_rotations.hpp"
-#include "step/tie_balance.hpp"
 
 namespace voussoir {
 namespace {
@@ -137,7 +137,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
-    for (const auto& w : held_by_ties(report.tied_share, report.tied_block, end.when))
+    for (const auto& w : warnings_of(report, end.when))
       if (run.recorder.warn(w)) run.narrator.warn(w);
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);

@@ -9,12 +9,11 @@
 #include "run/masonry_statics.hpp"
 #include "run/mechanism_words.hpp"
 #include "run/shares_of_ranks.hpp"
+#include "run/step_warnings.hpp"
 #include "run/stop_signals.hpp"
 #include "step/finite_rotations.hpp"
 #include "step/halved_step.hpp"
-#include "step/joint_strength.hpp"
 #include "step/phase.hpp"
-#include "step/tie_balance.hpp"
 
 namespace voussoir {
 namespace {
@@ -22,13 +21,6 @@ namespace {
 constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
 struct StopWithinStep {};  ///< thrown when a signal is seen within a step, which is given up
-
-/// What a step that stands leaves open.
-Warnings warnings_of(const StepReport& report, const std::string& when) {
-  auto all = held_by_ties(report.tied_share, report.tied_block, when);
-  for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
-  return all;
-}
 
 }  // namespace
 

@@ -163,6 +163,13 @@ TEUCHOS_UNIT_TEST(Softening, WhatStatesOnTheWayTookIsGivenBack) {
   points.come_back(worn);
   TEST_EQUALITY(points.lost_beyond(worn), 0);
   TEST_FLOATING_EQUALITY(points.at(0, 0.75 * end, 0).pull, 0.25 * mortar.tension, 1e-13);
+  // But a point that has broken off has.
+  const OnePoint other(true);
+  SofteningPoints broken(other.law, other.softens, other.none, other.none);
+  broken.hold(true);
+  other.wear_by(broken, 0.1 * end, 0, -mortar.tension);
+  broken.start_again();
+  TEST_EQUALITY(broken.at(0, 0, 0).law.tension, 0);
 }
 
 }  // namespace
