@@ -10,7 +10,7 @@ from draw_cost import column
 PLACES = 6  # in one picture: more lines than that cannot be told apart
 STYLES = tuple(zip((BLUE, ORANGE, GREEN, RED, PURPLE, DARK_SKY), ("-", "--", "-.", (0, (5, 1)), (0, (1, 1)), (0, (3, 1, 1, 1)))))
 # Column of history.csv -> what of which place, as src/output/README.md says.
-OBSERVED = re.compile(r"([uv][xy])_m(?:_per_s)? of (.*)", re.DOTALL)
+OBSERVED = re.compile(r"([uvf][xy])_(?:m|m_per_s|N) of (.*)", re.DOTALL)
 SMALLEST = 1e-16  # of the largest energy: round-off, and the bottom of a logarithmic axis
 
 
@@ -119,3 +119,28 @@ def draw_places(history, places, folder):
     figure.tight_layout(w_pad=2, rect=(0, 0.35 / (0.4 + 2.5 * len(rows)), 1, 1))
     figure.legend(lines, names, loc="lower center", ncol=min(len(names), 3), frameon=False, fontsize=9)
     return save(figure, folder, "places")
+
+
+def draw_supports(history, places, folder):
+    """Force of each support that moves over its way, one panel per direction; None where none moves."""
+    moving = {}  # direction -> name -> way [m], force [N]
+    for name, values in places.items():
+        for direction in "xy":
+            way, force = values["u" + direction], values.get("f" + direction)
+            if force is not None and np.nanmax(np.abs(way), initial=0) > 0 and np.nanmax(np.abs(force), initial=0) > 0:
+                moving.setdefault(direction, {})[name] = way, force
+    if len(history) < 2 or not moving:
+        return None
+    figure, axes = plt.subplots(1, len(moving), figsize=(WIDTH, 3.4), squeeze=False)
+    for panel, (direction, curves) in zip(axes[0], moving.items()):
+        sense = {"x": "to the right", "y": "upwards"}[direction]
+        in_metres, metres = prefixed(max(np.nanmax(np.abs(way)) for way, _ in curves.values()), "m")
+        in_newtons, newtons = prefixed(max(np.nanmax(np.abs(force)) for _, force in curves.values()), "N")
+        for (name, (way, force)), (colour, style) in zip(list(curves.items())[:PLACES], STYLES):
+            panel.plot(in_metres * way, in_newtons * force, color=colour, ls=style, label=visible(name), **marks(len(history)))
+        panel.set_title(f"force on the structure {sense} [{newtons}]", loc="left")
+        panel.set_xlabel(f"way {sense} [{metres}]")
+        panel.grid(axis="y", color=GREY, alpha=0.25, lw=0.6)
+        panel.legend(frameon=False, fontsize=9)
+    figure.tight_layout(w_pad=2)
+    return save(figure, folder, "supports")

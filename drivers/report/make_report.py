@@ -167,6 +167,7 @@ def add_time(page, results, folder):
     history = results.history
     places = draw_time.observed_places(history)
     path = draw_time.draw_places(history, places, folder)
+    supports = draw_time.draw_supports(history, places, folder)
     energy = draw_time.draw_energy(history, folder)
     if not path and not energy:
         return
@@ -175,6 +176,8 @@ def add_time(page, results, folder):
         left_out = len(places) - draw_time.PLACES
         page.picture(path, "Motion of the places the scene observes"
                      + (f" (the first {draw_time.PLACES}; {left_out} more are in history.csv)." if left_out > 0 else "."))
+    if supports:
+        page.picture(supports, "Force of each support that moves, over its way.")
     if energy:
         path, share, in_time = energy
         page.picture(path, "Energy book: external work is stored as elastic and kinetic energy or lost in friction, fracture and damping. "

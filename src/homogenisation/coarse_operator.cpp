@@ -156,7 +156,8 @@ bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
     here = differ(stiffness[k].normal, before.normal);
     for (int t = 0; t + 1 < dim; ++t)
       here = here || differ(stiffness[k].along(t, t), before.along(t, t)) ||
-             ((region_ || whole_) && differ(stiffness[k].coupling[t], before.coupling[t]));
+             ((region_ || whole_) &&
+              (differ(stiffness[k].coupling[t], before.coupling[t]) || differ(stiffness[k].pull[t], before.pull[t])));
   }
   for (std::size_t i = 0; i < proximal.size() && !here; ++i) here = differ(proximal[i], factored_proximal_[i]);
   return largest_over_ranks(*h_->getComm(), here) > 0;

@@ -188,7 +188,7 @@ bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
     add_between(k, [&](const auto& axis, int i, int j) {
       double value = (all.normal - springs.normal) * axis[0][i] * axis[0][j];
       for (int t = 1; t < dim; ++t) {
-        value += all.coupling[t - 1] * axis[t][i] * axis[0][j];
+        value += all.coupling[t - 1] * axis[t][i] * axis[0][j] + all.pull[t - 1] * axis[0][i] * axis[t][j];
         for (int u = 1; u < dim; ++u)
           value += (all.along(t - 1, u - 1) - springs.along(t - 1, u - 1)) * axis[t][i] * axis[u][j];
       }

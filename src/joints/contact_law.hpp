@@ -61,13 +61,14 @@ struct PointCompliance {
 
 /// How a point resists in a linear system [N/m], 0 where it gives way: the derivative of its force by its motion.
 ///
-///   change of p = -normal d_N        change of q = -coupling d_N - tangential d_T
+///   change of p = -normal d_N - pull d_T        change of q = -coupling d_N - tangential d_T
 ///
 /// In the plane there is one tangential direction, the first, in space there are two.
 struct PointStiffness {
   double normal = 0;
   std::array<double, 3> tangential{};  ///< symmetric matrix: first tangent, mixed, second tangent
   std::array<double, 2> coupling{};    ///< tangential forces per normal gap: friction that follows the pressure
+  std::array<double, 2> pull{};        ///< normal force per slip: tension strength that is lost on the way
 
   PointStiffness() = default;
   /// The same in all tangential directions; coupled along the first.
@@ -78,13 +79,17 @@ struct PointStiffness {
   double along(int row, int column) const { return tangential[row + column]; }
   bool resists_slip() const { return tangential[0] > 0 || tangential[2] > 0; }
   /// Whether a system with it is not symmetric, or not positive.
-  bool couples() const { return coupling[0] != 0 || coupling[1] != 0 || softens(); }
+  bool couples() const { return coupling[0] != 0 || coupling[1] != 0 || pull[0] != 0 || pull[1] != 0 || softens(); }
   /// Slides along a unit vector s of the tangents: friction follows the pressure, and the direction turns.
   /// @param follows  tangential force per normal gap
   /// @param across   stiffness against motion across s
   /// @param along    stiffness against motion along s, negative where cohesion is lost on the way
-  void slide(const double* s, int tangents, double follows, double across, double along = 0) {
-    for (int t = 0; t < tangents; ++t) coupling[t] = s[t] * follows;
+  /// @param pulls    normal force per slip along s
+  void slide(const double* s, int tangents, double follows, double across, double along = 0, double pulls = 0) {
+    for (int t = 0; t < tangents; ++t) {
+      coupling[t] = s[t] * follows;
+      pull[t] = s[t] * pulls;
+    }
     tangential = {along * s[0] * s[0], 0, 0};
     if (tangents == 2)
       tangential = {across * s[1] * s[1] + along * s[0] * s[0], (along - across) * s[0] * s[1],
@@ -105,20 +110,26 @@ struct PointStiffness {
     if (!tangents.softens()) s.tangential = tangential;
     return s;
   }
-  /// Gives way no more easily than that.
+  /// Gives way no more easily than that; what softens does so beside it.
   void hold(double along_normal, double along_tangents) {
-    normal = std::max(normal, along_normal);
-    for (int t : {0, 2}) tangential[t] = std::max(tangential[t], along_tangents);
+    const auto held = [](double one, double other) { return std::max(one, other + std::min(0.0, one)); };
+    normal = held(normal, along_normal);
+    for (int t : {0, 2}) tangential[t] = held(tangential[t], along_tangents);
   }
   /// force [N] -= what it changes by along a motion [m], both [normal, tangents].
   void yield(const double* motion, int components, double* force) const {
     force[0] -= normal * motion[0];
     for (int t = 0; t + 1 < components; ++t) {
+      force[0] -= pull[t] * motion[t + 1];
       force[t + 1] -= coupling[t] * motion[0];
       for (int u = 0; u + 1 < components; ++u) force[t + 1] -= along(t, u) * motion[u + 1];
     }
   }
 };
+
+/// Stiffness A of a law with mortar C in series: (1 + A C)^-1 A. The law holds for the motion of stones, of which a
+/// force changes the mortar's part.
+PointStiffness in_series(const PointStiffness&, const PointCompliance&, int components);
 
 /// Largest tangential force under a normal force: cohesion + mu p, never negative.
 template <class T>

@@ -36,6 +36,7 @@ WeakenedLaw weaken(const PointLaw& whole, const Softening& softening, const Join
   now.law = {whole.friction, strength_left(whole.cohesion, damage), strength_left(whole.tension, damage)};
   now.pull = now.law.tension;
   now.cohesion_per_slip = slope(whole.cohesion, softening.per_slip, wear.slipped);
+  now.pull_per_slip = slope(whole.tension, softening.per_slip, wear.slipped);
   const bool opens = gap >= before.opened;
   if (opens) now.cohesion_per_gap = slope(whole.cohesion, softening.per_opening, wear.opened);
   if (opens || before.opened == 0) {
@@ -45,6 +46,7 @@ WeakenedLaw weaken(const PointLaw& whole, const Softening& softening, const Join
   if (!std::isfinite(now.pull)) return now;
   now.pull_per_opening = now.pull / before.opened;
   now.pull = now.pull_per_opening * gap;
+  now.pull_per_slip *= gap / before.opened;
   now.law.tension = std::max(0.0, now.pull);
   return now;
 }
@@ -56,7 +58,7 @@ WeakenedLaw SofteningPoints::at(std::size_t k, double gap, double slip) const {
   const bool back = before.opened > 0 && here < before.opened, stays = !back && (held_ || here < worn);
   auto now = weaken(whole_[k], softening_[k], before, stays ? worn : here,
                     held_ ? way_[k] : std::max(way_[k], std::abs(slip)));
-  if (held_ || std::abs(slip) < way_[k]) now.cohesion_per_slip = 0;
+  if (held_ || std::abs(slip) < way_[k]) now.cohesion_per_slip = now.pull_per_slip = 0;
   if (stays) now.pull_per_opening = now.cohesion_per_gap = 0;
   return now;
 }

@@ -55,6 +55,7 @@ struct WeakenedLaw {
   PointLaw law;                  ///< with the strength that is left there
   double pull = 0;               ///< [N] force with which an open point pulls; below 0 where it would be pressed
   double pull_per_opening = 0;   ///< [N/m] its change: negative where the point softens, positive where it pulls back
+  double pull_per_slip = 0;      ///< [N/m] likewise, per length of way
   double cohesion_per_gap = 0;   ///< [N/m] change of the cohesion, not positive
   double cohesion_per_slip = 0;  ///< [N/m] likewise, per length of way
 };

@@ -78,12 +78,25 @@ void ActiveSet::set_status(int point, const PointField& lambda, const PointField
   if (status == ContactStatus::slip && turns_round(point, shear, before) && bound > 0) status = ContactStatus::stick;
   auto& r = resistance_[point];
   r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened.pull_per_opening;
-  if (status == ContactStatus::stick) r.hold(r.normal, stiffness_of(problem_, point, 1, augmentation_));
-  if (status != ContactStatus::slip) return std::fill(s, s + components_ - 1, 0.0);
-  if (!(bound > 0)) return;
-  const double by_pressure = std::isfinite(law.friction) ? law.friction * r.normal : 0.0;
-  r.slide(s, components_ - 1, by_pressure - weakened.cohesion_per_gap,
-          stiffness_of(problem_, point, 1, 1.0) * bound / shear, advance >= 0 ? weakened.cohesion_per_slip : 0.0);
+  if (status == ContactStatus::stick) r.hold(0, stiffness_of(problem_, point, 1, augmentation_));
+  if (status != ContactStatus::slip) std::fill(s, s + components_ - 1, 0.0);
+  if (status == ContactStatus::slip && bound > 0) {
+    const double friction = std::isfinite(law.friction) ? law.friction : 0.0;
+    const double pulls = closed || advance < 0 ? 0.0 : weakened.pull_per_slip;
+    r.slide(s, components_ - 1, friction * r.normal - weakened.cohesion_per_gap,
+            stiffness_of(problem_, point, 1, 1.0) * bound / shear,
+            (advance >= 0 ? weakened.cohesion_per_slip : 0.0) - friction * pulls, -pulls);
+  }
+  if (!problem_.compliance().empty()) r = in_series(r, mortar_of(point), components_);
+}
+
+/// Mortar in series with what the law gives. What resists with the local stiffness has it in series already.
+PointCompliance ActiveSet::mortar_of(int point) const {
+  if (problem_.compliance().empty()) return {};
+  auto mortar = problem_.compliance()[point];
+  if (closed_[point]) mortar.normal = 0;
+  if (!slides(point)) mortar.tangential = 0;
+  return mortar;
 }
 
 /// Makes the trial force of a slipping point its direction. No point turns round from the direction in which it slid
@@ -100,45 +113,51 @@ bool ActiveSet::turns_round(int point, double shear, const PointField& before) {
   return turn < 0;
 }
 
-/// Forces of all points at these gaps.
+/// Forces of all points at these gaps: those of the law where statuses were chosen, and their change from there.
 /// @param chosen  [m] gaps that statuses were chosen by
 void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
   target_ = lambda;
+  std::vector<double> motion(components_);
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& r = resistance_[k];
-    const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
     const std::size_t at = std::size_t(k) * components_;
     double* force = &target_[at];
-    const bool slips = std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
-    force[0] = closed_[k] ? force[0] - r.normal * motion_of(problem_, k, 0, gap_, lambda)
-                          : -laws_.at(k).pull - r.normal * (gap_[at] - chosen[at]);
-    if (slips) {
-      aim_sliding(k, s, chosen);
-    } else if (closed_[k] || r.resists_slip()) {
-      for (int c = 1; c < components_; ++c) force[c] -= r.along(c - 1, c - 1) * motion_of(problem_, k, c, gap_, lambda);
-    } else {
-      const double bound = friction_bound(laws_[k], force[0]), size = tangential_size(target_, k, components_);
-      for (int c = 1; size > bound && c < components_; ++c) force[c] *= bound / size;
+    const bool follows = aim_by_law(k, lambda, chosen);
+    const auto mortar = mortar_of(k);
+    for (int c = 0; c < components_; ++c)
+      motion[c] = gap_[at + c] - chosen[at + c] + mortar.along(c) * (force[c] - lambda[at + c]);
+    r.yield(motion.data(), components_, force);
+    if (follows) continue;
+    const double bound = friction_bound(laws_[k], force[0]), size = tangential_size(target_, k, components_);
+    const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
+    for (int c = 1; c < components_; ++c) {
+      if (slides(k))
+        force[c] = s[c - 1] * bound;
+      else if (size > bound)
+        force[c] *= bound / size;
     }
   }
 }
 
-/// Tangential force of a point that slides along s: what its cohesion is at these gaps, and friction.
-void ActiveSet::aim_sliding(int point, const double* s, const PointField& chosen) {
-  const auto weakened = laws_.at(point);
+/// Force that the law gives a point at the gaps by which its status was chosen. Whether its tangential part changes with
+/// the point's motion, or is what the bound makes of it in the end.
+bool ActiveSet::aim_by_law(int point, const PointField& lambda, const PointField& chosen) {
   const auto& r = resistance_[point];
-  const std::size_t at = std::size_t(point) * components_;
-  double* force = &target_[at];
-  auto law = weakened.law;
-  law.cohesion += closed_[point] ? 0.0 : weakened.cohesion_per_gap * (gap_[at] - chosen[at]);
-  const bool follows = r.coupling[0] != 0 || r.coupling[1] != 0;
-  const double bound = follows ? law.cohesion + law.friction * force[0] : friction_bound(law, force[0]);
-  for (int c = 1; c < components_; ++c) {
-    force[c] = s[c - 1] * bound;
-    if (weakened.cohesion_per_slip == 0) continue;
-    for (int d = 1; d < components_; ++d) force[c] -= r.along(c - 1, d - 1) * (gap_[at + d] - chosen[at + d]);
+  const auto law = laws_.at(point);
+  const double* s = &sliding_[std::size_t(point) * (components_ - 1)];
+  double* force = &target_[std::size_t(point) * components_];
+  const auto motion = [&](int c) { return motion_of(problem_, point, c, chosen, lambda); };
+  force[0] = closed_[point] ? force[0] - r.normal * motion(0) : -law.pull;
+  if (!slides(point)) {
+    if (!closed_[point] && !r.resists_slip()) return false;
+    for (int c = 1; c < components_; ++c) force[c] -= r.along(c - 1, c - 1) * motion(c);
+    return true;
   }
+  if (!r.couples()) return false;
+  const double friction = std::isfinite(law.law.friction) ? law.law.friction : 0.0;
+  for (int c = 1; c < components_; ++c) force[c] = s[c - 1] * (law.law.cohesion + friction * force[0]);
+  return true;
 }
 
 /// Residuals of x with the forces that the law admits; leaves K x - f in linear_, the gaps and those forces.
@@ -326,6 +345,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     if (use_ == ActiveSetUse::in_patch && search.size < nearest.size)
       nearest = {search.size, std::make_unique<SavedPosition>(problem_, x), admissible_};
     search.damping /= numbers_.lost;
+
     if (!(search.size <= numbers_.gained * search.best)) continue;
     search.best = search.size;
     search.last_gain = search.solves;
@@ -344,8 +364,7 @@ void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) c
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
     mine[0] += closed_[k];
-    const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
-    mine[1] += std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
+    mine[1] += slides(k);
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
   if (!narrate) return;

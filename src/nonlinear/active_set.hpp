@@ -11,6 +11,7 @@
 //          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -73,7 +74,12 @@ class ActiveSet {
   bool same_statuses(const std::vector<char>& closed, const PointField& sliding) const;
   bool turns_round(int point, double shear, const PointField& before);
   void aim(const PointField& lambda, const PointField& chosen);
-  void aim_sliding(int point, const double* s, const PointField& chosen);
+  bool aim_by_law(int point, const PointField& lambda, const PointField& chosen);
+  bool slides(int point) const {
+    const double* s = &sliding_[std::size_t(point) * (components_ - 1)];
+    return std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
+  }
+  PointCompliance mortar_of(int point) const;
   double step_length(const PointField& lambda) const;
   double accuracy_of_next(const Search&, const NewtonReport&) const;
   LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
@@ -92,7 +98,7 @@ class ActiveSet {
   const ActiveSetUse use_;
   const int components_;
   double augmentation_;
-  const double proximal_;
+  double proximal_;  ///< share of the proximal weights
   const int patience_;
   CurrentLaws laws_;
   std::vector<PointStiffness> resistance_;

@@ -195,7 +195,6 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
     if (measure(x, lambda, report) <= tolerance ||
         try_active_set(x, lambda, tolerance, nullptr, near, report) == ActiveSetEnd::arrived) {
       report.outcome = NewtonOutcome::converged;
-      forget_the_way(x, lambda, tolerance, report);
       break;
     }
   }
@@ -204,6 +203,7 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
 
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
   NewtonReport report;
+  if (holds_strength_) problem_.softening()->hold(true);
   if (!anything_selected(problem_)) {
     solve_linear(x, lambda, tolerance, report);
   } else if (measure(x, lambda, report) <= tolerance) {
@@ -216,18 +216,20 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
       fast_ = {};
     } else {
       if (fast) fast_.offered = end == ActiveSetEnd::circled;
-      if (problem_.softening())
+      if (problem_.softening() && !holds_strength_)
         wear_down(x, lambda, tolerance, known_gap, report);
       else
         go_the_ways(x, lambda, tolerance, known_gap, report);
     }
   }
   if (report.outcome == NewtonOutcome::converged) {
+    if (problem_.softening() && !holds_strength_) forget_the_way(x, lambda, tolerance, report);
     measure(x, lambda, report);
   } else if (report.failed_solves > 0) {
     report.reason += "; " + std::to_string(report.failed_solves) + " of " + std::to_string(report.newton_iterations) +
                      " linear solves failed, at last as " + report.failure;
   }
+  if (holds_strength_) problem_.softening()->hold(false);
   return report;
 }
 

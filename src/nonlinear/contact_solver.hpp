@@ -24,6 +24,9 @@ class ContactSolver {
   /// Called after each linear solve; may be empty.
   std::function<void(const NewtonProgress&)> narrate;
 
+  /// Strength stays as it is wherever points open or slip to: what is found only shows where joints are overloaded.
+  void hold_strength() { holds_strength_ = problem_.softening() != nullptr; }
+
   /// Solves from x (held unknowns already at their prescribed values) and contact forces lambda [N].
   /// @param tolerance  Karush-Kuhn-Tucker residual relative to the largest force; may be looser than the parameters'
   /// @param known_gap  gaps of a state in equilibrium with lambda that supports and loads have left; may be null
@@ -60,6 +63,7 @@ class ContactSolver {
   NewtonParameters parameters_;
   MethodParameters methods_;
   FastWay& fast_;
+  bool holds_strength_ = false;
   Teuchos::RCP<TpetraVector> mechanism_;
 };
 

@@ -82,8 +82,8 @@ void Patch::add(const PatchPoint& p, const PointStiffness& d, LocalCsr& to) cons
     for (int j = 0; j < 4; ++j) {
       if (p.unknown[i] < 0 || p.unknown[j] < 0) continue;
       const double normal = share(p, j, 0), tangential = share(p, j, 1);
-      entry(to, p.unknown[i], p.unknown[j]) +=
-          share(p, i, 0) * d.normal * normal + share(p, i, 1) * (d.along(0, 0) * tangential + d.coupling[0] * normal);
+      entry(to, p.unknown[i], p.unknown[j]) += share(p, i, 0) * (d.normal * normal + d.pull[0] * tangential) +
+                                               share(p, i, 1) * (d.along(0, 0) * tangential + d.coupling[0] * normal);
     }
 }
 

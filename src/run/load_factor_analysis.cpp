@@ -137,7 +137,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
-    for (const auto& w : warnings_of(report, end.when))
+    for (const auto& w : warnings_of(report, run.model.scene().internals.step, end.when))
       if (run.recorder.warn(w)) run.narrator.warn(w);
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);

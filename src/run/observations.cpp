@@ -7,11 +7,15 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
+#include "linalg/reduce.hpp"
 #include "loads/loads.hpp"
+#include "run/support_reactions.hpp"
 #include "step/scene_fit.hpp"
 
 namespace voussoir {
 namespace {
+
+using Place = ObservationParameters::Place;
 
 constexpr const char* axis[] = {"x", "y", "z"};
 
@@ -46,43 +50,86 @@ std::vector<std::pair<int, double>> mean_of(const Structure<dim>& s, const std::
   return weights;
 }
 
+/// Of the edges of a support.
+std::vector<std::pair<int, double>> mean_of(const Structure<2>& s, const std::vector<HeldNode>& held) {
+  double mine = 0;
+  for (const auto& h : held) mine += h.length;
+  const double all = total_over_ranks(*s.comm(), mine);
+  std::vector<std::pair<int, double>> weights;
+  for (const auto& h : held) weights.emplace_back(h.node, h.length / all);
+  return weights;
+}
+
+std::size_t index_of(const Scene& scene, const std::string& support) {
+  std::size_t k = 0;
+  while (scene.supports[k].name != support) ++k;  // the check of the scene has found it
+  return k;
+}
+
+/// Nodes of this rank with their weights.
+template <int dim>
+std::vector<std::pair<int, double>> motion_of(const Scene& scene, const std::string& name,
+                                              const ObservationParameters& p, const BlockSource<dim>& source,
+                                              const Structure<dim>& s, const std::vector<std::vector<HeldNode>>& held) {
+  if (p.place == Place::support) return mean_of(s, held[index_of(scene, p.support)]);
+  std::vector<char> observed(s.nodes(), 0);
+  for (const auto& b : s.blocks())
+    if (in_set(source, b.mesh, p.blocks)) std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
+  if (p.place == Place::mean) return mean_of(s, observed);
+  return node_near(p, scene.file + ": scene > observations > " + name, s, observed);
+}
+
 }  // namespace
 
 template <int dim>
 Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& s)
     : comm_(s.comm()) {
-  for (const auto& stage : scene.stages) in_time_ |= stage.dynamic();
+  if (scene.observations.empty()) return;
+  bool in_time = false;
+  for (const auto& stage : scene.stages) in_time |= stage.dynamic();
+  const auto held = held_nodes(scene, source, s);
   for (const auto& [name, p] : scene.observations) {
-    std::vector<char> observed(s.nodes(), 0);
-    for (const auto& b : s.blocks())
-      if (in_set(source, b.mesh, p.blocks)) std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
-    const std::string where = scene.file + ": scene > observations > " + name;
-    places_.push_back(p.place == ObservationParameters::Place::mean ? mean_of(s, observed)
-                                                                    : node_near(p, where, s, observed));
-    for (int c = 0; c < dim; ++c) columns_.push_back(std::string("u") + axis[c] + "_m of " + name);
-    for (int c = 0; c < dim && in_time_; ++c) columns_.push_back(std::string("v") + axis[c] + "_m_per_s of " + name);
+    const auto motion = motion_of(scene, name, p, source, s, held);
+    const auto add = [&, name = name](Field field, const std::string& quantity, const auto& weight) {
+      for (int c = 0; c < dim; ++c) {
+        std::string column = quantity;
+        column.insert(1, axis[c]);
+        columns_.push_back(column + " of " + name);
+        sums_.push_back({field, weight(c)});
+      }
+    };
+    const auto of_motion = [&](int c) {
+      std::vector<Weight> weights;
+      for (const auto& [node, weight] : motion) weights.push_back({dim * node + c, weight});
+      return weights;
+    };
+    add(Field::displacement, "u_m", of_motion);
+    if (in_time) add(Field::velocity, "v_m_per_s", of_motion);
+    if (p.place != Place::support) continue;
+    ask_reactions_ = true;
+    add(Field::reaction, "f_N", [&, support = index_of(scene, p.support)](int c) {
+      std::vector<Weight> weights;
+      for (const auto& h : held[support]) weights.push_back({dim * h.node + c, h.share[c]});
+      return weights;
+    });
   }
 }
 
 template <int dim>
-std::vector<double> Observations<dim>::values(const std::vector<double>& displacement,
-                                              const std::vector<double>& velocity, bool moving) const {
+std::vector<double> Observations<dim>::values(const Observed& observed) const {
+  const auto of = [&](Field f) -> const std::vector<double>& {
+    return f == Field::displacement ? observed.displacement
+           : f == Field::velocity   ? observed.velocity
+                                    : observed.reaction;
+  };
   std::vector<double> mine(columns_.size(), 0.0), all(columns_.size());
   if (columns_.empty()) return all;
-  std::size_t column = 0;
-  const auto add = [&](const std::vector<double>& field, const Weights& weights) {
-    for (int c = 0; c < dim; ++c, ++column)
-      for (const auto& [node, weight] : weights) mine[column] += weight * field[dim * node + c];
-  };
-  for (const auto& weights : places_) {
-    add(displacement, weights);
-    if (in_time_ && moving) add(velocity, weights);
-    if (in_time_ && !moving) column += dim;
-  }
+  for (std::size_t k = 0; k < sums_.size(); ++k)
+    if (const auto& field = of(sums_[k].field); !field.empty())
+      for (const auto& [at, weight] : sums_[k].weights) mine[k] += weight * field[at];
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  if (in_time_ && !moving)
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (k / dim % 2 == 1) all[k] = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < sums_.size(); ++k)
+    if (of(sums_[k].field).empty()) all[k] = std::numeric_limits<double>::quiet_NaN();
   return all;
 }
 

@@ -1,4 +1,4 @@
-// Motion at the places that a scene observes, as further columns of the history.
+// Motion at the places that a scene observes and the forces of its supports, as further columns of the history.
 #pragma once
 
 #include <string>
@@ -10,26 +10,43 @@
 
 namespace voussoir {
 
-/// Weights of owned nodes whose sum is the motion of each place: one node, or the volumes of a set of blocks.
+/// What a step leaves to be looked at.
+struct Observed {
+  const std::vector<double>& displacement;  ///< [m, dim x local node copies]
+  const std::vector<double>& velocity;      ///< [m/s, likewise]; nothing in load steps
+  const std::vector<double>& reaction;      ///< [N, likewise] of supports at held nodes; nothing where none is observed
+};
+
+/// Weights of owned nodes whose sum is the motion of each place: one node, the volumes of a set of blocks, or the edges
+/// of a support.
 template <int dim>
 class Observations {
  public:
   /// Holds nothing for a scene without observations. Collective; throws InputError on every rank when no node is near.
   Observations(const Scene&, const BlockSource<dim>&, const Structure<dim>&);
 
-  /// "ux_m of crown", ...: displacements, and velocities when the scene has stages with a duration.
+  /// "ux_m of crown", ...: displacements, and velocities when the scene has stages with a duration. Of a support also
+  /// its force on the structure, "fx_N of pier", ...
   const std::vector<std::string>& columns() const { return columns_; }
+  /// Whether a support is observed.
+  bool ask_reactions() const { return ask_reactions_; }
   /// A value per column, the same on every rank; velocities are not numbers in load steps. Collective unless empty.
-  /// @param displacement, velocity  [m, m/s, dim x local node copies]
-  /// @param moving  false in load steps, which have no velocity
-  std::vector<double> values(const std::vector<double>& displacement, const std::vector<double>& velocity,
-                             bool moving) const;
+  std::vector<double> values(const Observed&) const;
 
  private:
-  using Weights = std::vector<std::pair<int, double>>;  ///< local node, weight
-  std::vector<Weights> places_;
+  struct Weight {
+    int at;  ///< dim x local node + component
+    double weight;
+  };
+  enum class Field { displacement, velocity, reaction };
+  struct Sum {
+    Field field;
+    std::vector<Weight> weights;
+  };
+
+  std::vector<Sum> sums_;  ///< by column
   std::vector<std::string> columns_;
-  bool in_time_ = false;
+  bool ask_reactions_ = false;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
 };
 

@@ -137,7 +137,8 @@ void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& af
                            double seconds) {
   Phase phase("output");
   record_.energy.advance(book.close(after, load));
-  finish(after, report, stage, load_factor, {}, write_fields, seconds);
+  const auto reaction = observations_.ask_reactions() ? step_.residual(after, load) : std::vector<double>{};
+  finish(after, report, stage, load_factor, {}, reaction, write_fields, seconds);
 }
 
 template <int dim>
@@ -147,7 +148,7 @@ void Recorder<dim>::record(const ContactState& after, const TimeStepReport& repo
   record_.energy.advance(
       {report.elastic, report.kinetic, report.external_work, report.friction, report.fracture, report.damping}, true);
   record_.summary.time = time;
-  finish(after, report.step, stage, stage_share, time, write_fields, seconds);
+  finish(after, report.step, stage, stage_share, time, report.reaction, write_fields, seconds);
 }
 
 /// Points by status, of all ranks.
@@ -231,7 +232,8 @@ void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, do
 /// Counts, the row of the history, the sums of the run, and the fields.
 template <int dim>
 void Recorder<dim>::finish(const ContactState& after, const StepReport& report, const std::string& stage,
-                           double load_factor, std::optional<double> time, bool write_fields, double seconds) {
+                           double load_factor, std::optional<double> time, const std::vector<double>& reaction,
+                           bool write_fields, double seconds) {
   std::vector<int> status;
   for (int k = 0; k < model_.points().owned(); ++k) status.push_back(static_cast<int>(status_of(after, k)));
   count(status);
@@ -244,7 +246,7 @@ void Recorder<dim>::finish(const ContactState& after, const StepReport& report, 
   if (time) row.time = *time;
   row.largest_displacement = largest;
   row.seconds = seconds;
-  row.observed = observations_.values(u, after.velocity, time.has_value());
+  row.observed = observations_.values({u, after.velocity, reaction});
   history_->append(row);
   add_to_sums(report, load_factor, largest);
   if (write_fields) write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);

@@ -78,7 +78,7 @@ class Recorder {
   HistoryRow row_of(const StepReport&) const;
   void add_to_sums(const StepReport&, double load_factor, double largest_displacement);
   void finish(const ContactState& after, const StepReport&, const std::string& stage, double load_factor,
-              std::optional<double> time, bool write_fields, double seconds);
+              std::optional<double> time, const std::vector<double>& reaction, bool write_fields, double seconds);
 
   const Model<dim>& model_;
   const AdaptiveStep<dim>& step_;

@@ -1,5 +1,6 @@
 #include "run/run.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
@@ -141,8 +142,7 @@ bool Run::load_step(const ContactState& before) {
   Teuchos::Time clock("step", true);
   const LoadStepBook<2> book(model_, step_, before, load_);
   theorem_.begin(construction_.absent(), before, load_, next_load, steps_.target() == 1);
-  const auto report = theorem_.solve(step_, model_, state_, prescribed);
-  const double seconds = clock.totalElapsedTime(true);
+  auto report = theorem_.solve(step_, model_, state_, prescribed);
   const std::string stage = steps_.stage();
   const double target = steps_.target();
   if (report.newton.outcome != NewtonOutcome::converged) {
@@ -153,16 +153,41 @@ bool Run::load_step(const ContactState& before) {
       failure_ = Failure{failed, report, step_.mechanism(), target};
     const bool same = half_asks_the_same(model_, construction_, steps_, before, next_load, prescribed);
     if (!same && steps_.halve()) return true;
-    return fail(*failure_, target);
+    if (!pass_in_time({load_, next_load, prescribed}, at_factor(stage, target), report)) return fail(*failure_, target);
+  } else if (jumped(report, model_.scene().internals.step) && steps_.halve()) {
+    narrator_->say("  Cracks grow in a jump: tried again with half the step.");
+    state_ = before;
+    go_back(model_, before);
+    return true;
   }
+  const double seconds = clock.totalElapsedTime(true);
   if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
-  for (const auto& w : warnings_of(report, at_factor(stage, target))) warn(w);
+  for (const auto& w : warnings_of(report, model_.scene().internals.step, at_factor(stage, target))) warn(w);
   failure_.reset();
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
   steps_.accept();
   recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
   narrator_->end(report, recorder_->status(), seconds, summary);
   load_ = next_load;
+  return true;
+}
+
+bool Run::pass_in_time(const LoadIncrement& increment, const std::string& when, StepReport& report) {
+  if (!model_.weakens() || failure_->collapse() || !can_settle_in_time(model_)) return false;
+  narrator_->say("  Statics leads nowhere: let go in time.");
+  auto settled = settle_in_time(model_, step_, state_, increment, std::numeric_limits<int>::max());
+  if (settled.verdict == Verdict::undecided) return false;
+  if (settled.verdict == Verdict::collapse) {
+    report.newton.outcome = NewtonOutcome::collapse;
+    report.newton.reason = "let go under these loads it moves on with growing speed, as seen in time";
+    settled.state.velocity.clear();
+    failure_ = Failure{std::move(settled.state), report, std::move(settled.mechanism), steps_.target()};
+    return false;
+  }
+  state_ = std::move(settled.state);
+  report = settled.report;
+  report.newton.newton_iterations = settled.solves;
+  for (const auto& w : passed_in_time(settled.time, when)) warn(w);
   return true;
 }
 
@@ -189,7 +214,7 @@ bool Run::time_step(const ContactState& before) {
   }
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
-  for (const auto& w : warnings_of(report.step, at_time(stage, time))) warn(w);
+  for (const auto& w : warnings_of(report.step, model_.scene().internals.step, at_time(stage, time))) warn(w);
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
   const double duration = steps_.stage_parameters().duration;
   steps_.accept();

@@ -17,6 +17,7 @@
 #include "run/range_check.hpp"
 #include "run/recorder.hpp"
 #include "run/saved_run.hpp"
+#include "run/settling_in_time.hpp"
 #include "run/simulation.hpp"
 #include "run/static_theorem.hpp"
 #include "step/construction.hpp"
@@ -64,6 +65,10 @@ class Run {
 
   /// False when the run ends here.
   bool load_step(const ContactState& before);
+
+  /// A load step that nothing in statics leads through: let go in time, joints that lose strength may come to rest
+  /// elsewhere. Where they do, state and report are those of the equilibrium there.
+  bool pass_in_time(const LoadIncrement&, const std::string& when, StepReport&);
 
   /// False when the run ends here.
   bool time_step(const ContactState& before);

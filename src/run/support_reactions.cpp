@@ -31,29 +31,39 @@ std::vector<double> edges_at_nodes(const Structure<2>& s, const FacetSet& facets
 
 }  // namespace
 
-std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, const std::vector<double>& residual) {
-  const auto& s = model.structure();
-  const auto& supports = model.scene().supports;
+std::vector<std::vector<HeldNode>> held_nodes(const Scene& scene, const BlockSource<2>& source, const Structure<2>& s) {
   std::vector<std::vector<double>> edges;
   std::vector<double> edges_of_all(2 * s.nodes(), 0.0);  // that hold a component
-  for (const auto& [name, support] : supports) {
-    edges.push_back(edges_at_nodes(s, facet_set(model.source(), {support.on, support.blocks})));
+  for (const auto& [name, support] : scene.supports) {
+    edges.push_back(edges_at_nodes(s, facet_set(source, {support.on, support.blocks})));
     for (std::size_t i = 0; i < edges_of_all.size(); ++i)
       if (holds(support, static_cast<int>(i % 2))) edges_of_all[i] += edges.back()[i / 2];
   }
+  std::vector<std::vector<HeldNode>> held(edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int node = 0; node < s.owned_nodes(); ++node) {
+      if (!(edges[k][node] > 0)) continue;
+      HeldNode here{node, edges[k][node], {}};
+      for (int c = 0; c < 2; ++c)
+        if (holds(scene.supports[k].parameters, c)) here.share[c] = edges[k][node] / edges_of_all[2 * node + c];
+      held[k].push_back(here);
+    }
+  return held;
+}
+
+std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, const std::vector<double>& residual) {
+  const auto& s = model.structure();
+  const auto& supports = model.scene().supports;
+  const auto held = held_nodes(model.scene(), model.source(), s);
   const auto origin = s.middle();  // moments about it keep their digits wherever the structure stands
   std::map<std::string, ReactionSummary> found;
   double largest = 0;
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const auto& support = supports[k].parameters;
+  for (std::size_t k = 0; k < held.size(); ++k) {
     // Number of nodes, sums of their places, their forces, and the moment of these.
     std::array<double, 6> mine{}, all{};
-    for (int node = 0; node < s.owned_nodes(); ++node) {
-      if (!(edges[k][node] > 0)) continue;
+    for (const auto& [node, length, share] : held[k]) {
       const auto x = s.position()[node] - origin;
-      Vector<2> force{};
-      for (int c = 0; c < 2; ++c)
-        if (holds(support, c)) force[c] = residual[2 * node + c] * (edges[k][node] / edges_of_all[2 * node + c]);
+      const Vector<2> force{residual[2 * node] * share[0], residual[2 * node + 1] * share[1]};
       mine = mine + std::array<double, 6>{1, x[0], x[1], force[0], force[1], cross(x, force)};
     }
     Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());

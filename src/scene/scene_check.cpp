@@ -130,15 +130,17 @@ void check_loads(Scene& scene) {
 
 void check_supports(Scene& scene, InputProblems& problems) {
   const std::vector<std::string> supports = names_of(scene.supports);
-  for (const LoadParameters& load : scene.loads) {
-    const auto* settlement = load_as<SettlementParameters>(load);
-    if (!settlement) continue;
-    const std::string path = "scene > loads > " + load.name + " > support", &name = settlement->support;
-    if (name.empty() || problems.concern(path)) continue;
-    if (!supports.empty() && std::find(supports.begin(), supports.end(), name) == supports.end())
-      problems.add(path, " = " + in_quotes(name) + "\n  is no support of this scene" + did_you_mean(name, supports) +
-                             ".\n  Supports: " + list_of(supports) + ".");
-  }
+  const auto look_up = [&](const std::string& path, const std::string& name) {
+    if (name.empty() || problems.concern(path)) return;
+    if (std::find(supports.begin(), supports.end(), name) != supports.end()) return;
+    problems.add(path, " = " + in_quotes(name) + "\n  is no support of this scene" + did_you_mean(name, supports) +
+                           ".\n  " + (supports.empty() ? "It has none." : "Supports: " + list_of(supports) + "."));
+  };
+  for (const LoadParameters& load : scene.loads)
+    if (const auto* settlement = load_as<SettlementParameters>(load))
+      look_up("scene > loads > " + load.name + " > support", settlement->support);
+  for (const auto& o : scene.observations)
+    look_up("scene > observations > " + o.name + " > support", o.parameters.support);
   std::set<std::pair<std::string, std::string>> held;
   for (const auto& support : scene.supports)
     if (!held.insert({support.parameters.on, support.parameters.blocks}).second)

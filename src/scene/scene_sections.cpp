@@ -67,7 +67,8 @@ void declare(Scene& scene, ParameterSection& section) {
   section.add_section("newton", scene.newton, "accuracy of the nonlinear loop");
   section.add_section("preconditioner", scene.preconditioner, "parts of the preconditioner");
   section.add_section("solver", scene.solver, "linear solver");
-  add_family(section, "observations", "places whose motion is written to history.csv step by step", "crown",
+  add_family(section, "observations",
+             "places whose motion, and supports whose force, is written to history.csv step by step", "crown",
              scene.observations, its_parameters);
   section.add_section("output", scene.output, "what a run leaves behind");
 }

@@ -186,7 +186,8 @@ double DynamicStep<dim>::book(const ContactState& mid, const ContactState& befor
                               const std::vector<double>& effective, TimeStepReport& report) const {
   const auto& s = at_rest_.structure();
   const auto& w = mid.displacement;
-  const auto reaction = step_->residual(mid, effective);
+  report.reaction = step_->residual(mid, effective);
+  const auto& reaction = report.reaction;
   std::vector<double> mw, kw;
   mass_.apply_stiffness(w, mw);
   s.apply_stiffness(w, kw);

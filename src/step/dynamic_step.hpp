@@ -19,6 +19,8 @@ struct TimeStepReport {
   /// [J] of this step: work of loads and moved supports; losses
   double external_work = 0, friction = 0, fracture = 0, damping = 0;
   double error = 0;  ///< [-] of the time step, relative, energy norm
+  /// [N] of supports at held nodes, the mean of the step; else zero to tolerance
+  std::vector<double> reaction;
 };
 
 /// On anything but convergence the state after is that of the last attempt.

@@ -67,14 +67,19 @@ double held_by_joints(const Model<dim>& model, const ContactState& state) {
 }
 
 Warnings lost_on_the_way(double damage, const std::string& when) {
-  constexpr double worth_saying = 0.01;  // of the strength: what a mesh costs anyway
-  if (damage < worth_saying) return {};
   return {
       {"lost_on_the_way", "the structure", when, damage,
        "no equilibrium was found that follows from the last one while cracks grow little by little: a joint has lost " +
            number_text(damage) +
            " of its strength more than where it stands now asks for, as in a jump; take more increments if where "
            "cracks run matters"}};
+}
+
+Warnings passed_in_time(double seconds, const std::string& when) {
+  return {{"passed_in_time", "the structure", when, seconds,
+           "no equilibrium was found that follows from the last one in statics: let go in time, with inertia and with "
+           "damping that grows with stiffness, the structure came to rest within " +
+               number_text(seconds) + " s; what its joints lost on that way they lost in motion"}};
 }
 
 template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);

@@ -70,6 +70,9 @@ double held_by_joints(const Model<dim>&, const ContactState&);
 /// none.
 /// @param damage  [-] beyond that of the state, at the point where it is most
 Warnings lost_on_the_way(double damage, const std::string& when);
+/// What is said of a load step that nothing in statics leads through: the structure was let go in time.
+/// @param seconds  until it came to rest
+Warnings passed_in_time(double seconds, const std::string& when);
 
 extern template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
 extern template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,

@@ -79,11 +79,12 @@ SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& stat
   hope_.wanted = looks_first() ? std::max(tolerance_, numbers_.first_look) : tolerance_;
 }
 
-/// Joints as worn as at the start of the step. A time step looks at its middle: there the mean of a force is met that
-/// falls along it.
+/// Joints as worn as at the start of the step, in load steps by what the rounds before have come to: the solver gives
+/// that back once it has arrived. A time step looks at its middle: there the mean of a force is met that falls along it.
 template <int dim>
 SofteningPoints* SelectionLoop<dim>::softening() {
   if (!model_.weakens()) return nullptr;
+  if (softening_ && !in_time()) return &*softening_;
   softening_.emplace(model_.law(), model_.softening(), before_.opened, before_.slipped,
                      in_time() ? model_.initial_gap() : std::vector<double>());
   return &*softening_;
@@ -165,6 +166,9 @@ bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
       tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
   ContactSolver newton(problem, way_of_solving(), model_.scene().internals.methods, state_.fast_way);
   newton.narrate = [this](const NewtonProgress& solve) { progress_.solved(solve); };
+  const bool looks = hope_.wanted > tolerance_ && !in_time() && !cracks_;
+  if (looks) newton.hold_strength();
+  cracks_ = !looks;
   const auto x = problem.unknowns(state_.displacement);
   {
     Phase phase("contact");
@@ -177,7 +181,7 @@ bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
     problem.space().scatter(newton.mechanism(), mechanism_);
     return false;
   }
-  keep_wear(problem);
+  if (!looks) keep_wear(problem);
   seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;
@@ -206,6 +210,7 @@ bool SelectionLoop<dim>::resolve_all() {
   state_.displacement = displacement_;
   state_.lambda = lambda_;
   state_.fast_way = before_.fast_way;
+  softening_.reset();
   release_all(model_, law_, state_);
   hope_.wanted = tolerance_;
   hope_.from_before = report_.selection_rounds == 0;

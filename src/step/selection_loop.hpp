@@ -122,6 +122,7 @@ class SelectionLoop {
   const long long selected_before_;
   const PointField known_gap_;  ///< [m] before
   std::optional<SofteningPoints> softening_;
+  bool cracks_ = false;  ///< joints have lost strength in this step: rounds that only look hold it
   ContactState& state_;
   std::vector<double> displacement_;  ///< [m] and forces [N] of the last solution of this step
   PointField lambda_;

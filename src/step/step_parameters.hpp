@@ -27,7 +27,8 @@ struct StepParameters {
   double beyond_mortar = 10;   ///< times the stiffness of mortar that the local stiffness is at least
   double beyond_stone = 100;   ///< times the stiffness of stones that this may be at most
   double steepest_softening = 0.25;  ///< of the stiffness a point sees, with which a joint softens at most
-  double negligible_turn = 1e-4;     ///< [rad] turn of stones that is followed no further
+  double jump = 0.01;  ///< of its strength that a joint has lost beyond what its state asks for: cracks grew in a jump
+  double negligible_turn = 1e-4;  ///< [rad] turn of stones that is followed no further
   /// [-] beyond which errors are all the same, where nothing would be left under load: what is reported is bounded
   static constexpr double largest_error = 100;
   /// of the tolerance that round-off of displacements may make: what a residual does not show

@@ -1,5 +1,6 @@
 """What the tests of joints that soften share: runs, and what their contact points carry after every step."""
 
+import csv
 import pathlib
 import sys
 
@@ -36,7 +37,7 @@ def run(name, scene, *settings, ranks=1):
 
 class Steps:
     """Contact points of a run: position [m], normal, area [m2]; after each step, one row each, gap and slip [m], pressure and shear
-    [Pa], damage [-]."""
+    [Pa], damage [-]; the rows of history.csv."""
 
     def __init__(self, folder):
         with h5py.File(folder / "fields.h5") as file:
@@ -46,6 +47,8 @@ class Steps:
             self.gap, self.slip, normal, tangential, self.damage = (
                 np.array([step["joint_" + key][()] for step in steps])
                 for key in ("gap_m", "slip_m", "normal_force_N", "tangential_force_N", "damage"))
+        with open(folder / "history.csv", encoding="utf-8", newline="") as file:
+            self.history = list(csv.DictReader(file))
         self.pressure, self.shear = normal / self.area, tangential / self.area
 
     def lost_beyond_states(self, law, strength=1.0):

@@ -41,6 +41,7 @@ class Curve:
         self.way = steps.displacement[:, :, 0].max(axis=1)  # [m] of the beam, which nothing passes
         self.way[0] = 0.0
         self.force, self.weight = (np.abs(t[:, bed] @ steps.area[bed]) for t in (steps.shear, steps.pressure))  # [N]
+        self.pushed = np.array([[float(row[key + " of jack"]) for key in ("ux_m", "fx_N", "fy_N")] for row in steps.history])
         print(f"{settings}: {result['linear_solves']} solves, largest up to 1.2 mm {self.at(1.2e-3, most=True):.0f} N")
 
     def at(self, way, most=False):
@@ -57,6 +58,12 @@ class EindhovenWall(unittest.TestCase):
         self.assertLess(abs(self.curve.weight[0] / (0.30e6 * AREA) - 1), 1e-3)
         # The bond is no mirror image of itself: pressing shears it a little.
         self.assertLess(self.curve.force[0], 1e-4 * self.curve.weight[0])
+
+    def test_the_jack_bears_what_passes_the_lowest_bed(self):
+        way, push, weight = self.curve.pushed.T
+        np.testing.assert_allclose(way, self.curve.way, atol=1e-12)
+        np.testing.assert_allclose(push[1:], self.curve.force[1:], rtol=1e-6)
+        np.testing.assert_allclose(-weight, self.curve.weight, rtol=1e-6)
 
     def test_it_begins_as_stiff_as_a_wall_of_bricks_and_beds(self):
         shear = 5 / 6 * MODULUS / 2 / (1 + POISSON) * AREA / HEIGHT

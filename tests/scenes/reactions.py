@@ -6,11 +6,15 @@ Set-up    A stone on a bed whose floor and wall are supports that share a corner
           and the wall x, as on rollers; both hold x and y; a third holds one point of the top. The floor settles.
 Expected  Rollers: the floor bears the weight and nothing sideways, the wall nothing, or what pushes sideways. Whatever is
           shared, the sums are weight and push, and no order of names changes what a support bears.
+          Supports that a scene observes show, step by step, their way and that force; in time the mean of a step, whose sum
+          over time is what weight and momentum leave.
 Tolerance 1e-8 of the weight, the tolerance of the solver.
 """
 
+import csv
 import itertools
 import pathlib
+import subprocess
 import sys
 import unittest
 
@@ -35,6 +39,17 @@ class Reactions(unittest.TestCase):
         (folder / "scene").mkdir(parents=True)
         result = run_scene(PROGRAM, MPIEXEC, folder / "run", scenes.write(made, folder / "scene"), ranks=ranks)
         return result["statics"]["reactions"], result["warnings"]
+
+    def observed(self, name, supports, stages, ranks=1, **more):
+        """Rows of the history with the supports observed, and the reactions at the end."""
+        loads = {"push": {"type": "acceleration", "ax": 0.5}, "sink": {"type": "settlement", "support": "floor", "uy": -1e-3}}
+        made = scenes.scene(grid(1, 2, 1.0, 0.5, 0.25), loads=loads, supports=supports, stages=stages, **more)
+        made["observations"] = {**{k: {"place": "support", "support": k} for k in supports}, "all": {"place": "mean"}}
+        folder = empty(f"reactions/{name}")
+        (folder / "scene").mkdir(parents=True)
+        result = run_scene(PROGRAM, MPIEXEC, folder / "run", scenes.write(made, folder / "scene"), ranks=ranks)
+        with open(folder / "run" / "history.csv", encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file)), result.get("statics", {}).get("reactions")
 
     def close(self, one, other):
         self.assertLess(abs(one - other), 1e-8 * WEIGHT)
@@ -73,6 +88,54 @@ class Reactions(unittest.TestCase):
         self.assertEqual([(w["what"], w["how_much"]) for w in warnings], [("supports_part", 1)])
         self.assertIn('"floor"', warnings[0]["text"])
         self.assertIn('"wall"', warnings[0]["text"])
+
+    def test_observed_supports_show_way_and_force_of_every_step(self):
+        supports = {"floor": {"on": "ground", "components": "y"}, "wall": {"on": "left", "components": "x"}}
+        stages = {"all": {"increments": 4, "loads": {"weight": 1.0, "push": 1.0, "sink": 1.0}}}
+        for ranks in (1, 2, 4):
+            rows, reactions = self.observed(f"steps {ranks}", supports, stages, ranks)
+            self.assertEqual(len(rows), 4)
+            for k, row in enumerate(rows):
+                share = (k + 1) / 4
+                self.close(float(row["fy_N of floor"]), share * WEIGHT)
+                self.close(float(row["fx_N of wall"]), -share * 0.5 / 9.81 * WEIGHT)
+                self.close(float(row["fx_N of floor"]), 0)
+                self.assertAlmostEqual(float(row["uy_m of floor"]), -1e-3 * share, delta=1e-15)
+            for name in supports:
+                for axis in "xy":
+                    self.close(float(rows[-1][f"f{axis}_N of {name}"]), reactions[name][f"{axis}_N"])
+
+    def test_forces_in_time_are_what_weight_and_momentum_leave(self):
+        supports = {"floor": {"on": "ground"}}
+        stages = {"shaken": {"duration": 0.05, "time step": 1e-3, "at once": True, "loads": {"weight": 1.0, "push": 1.0}}}
+        rows, _ = self.observed("time", supports, stages, 2)
+        mass, before, time, impulse = WEIGHT / 9.81, {"x": 0.0, "y": 0.0}, 0.0, {"x": 0.0, "y": 0.0}
+        largest = 0.0
+        for row in rows:
+            step = float(row["time_s"]) - time
+            time += step
+            for axis, load in (("x", 0.5 * mass), ("y", -WEIGHT)):
+                force, speed = float(row[f"f{axis}_N of floor"]), float(row[f"v{axis}_m_per_s of all"])
+                largest = max(largest, abs(speed - before[axis]) * mass / step)
+                impulse[axis] += (force + load) * step
+                self.assertLess(abs(impulse[axis] - mass * speed), 1e-7 * WEIGHT * time)
+                before[axis] = speed
+        self.assertGreater(largest, 0.1 * WEIGHT)  # it is shaken
+
+    def test_a_support_that_is_none_is_refused(self):
+        made = scenes.scene(grid(1, 2, 1.0, 0.5, 0.25), supports={"floor": {"on": "ground"}},
+                            stages={"all": {"loads": {"weight": 1.0}}})
+        for place, pieces in (({"place": "support", "support": "flor"}, ("observations > a > support", "'flor'", "'floor'")),
+                              ({"place": "support"}, ("observations > a > support", "missing")),
+                              ({"support": "floor"}, ("observations > a > support", "place"))):
+            made["observations"] = {"a": place}
+            folder = empty("reactions/refused")
+            (folder / "scene").mkdir(parents=True)
+            done = subprocess.run([PROGRAM, f"--xml={scenes.write(made, folder / 'scene')}", f"--out={folder / 'run'}"],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 2)
+            for piece in pieces:
+                self.assertIn(piece.replace("'", ""), done.stderr.replace("'", "").replace('"', ""))
 
 
 if __name__ == "__main__":

@@ -191,4 +191,24 @@ TEUCHOS_UNIT_TEST(PointStiffness, IsTheDerivativeOfAForceThatSlides) {
   }
 }
 
+// The force of a law A changes by -A times what stones move, which is the whole motion and what mortar C gives way.
+TEUCHOS_UNIT_TEST(PointStiffness, WithMortarInSeriesIsThatOfWhatStonesMove) {
+  std::mt19937 chance(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const int components : {2, 3})
+    for (int k = 0; k < 50; ++k) {
+      const double turn = 3 * number(chance), s[] = {components == 2 ? 1.0 : std::cos(turn), std::sin(turn)};
+      PointStiffness law;
+      law.normal = -2 + number(chance);
+      law.slide(s, components - 1, number(chance), 3 + number(chance), -1 + number(chance), number(chance));
+      const PointCompliance bed{0.1, 0.2};
+      const double motion[] = {number(chance), number(chance), number(chance)};
+      double change[] = {0, 0, 0}, by_law[] = {0, 0, 0}, of_stones[3];
+      in_series(law, bed, components).yield(motion, components, change);
+      for (int c = 0; c < components; ++c) of_stones[c] = motion[c] + bed.along(c) * change[c];
+      law.yield(of_stones, components, by_law);
+      for (int c = 0; c < components; ++c) TEST_COMPARE(std::abs(by_law[c] - change[c]), <=, 1e-13);
+    }
+}
+
 }  // namespace

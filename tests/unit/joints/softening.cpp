@@ -80,6 +80,7 @@ TEUCHOS_UNIT_TEST(Softening, SlopesAreThoseOfTheFormula) {
             TEST_COMPARE(std::abs(slope - (more - less) / (2 * h)), <=, 1e-5 * (std::abs(slope) + 1e6));
           };
           close(now.pull_per_opening, at(gap + h, slip).pull, at(gap - h, slip).pull);
+          close(now.pull_per_slip, at(gap, slip + h).pull, at(gap, slip - h).pull);
           close(now.cohesion_per_gap, at(gap + h, slip).law.cohesion, at(gap - h, slip).law.cohesion);
           close(now.cohesion_per_slip, at(gap, slip + h).law.cohesion, at(gap, slip - h).law.cohesion);
         }
@@ -114,6 +115,10 @@ TEUCHOS_UNIT_TEST(Softening, StiffnessThatFallsIsNoSpring) {
   TEST_ASSERT(!across.softens() && across.springs().tangential == across.tangential);
   PointStiffness opens(-4.0, 7.0);
   TEST_ASSERT(opens.softens() && opens.springs().normal == 0 && opens.springs().along(0, 0) == 7.0);
+  // What damps a point that softens does so beside it, however little that is.
+  opens.hold(0.5, 9.0);
+  TEST_EQUALITY(opens.normal, -3.5);
+  TEST_EQUALITY(opens.along(0, 0), 9.0);
 }
 
 /// One point of the mortar above, with a stiffness of 1e10 N/m.

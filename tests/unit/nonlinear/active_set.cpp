@@ -1,9 +1,11 @@
 // What active sets do with a solve that makes things worse, a slider that flies, of whose push friction bears 30 N; and
-// with forces that creep from one point to another.
+// with forces that creep from one point to another; and that mortar which loses strength as it opens and slips is solved
+// as fast as Newton's method is.
 #include "nonlinear/active_set.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "linalg/local_view.hpp"
 #include "unit/nonlinear/slider.hpp"
@@ -75,6 +77,48 @@ TEUCHOS_UNIT_TEST(ActiveSet, SendsForcesThatCreepToWhereAPointOpens) {
   TEST_FLOATING_EQUALITY(lambda[2], weight, 1e-6);
   // 0.1 N a solve without, 10 N with.
   TEST_COMPARE(report.newton_iterations, <=, 10);
+}
+
+/// The node of the slider, mortared to the ground and held by springs along and across it, is pulled off obliquely.
+class Mortared : public Patch {
+ public:
+  static constexpr double strength = 50, cohesion = 100, up = 80, along = 90, compliance = 1e-4;  // [N, m/N]
+  Mortared(bool exponential, bool springs)
+      : Patch(parts(springs)), softens_(1, Softening{5, 2, exponential}), points_(law(), softens_, {0}, none_) {}
+  SofteningPoints* softening() const override { return &points_; }
+
+ private:
+  static PatchParts parts(bool springs) {
+    auto parts = parts_of_slider(0);
+    parts.imbalance = {-along, -up};
+    parts.proximal_weight = {0, 0};
+    parts.stiffness = {{0, 0, spring}, {1, 1, spring}};
+    parts.points[0].law = {0.6, cohesion, strength};
+    if (springs) parts.points[0].compliance = {compliance, compliance};
+    return parts;
+  }
+  std::vector<Softening> softens_;  ///< a quarter as steep as the springs
+  std::vector<double> none_{0};
+  mutable SofteningPoints points_;
+};
+
+TEUCHOS_UNIT_TEST(ActiveSet, FollowsStrengthThatFallsAsFastAsNewtonsMethod) {
+  for (const bool exponential : {false, true})
+    for (const bool springs : {false, true}) {
+      Mortared problem(exponential, springs);
+      TpetraVector x(problem.map());
+      PointField lambda(2, 0.0);
+      NewtonReport report;
+      ActiveSet active(problem, ActiveSetUse::at_rest, MethodParameters(), ActiveSetParameters().patience);
+      TEST_ASSERT(active.solve(x, lambda, 1e-12, 30, nullptr, report) == ActiveSetEnd::arrived);
+      TEST_COMPARE(report.newton_iterations, <=, exponential ? 6 : 5);
+      const double c = springs ? Mortared::compliance : 0;
+      const double opened = local_view(x)[1] + c * lambda[0], slipped = std::abs(local_view(x)[0] - c * lambda[1]);
+      const double kappa = std::hypot(5 * opened, 2 * slipped), left = exponential ? std::exp(-kappa) : 1 - kappa / 2;
+      TEST_FLOATING_EQUALITY(lambda[0], -left * Mortared::strength, 1e-9);
+      TEST_FLOATING_EQUALITY(std::abs(lambda[1]), left * (Mortared::cohesion - 0.6 * Mortared::strength), 1e-9);
+      TEST_FLOATING_EQUALITY(spring * local_view(x)[1], Mortared::up + lambda[0], 1e-9);
+    }
 }
 
 }  // namespace
