@@ -80,14 +80,21 @@ void ActiveSet::set_status(int point, const PointField& lambda, const PointField
   r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened.pull_per_opening;
   if (status == ContactStatus::stick) r.hold(0, stiffness_of(problem_, point, 1, augmentation_));
   if (status != ContactStatus::slip) std::fill(s, s + components_ - 1, 0.0);
-  if (status == ContactStatus::slip && bound > 0) {
-    const double friction = std::isfinite(law.friction) ? law.friction : 0.0;
-    const double pulls = closed || advance < 0 ? 0.0 : weakened.pull_per_slip;
-    r.slide(s, components_ - 1, friction * r.normal - weakened.cohesion_per_gap,
-            stiffness_of(problem_, point, 1, 1.0) * bound / shear,
-            (advance >= 0 ? weakened.cohesion_per_slip : 0.0) - friction * pulls, -pulls);
-  }
+  if (status == ContactStatus::slip && bound > 0)
+    slide(point, weakened, stiffness_of(problem_, point, 1, 1.0) * bound / shear, advance >= 0);
   if (!problem_.compliance().empty()) r = in_series(r, mortar_of(point), components_);
+}
+
+/// What a sliding point's forces change by along its motions.
+/// @param across    stiffness against motion across the slip [N/m]
+/// @param advances  it slips on, so that more strength is lost
+void ActiveSet::slide(int point, const WeakenedLaw& weakened, double across, bool advances) {
+  auto& r = resistance_[point];
+  const double friction = std::isfinite(weakened.law.friction) ? weakened.law.friction : 0.0;
+  const double pulls = advances && !closed_[point] ? weakened.pull_per_slip : 0.0;
+  const double along = advances ? weakened.cohesion_per_slip : 0.0;
+  r.slide(&sliding_[std::size_t(point) * (components_ - 1)], components_ - 1,
+          friction * r.normal - weakened.cohesion_per_gap, across, along - friction * pulls, -pulls);
 }
 
 /// Mortar in series with what the law gives. What resists with the local stiffness has it in series already.
@@ -140,8 +147,8 @@ void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
   }
 }
 
-/// Force that the law gives a point at the gaps by which its status was chosen. Whether its tangential part changes with
-/// the point's motion, or is what the bound makes of it in the end.
+/// Force that the law gives a point at the gaps by which its status was chosen. Whether its tangential part changes
+/// with the point's motion, or is what the bound makes of it in the end.
 bool ActiveSet::aim_by_law(int point, const PointField& lambda, const PointField& chosen) {
   const auto& r = resistance_[point];
   const auto law = laws_.at(point);

@@ -71,6 +71,7 @@ class ActiveSet {
   bool in_time() const { return use_ == ActiveSetUse::in_time; }
   void choose(const PointField& lambda, const PointField& gap, bool in_balance);
   void set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before);
+  void slide(int point, const WeakenedLaw&, double across, bool advances);
   bool same_statuses(const std::vector<char>& closed, const PointField& sliding) const;
   bool turns_round(int point, double shear, const PointField& before);
   void aim(const PointField& lambda, const PointField& chosen);

@@ -23,9 +23,9 @@ constexpr int lengths = 10;
 // in each of the last two lengths; falling freely it grows fourfold.
 constexpr double far = 1000, growth = 2;
 constexpr int lengths_of_growth = 2;
-// Near rest kinetic energy is so small a share of the elastic one that what is left moves stones by a tenth of what loads
-// do. The midpoint rule lets stiff vibrations ring on below such a level when time steps are long; the load step that is
-// to show the equilibrium has none. Asked again when it is ten times calmer.
+// Near rest kinetic energy is so small a share of the elastic one that what is left moves stones by a tenth of what
+// loads do. The midpoint rule lets stiff vibrations ring on below such a level when time steps are long; the load step
+// that is to show the equilibrium has none. Asked again when it is ten times calmer.
 constexpr double near_rest = 1e-2, calmer = 0.1;
 // A load step from a place of rest that is an equilibrium takes dozens of linear solves.
 constexpr int solves_to_confirm = 200;

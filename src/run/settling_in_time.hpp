@@ -1,10 +1,10 @@
 // Whether a structure stands under loads at which statics finds neither an equilibrium nor a mechanism: let go from its
 // last equilibrium, with inertia and damping, it comes to rest or moves on and on.
 //
-// Loads grow and supports move slowly, over several periods of the structure, and stay. Damping is in proportion to the stiffness of the
-// stones: it takes vibrations away and leaves motions as wholes, mechanisms, alone. Time steps grow as time goes by, so
-// that a slow mechanism shows as well as a fast one. What has come to rest is shown to be an equilibrium by a load step
-// that begins there.
+// Loads grow and supports move slowly, over several periods of the structure, and stay. Damping is in proportion to the
+// stiffness of the stones: it takes vibrations away and leaves motions as wholes, mechanisms, alone. Time steps grow as
+// time goes by, so that a slow mechanism shows as well as a fast one. What has come to rest is shown to be an
+// equilibrium by a load step that begins there.
 #pragma once
 
 #include "dynamics/factor_search.hpp"

@@ -80,7 +80,8 @@ SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& stat
 }
 
 /// Joints as worn as at the start of the step, in load steps by what the rounds before have come to: the solver gives
-/// that back once it has arrived. A time step looks at its middle: there the mean of a force is met that falls along it.
+/// that back once it has arrived. A time step looks at its middle: there the mean of a force is met that falls along
+/// it.
 template <int dim>
 SofteningPoints* SelectionLoop<dim>::softening() {
   if (!model_.weakens()) return nullptr;

@@ -146,7 +146,7 @@ class Restart(unittest.TestCase):
 
     def test_a_step_that_does_not_converge_leaves_the_state_before_it(self):
         out = empty("restart/stuck")
-        few = SETTINGS + ["newton/largest iterations=10", "steps/largest halvings=0"]
+        few = SETTINGS + ["newton/largest iterations=2", "steps/largest halvings=0"]
         done = PROGRAM.run(out, settings=few)
         self.assertEqual(done.returncode, NO_CONVERGENCE)
         self.assertEqual(json.loads((out / "result.json").read_text())["outcome"], "not_converged")

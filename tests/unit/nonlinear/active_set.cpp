@@ -1,6 +1,6 @@
 // What active sets do with a solve that makes things worse, a slider that flies, of whose push friction bears 30 N; and
-// with forces that creep from one point to another; and that mortar which loses strength as it opens and slips is solved
-// as fast as Newton's method is.
+// with forces that creep from one point to another; and that mortar which loses strength as it opens and slips is
+// solved as fast as Newton's method is.
 #include "nonlinear/active_set.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
