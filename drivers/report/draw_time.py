@@ -11,6 +11,7 @@ PLACES = 6  # in one picture: more lines than that cannot be told apart
 STYLES = tuple(zip((BLUE, ORANGE, GREEN, RED, PURPLE, DARK_SKY), ("-", "--", "-.", (0, (5, 1)), (0, (1, 1)), (0, (3, 1, 1, 1)))))
 # Column of history.csv -> what of which place, as src/output/README.md says.
 OBSERVED = re.compile(r"([uvf][xy])_(?:m|m_per_s|N) of (.*)", re.DOTALL)
+ROUND_OFF = 1e-9  # of a way that stays
 SMALLEST = 1e-16  # of the largest energy: round-off, and the bottom of a logarithmic axis
 
 
@@ -122,12 +123,12 @@ def draw_places(history, places, folder):
 
 
 def draw_supports(history, places, folder):
-    """Force of each support that moves over its way, one panel per direction; None where none moves."""
+    """Force of each support that moves step by step over its way, one panel per direction; None where none does."""
     moving = {}  # direction -> name -> way [m], force [N]
     for name, values in places.items():
         for direction in "xy":
             way, force = values["u" + direction], values.get("f" + direction)
-            if force is not None and np.nanmax(np.abs(way), initial=0) > 0 and np.nanmax(np.abs(force), initial=0) > 0:
+            if force is not None and np.ptp(way) > ROUND_OFF * np.abs(way).max() and np.nanmax(np.abs(force), initial=0) > 0:
                 moving.setdefault(direction, {})[name] = way, force
     if len(history) < 2 or not moving:
         return None

@@ -119,7 +119,7 @@ def table(file):
         out.write("way_mm,force_kN,weight_kN,force_kN_80_steps,force_kN_half_the_cells\n")
         for k, way in enumerate(curves[0].way):
             forces = [curves[0].force[k], curves[0].weight[k], *(curve.at(way) for curve in curves[1:])]
-            out.write(f"{1e3 * way:.1f}," + ",".join(f"{force / 1e3:.2f}" for force in forces) + "\n")
+            out.write(f"{1e3 * way:.2f}," + ",".join(f"{force / 1e3:.2f}" for force in forces) + "\n")
 
 
 if __name__ == "__main__":
