@@ -99,7 +99,7 @@ class ActiveSet {
   const ActiveSetUse use_;
   const int components_;
   double augmentation_;
-  double proximal_;  ///< share of the proximal weights
+  const double proximal_;
   const int patience_;
   CurrentLaws laws_;
   std::vector<PointStiffness> resistance_;

@@ -87,7 +87,10 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
   if (scene.observations.empty()) return;
   bool in_time = false;
   for (const auto& stage : scene.stages) in_time |= stage.dynamic();
-  const auto held = held_nodes(scene, source, s);
+  std::vector<std::vector<HeldNode>> held;
+  if (std::any_of(scene.observations.begin(), scene.observations.end(),
+                  [](const auto& o) { return o.parameters.place == Place::support; }))
+    held = held_nodes(scene, source, s);
   for (const auto& [name, p] : scene.observations) {
     const auto motion = motion_of(scene, name, p, source, s, held);
     const auto add = [&, name = name](Field field, const std::string& quantity, const auto& weight) {

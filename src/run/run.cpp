@@ -151,10 +151,9 @@ bool Run::load_step(const ContactState& before) {
     if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target}, target);
     if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
       failure_ = Failure{failed, report, step_.mechanism(), target};
-    const bool same = half_asks_the_same(model_, construction_, steps_, before, next_load, prescribed);
-    if (!same && steps_.halve()) return true;
+    if (halve_step(before, next_load, prescribed)) return true;
     if (!pass_in_time({load_, next_load, prescribed}, at_factor(stage, target), report)) return fail(*failure_, target);
-  } else if (jumped(report, model_.scene().internals.step) && steps_.halve()) {
+  } else if (jumped(report, model_.scene().internals.step) && halve_step(before, next_load, prescribed)) {
     narrator_->say("  Cracks grow in a jump: tried again with half the step.");
     state_ = before;
     go_back(model_, before);
@@ -170,6 +169,11 @@ bool Run::load_step(const ContactState& before) {
   narrator_->end(report, recorder_->status(), seconds, summary);
   load_ = next_load;
   return true;
+}
+
+bool Run::halve_step(const ContactState& before, const std::vector<double>& load,
+                     const std::vector<double>& prescribed) {
+  return !half_asks_the_same(model_, construction_, steps_, before, load, prescribed) && steps_.halve();
 }
 
 bool Run::pass_in_time(const LoadIncrement& increment, const std::string& when, StepReport& report) {

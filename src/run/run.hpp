@@ -66,6 +66,10 @@ class Run {
   /// False when the run ends here.
   bool load_step(const ContactState& before);
 
+  /// Whether a load step is to be tried again as half of it, which would ask something else.
+  /// @param load, prescribed  at its end [N], [m]
+  bool halve_step(const ContactState& before, const std::vector<double>& load, const std::vector<double>& prescribed);
+
   /// A load step that nothing in statics leads through: let go in time, joints that lose strength may come to rest
   /// elsewhere. Where they do, state and report are those of the equilibrium there.
   bool pass_in_time(const LoadIncrement&, const std::string& when, StepReport&);

@@ -54,7 +54,7 @@ void StepParameters::declare(ParameterSection& section) {
       "force jumps, and no neighbourhood of an equilibrium is left");
   section.add("jump", jump, "-", inside(0.0, 1.0),
               "of its strength that a joint has lost beyond what its state asks for: cracks grew in a jump. Reason: no "
-              "strength is known so well, and steps that are halved for less take twice the solves");
+              "strength is known so well");
   section.add("negligible turn", negligible_turn, "rad", above(0.0),
               "turn of stones that is followed no further. Reason: moves forces by this share of a stone; the next "
               "load step makes up for it");

@@ -27,7 +27,7 @@ struct StepParameters {
   double beyond_mortar = 10;   ///< times the stiffness of mortar that the local stiffness is at least
   double beyond_stone = 100;   ///< times the stiffness of stones that this may be at most
   double steepest_softening = 0.25;  ///< of the stiffness a point sees, with which a joint softens at most
-  double jump = 0.01;  ///< of its strength that a joint has lost beyond what its state asks for: cracks grew in a jump
+  double jump = 1e-3;  ///< of its strength that a joint has lost beyond what its state asks for: cracks grew in a jump
   double negligible_turn = 1e-4;  ///< [rad] turn of stones that is followed no further
   /// [-] beyond which errors are all the same, where nothing would be left under load: what is reported is bounded
   static constexpr double largest_error = 100;

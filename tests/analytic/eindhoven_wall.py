@@ -100,7 +100,7 @@ class EindhovenWall(unittest.TestCase):
             steps = self.curve.steps if increments == 40 else Curve(f"steps/stages/pushed/increments={increments}").steps
             beyond = steps.lost_beyond_states(MORTAR)
             print(f"{increments} steps: beyond the states {beyond:.1e}")
-            self.assertLess(beyond, 0.01)  # more is a jump, which is halved
+            self.assertLess(beyond, 1e-6)
 
     def test_steps_change_little(self):
         half = Curve("steps/stages/pushed/increments=20")
