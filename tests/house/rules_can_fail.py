@@ -9,6 +9,7 @@ import format as format_rule
 import headers
 import house
 import layers
+import settings
 import sizes
 import top_level
 import words
@@ -16,6 +17,28 @@ import words
 
 def include(path, name):
     return layers.problem_of(pathlib.Path(path), name)
+
+
+class SettingsInWords(unittest.TestCase):
+    KNOWN = settings.settings_of('<ParameterList name="internals"><ParameterList name="active set">'
+                                 '<Parameter name="patience" type="int" value="8"/><Parameter name="damping" type="double" value="0.005"/>'
+                                 "</ParameterList></ParameterList>")
+
+    def problems(self, text):
+        return settings.problems_of_names("x.md", text, self.KNOWN)
+
+    def test_a_number_given_with_a_setting_is_its_value(self):
+        for right in ("after eight solves (`active set > patience`) it", "a share of 5e-3 (`active set > damping`)",
+                      "`active set > patience` (8 by default)", "12 stones, and 8 solves\n(`active\nset > patience`)",
+                      "`active set > patience` = 3 for a study", "| `active set > damping` | 7 stones |"):
+            self.assertEqual(self.problems(right), [], right)
+        for wrong in ("after ten solves (`active set > patience`) it", "a share of 1e-2 of it (`active set > damping`)",
+                      "`active set > patience` (9 by default)"):
+            self.assertEqual(len(self.problems(wrong)), 1, wrong)
+
+    def test_a_setting_exists(self):
+        self.assertEqual(len(self.problems("as `active sets > patience` says")), 1)
+        self.assertEqual(self.problems("`collapse > lower` of result.json"), [])
 
 
 class IncludesPointDown(unittest.TestCase):
