@@ -5,7 +5,8 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize
 
 from draw_common import GREY, RED, STONE, dot_entry, draw_lines, drawing, limits, line_entry, outline_width, save
 from geometry import force_text, round_number
-from statics import joint_points, resultant, ring_resultants, thrust_line
+from chains import joint_points
+from statics import chain_resultants, resultant, thrust_line
 
 PERCENTILE = 99  # of the compressive stress: above it are a few cells at the edge of a hinge
 BLUES = LinearSegmentedColormap.from_list("compression", ["#f7f7f2", "#cfdfee", "#8fbbdc", "#4a90c4", "#1b5f9e", "#08306b"])
@@ -21,7 +22,7 @@ def all_resultants(joints, step):
     return [resultant(joints, step, points, np.ones(len(points))) for points in joint_points(joints) if len(points) > 1]
 
 
-def draw_stress(mesh, joints, edges, step, rings, folder):
+def draw_stress(mesh, joints, edges, step, chains, folder):
     """Returns the path, the stress at the top of the colour scale [Pa] and the largest resultant [N]."""
     x = mesh.coordinates
     compression = np.maximum(-minor_principal(np.nan_to_num(step.stress)), 0)
@@ -38,22 +39,22 @@ def draw_stress(mesh, joints, edges, step, rings, folder):
                           cax=figure.add_axes([place.x1 + 0.015, place.y0 + (place.height - height) / 2, 0.014, height]))
     bar.set_label("compression [MPa]")
     bar.outline.set_visible(False)
-    largest = draw_resultants(figure, axes, joints, step, rings)
+    largest = draw_resultants(figure, axes, joints, step, chains)
     return save(figure, folder, "stress"), top, largest
 
 
-def draw_thrust(mesh, joints, edges, step, rings, folder, name):
+def draw_thrust(mesh, joints, edges, step, chains, folder, name):
     """Resultants and lines of thrust on the stones alone; returns the path and the largest resultant [N]."""
     x = mesh.coordinates
     figure, axes = drawing(limits(x))
     axes.add_collection(PolyCollection(x[mesh.cells], facecolors=STONE, edgecolors="none", antialiased=False))
     draw_lines(axes, x[edges], GREY, 0.6 * outline_width(mesh.blocks))
-    largest = draw_resultants(figure, axes, joints, step, rings)
+    largest = draw_resultants(figure, axes, joints, step, chains)
     return save(figure, folder, name), largest
 
 
-def draw_resultants(figure, axes, joints, step, rings):
-    """Resultants of all joints as dots, the line of thrust of every ring, and their legend; the largest resultant [N]."""
+def draw_resultants(figure, axes, joints, step, chains):
+    """Resultants of all joints as dots, the line of thrust of every chain, and their legend; the largest resultant [N]."""
     resultants = all_resultants(joints, step)
     largest = max((r.normal for r in resultants), default=0.0)
     shown = [r for r in resultants if r.normal > 1e-3 * largest]
@@ -62,9 +63,9 @@ def draw_resultants(figure, axes, joints, step, rings):
         force = np.array([r.normal for r in shown])
         axes.scatter(*np.array([r.place for r in shown]).T, s=biggest * force / largest, color=RED, linewidths=0, zorder=4,
                      alpha=0.9 if len(shown) < 300 else 0.6)
-    for ring in rings:
-        axes.plot(*thrust_line(ring_resultants(ring, joints, step)).T, "-", color=RED, lw=1.8, zorder=5)
-    draw_force_legend(figure, largest, biggest, bool(rings))
+    for chain in chains:
+        axes.plot(*thrust_line(chain_resultants(chain, joints, step)).T, "-", color=RED, lw=1.8, zorder=5)
+    draw_force_legend(figure, largest, biggest, bool(chains))
     return largest
 
 

@@ -8,6 +8,7 @@ import argparse
 import sys
 from pathlib import Path
 
+import chains
 import draw_cost
 import draw_forces
 import draw_joints
@@ -19,7 +20,7 @@ import tables
 from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
 from html_page import Page
 from read_results import OPEN, SLIP, find, is_mechanism, read_frames, read_results
-from statics import find_hinges, find_rings, ring_resultants
+from statics import chain_resultants, find_hinges
 
 # A result with holes (a table of the wrong length, say) must not take the rest of the report with it.
 DAMAGED = (ValueError, IndexError, KeyError, TypeError, AttributeError)
@@ -45,8 +46,11 @@ def add_deformed(page, results, edges, scale, folder):
     step = results.last
     picture = draw_structure.draw_deformed(results.mesh, edges, step, scale, folder)
     if is_mechanism(step):
+        dilates = (results.result.get("mechanism") or {}).get("dilates")
         page.picture(picture, "The mechanism: the motion the collapse begins with, drawn as large as it can be seen. Stones that move as one "
-                     f"stay together, joints that work open or slide. Stage “{step.stage}”, factor {step.load_factor:.4g}.")
+                     f"stay together, joints that work open or slide. Stage “{step.stage}”, factor {step.load_factor:.4g}."
+                     + (" It is the motion of slip that dilates, which proves the limit: what slides in it rises by friction times its slip, "
+                        "and the structure itself moves otherwise." if dilates else ""))
         return
     page.picture(picture,
                  f"Deformed shape at the end of step {step.number}, stage “{step.stage}”: displacements drawn {factor_text(scale)}, the largest is "
@@ -80,9 +84,9 @@ def add_motion(page, results, pieces, edges, folder):
                    "Red: open joints; thin grey: the structure as built.")
 
 
-def add_joints(page, results, pieces, edges, scale, rings, folder):
+def add_joints(page, results, pieces, edges, scale, found, folder):
     mesh, joints, step = results.mesh, results.joints, results.last
-    hinges = [h for ring, _ in rings for h in find_hinges(ring, joints, step, ring_resultants(ring, joints, step))]
+    hinges = [h for chain in found for h in find_hinges(chain, joints, step, chain_resultants(chain, joints, step))]
     page.picture(draw_joints.draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder),
                  f"Joints {'of the mechanism, openings relative to its largest motion of 1 m,' if is_mechanism(step) else ''} at step {step.number}, on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
                  f"{(step.status == OPEN).sum()} points; orange: slipping, {(step.status == SLIP).sum()} points; grey: closed. "
@@ -93,16 +97,17 @@ def add_joints(page, results, pieces, edges, scale, rings, folder):
                      f"Strength of the joints at step {step.number}: {cracked} of {len(step.damage)} contact points have cracked, "
                      f"{(step.damage > 0).sum() - cracked} soften.")
     if hinges:
-        page.part("Hinges, from the left springing to the right")
+        page.part("Hinges, from the left springing to the right or from the foot upwards")
         tables.hinge_table(page, mesh, hinges)
-    elif rings:
-        page.words("No hinge: no joint of an arch is open at one edge with its force at the other.")
+    elif found:
+        page.words("No hinge: no joint of an arch or a column is open at one edge with its force at the other.")
 
 
-def add_stress(page, results, edges, rings, folder):
+def add_stress(page, results, edges, found, folder):
     mesh, joints, step = results.mesh, results.joints, results.equilibrium
-    path, top, largest = draw_forces.draw_stress(mesh, joints, edges, step, [ring for ring, _ in rings], folder)
-    line = "Red line: line of thrust, through the resultants of the joints of each arch; where it touches an edge a hinge can form. " if rings else ""
+    path, top, largest = draw_forces.draw_stress(mesh, joints, edges, step, found, folder)
+    line = ("Red line: line of thrust, through the resultants of the joints of each arch or column; where it touches an edge a hinge can form. "
+            if found else f"{chains.NONE} ")
     page.picture(path, f"Compression in the stones (the most compressive principal stress of each cell) at step {step.number}, in MPa; the scale "
                  f"ends at {top / 1e6:.3g} MPa, which {100 - draw_forces.PERCENTILE} % of the cells exceed. {line}"
                  f"Dots: resultant of each joint, sized by its force, largest {force_text(largest)}.")
@@ -117,7 +122,7 @@ def add_selection(page, results, pieces, edges, folder):
 
 
 def add_structure_sections(page, results, folder):
-    """The pictures that need fields.h5. Returns rings with their resultants at the last step."""
+    """The pictures that need fields.h5. Returns the arches and columns that were found."""
     mesh, joints, step = results.mesh, results.joints, results.last
     edges = outline_edges(mesh)
     page.section("The structure")
@@ -126,17 +131,17 @@ def add_structure_sections(page, results, folder):
         return []
     scale = deformation_scale(mesh, step)
     pieces = JointPieces(mesh, joints, edges)
-    rings = attempt(page, "The arches", lambda: [(ring, ring_resultants(ring, joints, results.equilibrium)) for ring in find_rings(mesh, joints)]) or []
+    found = attempt(page, "The arches", chains.find_chains, mesh, joints, results.standing) or []
     attempt(page, "The deformed structure", add_deformed, page, results, edges, scale, folder)
     attempt(page, "The stages", add_stages, page, results, edges, folder)
     attempt(page, "The motion", add_motion, page, results, pieces, edges, folder)
     page.section("Joints")
-    attempt(page, "The joints", add_joints, page, results, pieces, edges, scale, rings, folder)
+    attempt(page, "The joints", add_joints, page, results, pieces, edges, scale, found, folder)
     page.section("How the load is carried")
-    attempt(page, "The stress", add_stress, page, results, edges, rings, folder)
+    attempt(page, "The stress", add_stress, page, results, edges, found, folder)
     page.section("Which joints were computed as contact")
     attempt(page, "The selection", add_selection, page, results, pieces, edges, folder)
-    return rings
+    return found
 
 
 def add_cost(page, results, folder):
@@ -184,14 +189,15 @@ def add_time(page, results, folder):
                      f"Right: what the book cannot explain{' of time steps' if in_time else ''}, at most {share:.2g} of the largest energy.")
 
 
-def add_tables(page, results, rings):
+def add_tables(page, results, found):
     page.section("Tables")
     if results.last:
-        attempt(page, "The tables of joints", tables.joint_tables, page, results.mesh, results.joints, results.equilibrium)
+        attempt(page, "The tables of joints", tables.joint_tables, page, results)
     attempt(page, "The margins of joints", tables.margin_tables, page, results)
     attempt(page, "The support reactions", tables.reaction_table, page, results)
     if results.last:
-        attempt(page, "The thrust", tables.thrust_table, page, [(ring.name, resultants) for ring, resultants in rings])
+        attempt(page, "The thrust", tables.thrust_table, page,
+                [(chain.name, chain, chain_resultants(chain, results.joints, results.equilibrium)) for chain in found])
 
 
 def add_rigid(page, results, folder):
@@ -204,12 +210,12 @@ def add_rigid(page, results, folder):
     if results.mesh:
         mesh, joints, step = results.mesh, results.joints, results.last
         edges = outline_edges(mesh)
-        rings = attempt(page, "The arches", find_rings, mesh, joints) or []
+        found = attempt(page, "The arches", chains.find_chains, mesh, joints, results.standing) or []
         page.section("The structure")
         attempt(page, "The undeformed structure", add_undeformed, page, results, edges, folder)
         if step:
             page.section("How the load is carried")
-            attempt(page, "The thrust", rigid_report.add_thrust, page, results, edges, rings, folder)
+            attempt(page, "The thrust", rigid_report.add_thrust, page, results, edges, found, folder)
         if step and is_mechanism(step):
             page.section("How it falls")
             scale = deformation_scale(mesh, step)
@@ -233,11 +239,11 @@ def make_report(folder):
     page.warnings(tables.warnings(results))
     page.figures_asked_first(tables.facts_asked_first(results))
     page.remarks(results.remarks)
-    rings = add_structure_sections(page, results, pictures) if results.mesh else []
+    found = add_structure_sections(page, results, pictures) if results.mesh else []
     attempt(page, "The load factor", tables.load_factor_section, page, results)
     attempt(page, "The course of the run", add_time, page, results, pictures)
     attempt(page, "Convergence and cost", add_cost, page, results, pictures)
-    add_tables(page, results, rings)
+    add_tables(page, results, found)
     page.write(path)
     return path
 

@@ -29,6 +29,7 @@ class Mesh:
     blocks: int
     rank_of_block: np.ndarray  # [blocks]
     sets: dict                 # name -> ascending block numbers
+    held_blocks: set           # blocks of which a support holds a node
 
 
 @dataclass
@@ -89,10 +90,19 @@ class Results:
         return self.stage_ends[-1] if self.stage_ends else None
 
     @property
+    def standing(self):
+        """The last step of every stage, without mechanisms."""
+        return [step for step in self.stage_ends if not is_mechanism(step)]
+
+    @property
     def equilibrium(self):
         """The last step that is no mechanism, where there is one."""
-        standing = [step for step in self.stage_ends if not is_mechanism(step)]
-        return standing[-1] if standing else self.last
+        return self.standing[-1] if self.standing else self.last
+
+    @property
+    def ends_in_time(self):
+        """Whether the last step took time: a load factor means nothing there."""
+        return bool(self.history) and number(self.history[-1].get("time_s")) is not None
 
 
 def is_mechanism(step):
@@ -135,17 +145,14 @@ def text(value):
 
 
 def read_sets(mesh_group, blocks):
-    """Sets by name. `block_set` is one number per block (-1: none) or a table blocks x sets of 0 and 1."""
+    """Sets by name, from a table blocks x sets of 0 and 1."""
     if "block_set" not in mesh_group or "block_set_names" not in mesh_group:
         return {}
     names = [text(n) for n in np.atleast_1d(mesh_group["block_set_names"][()])]
-    table = mesh_group["block_set"][()]
-    if table.ndim == 1:
-        members = [np.flatnonzero(table == k) for k in range(len(names))]
-    elif table.shape == (blocks, len(names)):
-        members = [np.flatnonzero(table[:, k]) for k in range(len(names))]
-    else:
-        raise ValueError(f"/mesh/block_set has shape {table.shape}, not [{blocks}] or [{blocks}, {len(names)}]")
+    table = mesh_group["block_set"][()].reshape(blocks, -1)
+    if table.shape != (blocks, len(names)):
+        raise ValueError(f"/mesh/block_set has shape {table.shape}, not [{blocks}, {len(names)}]")
+    members = [np.flatnonzero(table[:, k]) for k in range(len(names))]
     return {name: blocks_of for name, blocks_of in zip(names, members) if len(blocks_of)}
 
 
@@ -155,8 +162,9 @@ def read_mesh(file):
     block_of_node = group["block_of_node"][()].astype(int).reshape(-1)
     blocks = int(block_of_node.max()) + 1
     rank = group["rank_of_block"][()].astype(int) if "rank_of_block" in group else np.zeros(blocks, int)
+    held = group["held"][()].reshape(-1) > 0 if "held" in group else np.zeros(len(block_of_node), bool)
     return Mesh(group["coordinates"][:, :2], group["cells"][()].astype(int), block_of_cell, blocks, rank,
-                read_sets(group, blocks))
+                read_sets(group, blocks), set(block_of_node[held].tolist()))
 
 
 def read_joints(file):
@@ -203,6 +211,22 @@ def read_frames(results, chosen):
             status = group["joint_status"][()].astype(int).reshape(-1) if "joint_status" in group else np.full(points, BONDED)
             rows.append((text(group.attrs.get("stage", "")), results.times[k], group["displacement"][:, :2], status))
         return rows
+
+
+def largest_over_time(results):
+    """Of every point over all recorded steps the widest gap and the longest slip [m], and the numbers of those steps."""
+    points = len(results.joints.area)
+    largest = {"gap": np.zeros(points), "slip": np.zeros(points)}
+    when = {"gap": np.full(points, -1), "slip": np.full(points, -1)}
+    with h5py.File(results.folder / "fields.h5", "r") as file:
+        for k, name in enumerate(steps_of_motion(file["steps"])):
+            group = file["steps"][name]
+            status, selected = (group[f"joint_{key}"][()].reshape(-1) for key in ("status", "selected"))
+            for key, among in (("gap", status == OPEN), ("slip", selected > 0)):
+                size = np.where(among, np.abs(group[f"joint_{key}_m"][()].reshape(-1)), 0)
+                wider = size > largest[key]
+                largest[key][wider], when[key][wider] = size[wider], k
+    return largest, when
 
 
 def read_fields(path, results):

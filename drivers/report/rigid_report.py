@@ -1,23 +1,24 @@
 """The report of a run that asked rigid limit analysis alone: forces in balance, the limit and its mechanism."""
+import chains
 import tables
 from draw_forces import draw_thrust
 from geometry import force_text
 from read_results import find, is_mechanism, number
-from statics import ring_resultants
+from statics import chain_resultants
 
 
 def asked_alone(results):
     return isinstance(results.result.get("rigid"), dict)
 
 
-def add_thrust(page, results, edges, rings, folder):
+def add_thrust(page, results, edges, found, folder):
     """One picture for the loads of the scene, one for the limit."""
     standing = [step for step in results.stage_ends if not is_mechanism(step)]
     for step in standing:
         at_limit = step.stage.endswith(": limit")
-        path, largest = draw_thrust(results.mesh, results.joints, edges, step, rings, folder,
+        path, largest = draw_thrust(results.mesh, results.joints, edges, step, found, folder,
                                     "thrust_at_the_limit" if at_limit else "thrust")
-        line = "Red line: line of thrust, through the resultants of the joints of each arch. " if rings else ""
+        line = "Red line: line of thrust, through the resultants of the joints of each arch or column. " if found else f"{chains.NONE} "
         dots = f"Dots: resultant of each joint, sized by its force, largest {force_text(largest)}."
         if at_limit:
             page.picture(path, f"Forces that balance the loads at the limit, factor {step.load_factor:.5g}. Where they touch an edge "
@@ -25,8 +26,8 @@ def add_thrust(page, results, edges, rings, folder):
         else:
             page.picture(path, "Forces that balance the loads of the scene with the resultants of all joints as near to the middle "
                          f"of their joints as can be. Others exist beside them; rigid stones do not tell which is real. {line}{dots}")
-    tables.thrust_table(page, [(f"{ring.name}, factor {step.load_factor:.5g}", ring_resultants(ring, results.joints, step))
-                               for step in standing for ring in rings])
+    tables.thrust_table(page, [(f"{chain.name}, factor {step.load_factor:.5g}", chain, chain_resultants(chain, results.joints, step))
+                               for step in standing for chain in found])
 
 
 def facts(results):
@@ -40,8 +41,14 @@ def facts(results):
     if estimate is not None:
         rows.append(("Where slip does not dilate", tables.short(estimate, 5), "an estimate, no bound on either side"))
     if str(tree.get("outcome")) == "equilibrium" or certified is not None:
-        rows.append(("Free of every dry joint", tables.margin_text(rigid.get("free_share_of_joints")),
-                     "from its edges, in the most balanced forces under the loads of the scene"))
+        factor = number(rigid.get("geometric_factor_of_safety"))
+        what = ("a share of every joint, those between rings too, not the factor of one arch of that depth" if factor is None
+                else f"a geometric factor of safety of {tables.short(factor, 4)} or more")
+        if rigid.get("free_share_is_at_least"):
+            what = "where the search for more ends" if factor is None else what
+        rows.append(("Free of every dry joint", ("at least " if rigid.get("free_share_is_at_least") else "")
+                     + tables.margin_text(rigid.get("free_share_of_joints")),
+                     f"from its edges, in the most balanced forces under the loads of the scene; {what}"))
     return rows + [("Time", "not given" if seconds is None else f"{seconds:.3g} s", f"{tables.count_text(find(tree, 'ranks'))} ranks"),
                    ("Blocks / joints", f"{tables.count_text(find(tree, 'blocks'))} / {tables.count_text(find(tree, 'joints'))}", "")]
 

@@ -1,9 +1,10 @@
 """Numbers of the report: the figures asked first, tables per step, of joints, of forces."""
 import numpy as np
 
+from chains import NONE
 from draw_cost import column
 from geometry import force_text, length_text
-from read_results import OPEN, SLIP, STICK, find, number
+from read_results import OPEN, SLIP, STICK, find, largest_over_time, number
 from statics import geometrical_factor, horizontal_thrust
 
 LONG = 60  # steps: longer histories are shown with every so many steps, and always the last
@@ -86,28 +87,49 @@ def facts_asked_first(results):
     lower, upper = collapse_bracket(results)
     asked = [] if lower is None else [
         ("Collapse load factor", f"above {short(lower, 4)}" if upper is None else f"{short(lower, 4)} to {short(upper, 4)}",
-         "of the pattern: the first stands" + ("" if upper is None else ", the second collapses"))]
+         "of the pattern: the first stands" + ("" if upper is None else ", above the second nothing stands" if by_theorem(results)
+                                               else ", the second collapses"))]
     statics = results.result.get("statics")
     if isinstance(statics, dict):
         asked += [("Hinges / sliding joints", f"{count_text(statics.get('hinges'))} / {count_text(statics.get('sliding_joints'))}", "in the last equilibrium"),
                   ("Least margins", f"{margin_text(statics.get('least_edge_margin'))} / {margin_text(statics.get('least_friction_margin'))}",
                    "of a resultant from its edge, of the joint's length; of friction")]
+    where = f"in stage “{stage}”" if stage else ""
+    reached = ("Time reached", f"{last_row(results, 'time_s'):.4g} s", where) if results.ends_in_time else (
+        "Load factor reached", short(load) or "not given", where)
     return asked + [
-        ("Largest displacement", "not given" if displacement is None else length_text(displacement), ""),
-        ("Load factor reached", short(load) or "not given", f"in stage “{stage}”" if stage else ""),
-        ("Open / slipping / sticking points", " / ".join(count_text(p) for p in points), "of the selected contact points"),
+        ("Largest displacement", "not given" if displacement is None else length_text(displacement), when_and_rest(results, displacement)),
+        reached,
+        ("Open / slipping / sticking points", " / ".join(count_text(p) for p in points),
+         f"of the selected contact points{', at the end' if results.ends_in_time else ''}"),
         ("Selected as contact", share, f"{count_text(selected)} of {count_text(candidates)} candidate points"),
-        ("Error estimate", "not given" if error is None else f"{100 * error:.2g} %", "energy norm, of what stays bonded"),
+        ("Error estimate", "not given" if error is None else f"{100 * error:.2g} %", "energy norm, of what stays bonded: no bound; displacements may be several times as far off"),
         ("Time", "not given" if seconds is None else f"{seconds:.3g} s", ranks_text(find(tree, "ranks"))),
         ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
         ("Unknowns", count_text(find(tree, "unknowns")), ""),
     ]
 
 
+def when_and_rest(results, largest):
+    """When the displacement was largest, where time passed, and the residual one where it is another."""
+    when, rest = number(results.result.get("largest_displacement_time_s")), number(results.result.get("residual_displacement_m"))
+    words = "" if when is None else f"at {when:.4g} s"
+    if rest is not None and largest is not None and rest < 0.999 * largest:
+        words += f"{'; ' if words else 'of all steps; '}at the end {length_text(rest)}, the residual"
+    return words
+
+
 def collapse_bracket(results):
     """The load factor that stands and the one that collapses, as far as they were found."""
     found = results.result.get("collapse")
     return (number(found.get("lower")), number(found.get("upper"))) if isinstance(found, dict) else (None, None)
+
+
+def by_theorem(results):
+    """Whether the upper end is that of the static theorem: no mechanism was found below."""
+    found = results.result.get("collapse") or {}
+    upper, certified = number(found.get("upper")), number(found.get("certified_upper"))
+    return upper is not None and certified is not None and upper >= certified
 
 
 def load_factor_section(page, results):
@@ -122,8 +144,9 @@ def load_factor_section(page, results):
     certified, estimate = number(found.get("certified_upper")), number(found.get("estimate_without_dilatancy"))
     if upper is None:
         page.words(f"{stands}; no factor was found at which it collapses.")
-    elif certified is not None and upper >= certified:  # no mechanism was found below
-        page.words(f"{stands}. The mechanism drawn here is that of rigid stones, which proves the limit.")
+    elif by_theorem(results):
+        page.words(f"{stands}. The mechanism drawn here is that of rigid stones at the limit"
+                   + (", whose slip dilates as in the proof." if (results.result.get("mechanism") or {}).get("dilates") else "."))
     else:
         page.words(f"{stands} and collapses with {short(upper, 5)} times it: there the solver found a mechanism, which is the last step drawn here. "
                    "Every attempt is one load step from the last equilibrium; with friction the way of the loads matters.")
@@ -166,8 +189,11 @@ def block_name(mesh, block):
     return f"{block} ({', '.join(sets)})" if sets else str(block)
 
 
-def largest_of_joints(mesh, joints, values, how_many=10):
-    """Joints with the largest value at one of their points: rows for a table, largest first."""
+def largest_of_joints(mesh, joints, values, when=None, how_many=10):
+    """Joints with the largest value at one of their points: rows for a table, largest first.
+
+    when  word for a point's step, where points have theirs at different ones
+    """
     order, seen, rows = np.argsort(-values, kind="stable"), set(), []
     for point in order:
         if len(rows) == how_many or not values[point] > 0:
@@ -176,38 +202,51 @@ def largest_of_joints(mesh, joints, values, how_many=10):
             seen.add(joints.joint[point])
             x, y = joints.position[point]
             rows.append([len(rows) + 1, block_name(mesh, joints.block_i[point]), block_name(mesh, joints.block_j[point]),
-                         f"{1e3 * values[point]:.4g}", f"{x:.3f}", f"{y:.3f}"])
+                         f"{1e3 * values[point]:.4g}", *([when(point)] if when else []), f"{x:.3f}", f"{y:.3f}"])
     return rows
 
 
-def joint_tables(page, mesh, joints, step):
-    for title, unit, values in (("Ten most opened joints", "opening [mm]", np.where(step.status == OPEN, step.gap, 0)),
-                                ("Ten largest slips", "slip [mm]", np.where(step.selected, np.abs(step.slip), 0))):
-        rows = largest_of_joints(mesh, joints, values)
+def joint_tables(page, results):
+    """Widest openings and longest slips: in time of all recorded steps, else of the last equilibrium."""
+    mesh, joints, step, times = results.mesh, results.joints, results.equilibrium, results.times
+    in_time = bool(np.isfinite(times).any())
+    if in_time:
+        largest, at = largest_over_time(results)
+        moment = lambda k: f"{times[k]:.4g} s" if np.isfinite(times[k]) else f"load step {k + 1}"
+        page.words(f"Each joint at its widest or longest over the {len(times)} recorded steps, and when that was.")
+    else:
+        largest = {"gap": np.where(step.status == OPEN, step.gap, 0), "slip": np.where(step.selected, np.abs(step.slip), 0)}
+    for title, unit, key in (("Ten most opened joints", "opening [mm]", "gap"), ("Ten largest slips", "slip [mm]", "slip")):
+        rows = largest_of_joints(mesh, joints, largest[key], (lambda point, k=key: moment(at[k][point])) if in_time else None)
         page.part(title)
         if rows:
-            page.table(["", "block", "block", unit, "x [m]", "y [m]"], rows, words=(1, 2))
+            page.table(["", "block", "block", unit, *(["when"] if in_time else []), "x [m]", "y [m]"], rows, words=(1, 2))
         else:
             page.words("None.")
 
 
 def hinge_table(page, mesh, hinges):
-    page.table(["arch", "blocks", "opens at", "hinge at", "opening [mm]", "x [m]", "y [m]"],
-               [[h.ring, " | ".join(block_name(mesh, b) for b in h.blocks), h.opens_at, h.turns_at, f"{1e3 * h.opening:.4g}",
+    page.table(["arch or column", "blocks", "opens at", "hinge at", "opening [mm]", "x [m]", "y [m]"],
+               [[h.chain, " | ".join(block_name(mesh, b) for b in h.blocks), h.opens_at, h.turns_at, f"{1e3 * h.opening:.4g}",
                  f"{h.place[0]:.3f}", f"{h.place[1]:.3f}"] for h in hinges], words=(0, 1, 2, 3))
 
 
 def thrust_table(page, thrusts):
-    """thrusts: rows (name of the arch, resultants)."""
+    """thrusts: rows (name, arch or column, resultants)."""
     page.part("Horizontal thrust of each arch")
     if not thrusts:
-        page.words("No arch was found: neither a set of blocks whose name begins with “ring”, nor one row of blocks that rises.")
+        page.words(NONE)
+        return
+    arches = [(name, chain, resultants) for name, chain, resultants in thrusts if chain.kind == "arch"]
+    if not arches:
+        page.words("No arch was found; a line of thrust is drawn for each column.")
         return
     page.table(["arch", "voussoir joints", "thrust at the crown", "largest joint resultant", "geometrical factor of safety"],
                [[name, len(resultants), force_text(horizontal_thrust(resultants)), force_text(max(r.normal for r in resultants)),
-                 short(geometrical_factor(resultants))] for name, resultants in thrusts], words=(0,))
+                 short(geometrical_factor(resultants)) if chain.alone else "none"] for name, chain, resultants in arches], words=(0,))
     page.words("Geometrical factor of safety: thickness over the least thickness, about the same middle line, that holds this line of thrust. Another line "
-               "may fit a thinner ring, so it is a lower bound; 1 where the line touches an edge.")
+               "may fit a thinner ring, so it is a lower bound; 1 where the line touches an edge. An arch that other stones press on, as another ring "
+               "or its backing, has none: they hold its line where it is, and it is not safe by itself.")
 
 
 def reaction_table(page, results):
@@ -235,5 +274,6 @@ def margin_tables(page, results, how_many=10):
                         + [short(0 if abs(number(row.get(column)) or 0) < 1e-9 else row[column]) for _, column in MARGIN_COLUMNS] for row in rows],
                        words=(0, 1))
     if results.margins:
-        page.words("Edge margin: distance of the resultant from the nearer edge over the length of the joint, 0.5 in the middle, 0 at the edge, where a "
-                   "hinge forms. Friction margin: share of the strength in shear that is left, 0 when the joint slides. All joints are in joints.csv.")
+        page.words("Edge margin: distance of the pressure from the nearer edge over the length of the joint, 0.5 in the middle, 0 at the edge, where a "
+                   "hinge forms. Friction margin: share of the strength in shear that is left, 0 when the joint slides. A joint that bends is measured "
+                   "as if it were straightened; of one with corners the side with the least is told. All joints are in joints.csv.")

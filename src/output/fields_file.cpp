@@ -103,6 +103,7 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   nodes_ = counted(mesh.node);
   write("/mesh/coordinates", nodes_, mesh.coordinates, dim_, "m");
   write("/mesh/block_of_node", nodes_, mesh.block_of_node, 1, "-");
+  write("/mesh/held", nodes_, mesh.held, 1, "-", "1 where a support holds the node");
 
   int width = dim_ + 1;
   const auto& count = mesh.corner_count;
@@ -116,7 +117,9 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
 
   const Rows blocks = counted(mesh.block);
   write("/mesh/rank_of_block", blocks, std::vector<int>(mesh.block.size(), comm_->getRank()), 1, "-");
-  write("/mesh/block_set", blocks, mesh.block_set, 1, "-", "index into block_set_names, -1 for none");
+  const int sets = static_cast<int>(mesh.block_set_names.size());
+  if (sets > 0)
+    write("/mesh/block_set", blocks, mesh.in_set, sets, "-", "1 where a block is in a set of block_set_names");
   if (!file_.has("/mesh/block_set_names")) file_.write_texts("/mesh/block_set_names", mesh.block_set_names);
   xdmf_.nodes = nodes_.total;
   xdmf_.cells = cells_.total;

@@ -20,6 +20,7 @@ struct MeshRows {
   std::vector<NodeId> node;
   std::vector<double> coordinates;  ///< [m] nodes x dim
   std::vector<int> block_of_node;
+  std::vector<int> held;  ///< per node: 1 where a support holds a component of its motion
 
   std::vector<long long> cell;
   std::vector<int> corner_count;  ///< per cell: 3 or 4 in 2D, 4 or 8 in 3D
@@ -27,7 +28,7 @@ struct MeshRows {
   std::vector<int> block_of_cell;
 
   std::vector<long long> block;              ///< owned blocks
-  std::vector<int> block_set;                ///< per owned block: index into block_set_names, -1 for none
+  std::vector<int> in_set;                   ///< owned blocks x block_set_names: 1 where the block is in the set
   std::vector<std::string> block_set_names;  ///< the same on every rank
 };
 

@@ -16,10 +16,14 @@ struct JointRow {
   double through_x = 0, through_y = 0;  ///< [m] where the resultant crosses the joint; NaN without compression
   double eccentricity = 0;              ///< [m] from the middle; NaN without compression
   double edge_margin = 0;               ///< [-] 0.5 in the middle, 0 at the edge; NaN without compression
+  double edge_x = 0, edge_y = 0;        ///< [m] the edge from which it counts; NaN without one
   double friction_margin = 0;           ///< [-] 1 without shear, 0 sliding; NaN where none could be borne
+  double shear_x = 0, shear_y = 0;      ///< [m] middle of the side it is of; NaN without one
   double opening = 0;                   ///< [m] widest
   double damage = 0;                    ///< [-] share of its strength that is lost, mean over its length
-  int hinge = 0, slides = 0;            ///< 0 or 1
+  double pressing = 0;                  ///< [N] sum of what its points press with; not in the file
+  int sides = 1;
+  int hinge = 0, slides = 0;  ///< 0 or 1
 };
 
 /// Text of the file; a number that is not finite is an empty field.

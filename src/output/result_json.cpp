@@ -1,6 +1,7 @@
 #include "output/result_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <sys/resource.h>
 
@@ -72,7 +73,10 @@ Json joints_and_supports(const StaticsSummary& s) {
 }
 
 Json rigid_forces(const RigidSummary& rigid) {
-  Json json{{"free_share_of_joints", rigid.free_share}, {"reactions", Json::object()}};
+  Json json{{"free_share_of_joints", rigid.free_share},
+            {"free_share_is_at_least", rigid.at_least},
+            {"geometric_factor_of_safety", rigid.factor},
+            {"reactions", Json::object()}};
   for (const auto& [support, range] : rigid.reactions)
     json["reactions"][support] = {{"least_x_N", range[0].least},
                                   {"most_x_N", range[0].most},
@@ -96,7 +100,8 @@ std::string result_json(const RunSummary& run) {
   if (run.mechanism)
     json["mechanism"] = {{"largest_mover_block", run.mechanism->largest_mover},
                          {"largest_mover_name", run.mechanism->name},
-                         {"largest_displacement_m", run.mechanism->largest_displacement}};
+                         {"largest_displacement_m", run.mechanism->largest_displacement},
+                         {"dilates", run.mechanism->dilates}};
   if (run.statics) json["statics"] = joints_and_supports(*run.statics);
   if (run.collapse) json["collapse"] = load_factor_search(*run.collapse);
   if (run.rigid) json["rigid"] = rigid_forces(*run.rigid);
@@ -123,6 +128,8 @@ std::string result_json(const RunSummary& run) {
   json["complementarity_residual"] = run.complementarity_residual;
   json["error_estimate"] = run.error_estimate;
   json["largest_displacement_m"] = run.largest_displacement;
+  json["largest_displacement_time_s"] = run.time > 0 ? run.largest_displacement_time : NAN;
+  json["residual_displacement_m"] = run.residual_displacement;
   json["energy"] = energy_book(run.energy);
   json["effects"] = Json::object();
   for (const auto& [name, e] : run.effects)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct MechanismSummary {
   int largest_mover = -1;           ///< block
   std::string name;                 ///< of that block
   double largest_displacement = 0;  ///< [m]
+  bool dilates = false;             ///< one of limit analysis in which what slides must lift
 };
 
 /// How far a pattern of loads could be raised.
@@ -53,6 +55,8 @@ struct RigidSummary {
   };
   double free_share = 0;  ///< [-] of dry joints, from their edges, that forces can leave
   std::map<std::string, std::array<Range, 2>> reactions;  ///< along x and y, by name of the support
+  bool at_least = false;                                  ///< more of the share was not looked for
+  double factor = NAN;  ///< [-] Heyman's geometric factor of safety; not a number where the share tells none
 };
 
 /// Force of a support on the structure.
@@ -105,10 +109,12 @@ struct RunSummary {
   long long patch_solves = 0;          ///< linear solves of patches of blocks
   /// Preconditioners that were factored for a linear solve, systems that were factored whole, factors used again.
   long long factorised = 0, factorised_whole = 0, factors_reused = 0;
-  double largest_penetration = 0.0;       ///< [m] largest of all steps
-  double complementarity_residual = 0.0;  ///< [-] largest of all steps
-  double error_estimate = 0.0;            ///< [-] relative, energy norm, the largest of all steps
-  double largest_displacement = 0.0;      ///< [m] at the end
+  double largest_penetration = 0.0;        ///< [m] largest of all steps
+  double complementarity_residual = 0.0;   ///< [-] largest of all steps
+  double error_estimate = 0.0;             ///< [-] relative, energy norm, the largest of all steps
+  double largest_displacement = 0.0;       ///< [m] largest of all steps
+  double largest_displacement_time = 0.0;  ///< [s] when that was
+  double residual_displacement = 0.0;      ///< [m] the largest of a node at the end
   EnergySummary energy;
   std::map<std::string, EffectSummary> effects;  ///< every effect the program knows
   PartitionSummary partition;

@@ -34,6 +34,16 @@ std::map<std::string, double> factors_after(const Scene& scene, std::size_t stag
   return factors;
 }
 
+/// What the share of joints that forces can leave free is, and what it is not.
+std::string words_of_share(const RigidSummary& rigid, bool rows) {
+  const std::string end = rigid.at_least ? ", where the search for more ends" : "";
+  if (!rows)
+    return end +
+           ": a share of every joint, of those between rings, courses and backing too, and not the factor of one "
+           "arch of that depth";
+  return rigid.at_least ? end : ", a geometric factor of safety of " + six_digits(rigid.factor) + " or more";
+}
+
 /// What is asked of a scene's rigid stones, and where the answers go.
 class LimitRun {
  public:
@@ -82,9 +92,12 @@ class LimitRun {
     auto& rigid = *summary.rigid;
     summary.outcome = Outcome::equilibrium;
     const auto forces = limits.most_balanced(0, &rigid.free_share);
+    rigid.at_least = rigid.free_share >= LimitAnalysis::largest_free_share;
+    const bool rows = limits.is_rows();
+    if (rows && !rigid.at_least) rigid.factor = 1 / (1 - rigid.free_share);
     summary.message = "forces that joints admit balance the loads; they can leave " +
-                      six_digits(100 * rigid.free_share) + " % of every dry joint free, a geometric factor of " +
-                      "safety of " + six_digits(1 / (1 - rigid.free_share)) + " or more";
+                      std::string(rigid.at_least ? "at least " : "") + six_digits(100 * rigid.free_share) +
+                      " % of every dry joint free" + words_of_share(rigid, rows);
     recorder_.record_forces(limits.on_points(forces), stage, scene_.load_factor.asked() ? 0 : 1);
     const int supports = static_cast<int>(scene_.supports.size());
     const auto ranges = limits.reactions(supports, 0);
@@ -132,7 +145,7 @@ class LimitRun {
     }
   }
 
-  /// The mechanism that proves it, with the forces that balance as much of the loads as can be.
+  /// The motion in which it falls, with the forces that balance as much of the loads as can be.
   void falls(const RigidLimits& limits, const LimitAnswer& answer, double factor) {
     const auto mechanism = limits.on_nodes(answer);
     auto state = step_.initial_state();
@@ -142,7 +155,8 @@ class LimitRun {
     auto& summary = recorder_.summary();
     summary.outcome = Outcome::collapse;
     summary.mechanism = largest_mover(model_, mechanism);
-    summary.message += "; " + mechanism_in_words(model_, mechanism);
+    summary.mechanism->dilates = answer.dilates;
+    summary.message += "; " + mechanism_in_words(model_, mechanism) + of_slip_that_dilates(answer.dilates);
   }
 
   Model<2>& model_;

@@ -52,6 +52,7 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
   }
   search_.certify(limit.verdict == LimitVerdict::limited ? std::max(0.0, limit.factor) : 0.0);
   limit_mechanism_ = limits.on_nodes(limit);
+  limit_dilates_ = limit.dilates;
   limit_lambda_ = limits.on_points(limit);
   if (const auto estimate = limits.without_dilatancy(p_.largest, limit)) search_.guess(*estimate);
   run.narrator.say("  Above load factor " + six_digits(search_.certified()) +
@@ -191,13 +192,15 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
   }
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
-  summary.message += "; " + mechanism_in_words(run.model, mechanism_);
+  summary.mechanism->dilates = theorem_alone && limit_dilates_;
+  summary.message +=
+      "; " + mechanism_in_words(run.model, mechanism_) + of_slip_that_dilates(summary.mechanism->dilates);
 }
 
 void LoadFactorAnalysis::conclude(const Attempting& run) {
   judge(run);
   auto& summary = run.recorder.summary();
-  const double share = summary.largest_displacement / run.model.structure().size();
+  const double share = summary.residual_displacement / run.model.structure().size();
   if (share > small_displacements && run.model.scene().model.rotations == Rotations::small)
     summary.message += "; by then displacements are " + six_digits(100 * share) +
                        " % of the structure, more than small displacements, which are all that is computed, can tell";

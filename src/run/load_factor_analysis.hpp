@@ -68,6 +68,7 @@ class LoadFactorAnalysis {
       limit_mechanism_.resize(nodes.ids.size() * dim);
       limit_lambda_.resize(points.ids.size() * dim);
     }
+    archive.value("load_factor.limit.dilates", limit_dilates_);
     archive.rows("load_factor.limit.mechanism", nodes, dim, limit_mechanism_);
     archive.rows("load_factor.limit.lambda", points, dim, limit_lambda_);
     archive.rows("load_factor.mechanism", nodes, dim, mechanism_);
@@ -94,7 +95,8 @@ class LoadFactorAnalysis {
   LoadFactorParameters p_;
   FactorSearch search_;
   bool asked_theorem_ = false;
-  std::vector<double> limit_mechanism_;                    ///< that proves the limit, on node copies
+  std::vector<double> limit_mechanism_;                    ///< in which it falls at the limit, on node copies
+  bool limit_dilates_ = false;                             ///< by slip that dilates
   PointField limit_lambda_;                                ///< [N] forces that balance loads there
   int most_solves_ = 0;                                    ///< linear solves of the dearest attempt that stands
   double beyond_at_ = std::numeric_limits<double>::max();  ///< smallest factor that stands beyond the model's range

@@ -6,6 +6,7 @@
 
 #include "joints/joint_statics.hpp"
 #include "linalg/gather.hpp"
+#include "mesh/border.hpp"
 #include "output/joint_table.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
@@ -21,6 +22,41 @@ constexpr double negligible = 1e-6;
 constexpr double beside_a_hinge = 0.05;
 constexpr std::size_t longest_list = 50;  // in result.json; all are in joints.csv
 
+// Points are shared by facets that meet at less than 20 degrees (joints/joint_finder): a facet belongs to its side.
+constexpr double same_side = 0.94;
+
+/// Facets of the joints between points of this rank, per joint, as numbers within `of_joint`.
+std::vector<std::vector<FacetOfJoint>> facets_of_joints(const Model<2>& model) {
+  const auto& points = model.points().points();
+  const auto& s = model.structure();
+  struct Place {
+    int joint, within, point;
+  };
+  std::vector<std::vector<Place>> at_node(static_cast<std::size_t>(s.nodes()));
+  std::vector<int> count(model.points().joints().size(), 0);
+  for (int k = 0; k < model.points().owned(); ++k) {
+    const auto& p = points[static_cast<std::size_t>(k)];
+    at_node[static_cast<std::size_t>(p.node_i)].push_back({p.joint, count[static_cast<std::size_t>(p.joint)]++, k});
+  }
+  std::vector<std::vector<FacetOfJoint>> facets(count.size());
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    for (const auto& edge : border_edges({model.source().block(block.mesh.id)})) {
+      const int from = block.first_local + edge.node[0], to = block.first_local + edge.node[1];
+      const auto along = s.position()[to] - s.position()[from];
+      const Vector<2> outward{along[1], -along[0]};
+      const auto faces = [&](const Place& at) {
+        return dot(points[static_cast<std::size_t>(at.point)].axis[0], outward) > same_side * norm(outward);
+      };
+      for (const auto& one : at_node[static_cast<std::size_t>(from)])
+        for (const auto& other : at_node[static_cast<std::size_t>(to)])
+          if (one.joint == other.joint && faces(one) && faces(other))
+            facets[static_cast<std::size_t>(one.joint)].push_back({one.within, other.within});
+    }
+  }
+  return facets;
+}
+
 /// Rows of the joints whose block i this rank owns; all points of a joint are with its owner.
 std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state) {
   const auto& points = model.points();
@@ -35,14 +71,17 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
     of_joint[p.joint].push_back({model.structure().position()[p.node_i], p.axis[0], state.lambda[2 * k],
                                  state.lambda[2 * k + 1], gap[2 * k], law});
   }
+  const auto facets = facets_of_joints(model);
   std::vector<JointRow> rows;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {
     if (of_joint[k].empty()) continue;
     const auto& joint = points.joints()[k];
-    const auto s = joint_statics(of_joint[k]);
-    rows.push_back({joint.block_i, joint.block_j, s.middle[0], s.middle[1], s.length, s.force[0], s.force[1],
-                    s.normal_force, s.shear, s.place[0], s.place[1], s.eccentricity, s.edge_margin, s.friction_margin,
-                    s.opening, lost[k] / area[k], s.hinge, s.slides});
+    const auto s = joint_statics(of_joint[k], facets[k]);
+    rows.push_back({joint.block_i,     joint.block_j,    s.middle[0],      s.middle[1], s.length,
+                    s.force[0],        s.force[1],       s.normal_force,   s.shear,     s.place[0],
+                    s.place[1],        s.eccentricity,   s.edge_margin,    s.edge[0],   s.edge[1],
+                    s.friction_margin, s.least_shear[0], s.least_shear[1], s.opening,   lost[k] / area[k],
+                    s.pressing,        s.sides,          s.hinge,          s.slides});
   }
   return rows;
 }
@@ -54,11 +93,12 @@ std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& ste
     return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.block_i, b.block_j);
   });
   double largest = 0;
-  for (const auto& row : rows) largest = std::max(largest, row.normal_force);
+  for (const auto& row : rows) largest = std::max(largest, row.pressing);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (auto& row : rows) {
-    if (row.normal_force > negligible * largest) continue;
+    if (row.pressing > negligible * largest) continue;
     row.through_x = row.through_y = row.eccentricity = row.edge_margin = row.friction_margin = nan;
+    row.edge_x = row.edge_y = row.shear_x = row.shear_y = nan;
     row.hinge = row.slides = 0;
   }
   double widest = 0;

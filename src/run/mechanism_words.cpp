@@ -38,7 +38,7 @@ struct BlockMotion {
 std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<double>& motion, double least) {
   struct Extremes {
     double narrowest = INFINITY, widest = -INFINITY, slip = 0;
-    bool dilates = true;  ///< opens by friction times slip, as the flow rule of limit analysis has it: it slides
+    bool dilates = false;  ///< opens by friction times slip where it opens least, by the flow rule of limit analysis
   };
   const auto& points = model.points();
   std::vector<Extremes> of_joint(points.joints().size());
@@ -46,16 +46,16 @@ std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<
     const auto& p = points.points()[k];
     const auto [opening, slip] = relative_motion(p, motion);
     auto& e = of_joint[p.joint];
+    const double off = std::abs(opening - model.law()[k].friction * std::abs(slip));
+    if (opening < e.narrowest) e.dilates = off <= flow * std::max(std::abs(opening), std::abs(slip));
     e.narrowest = std::min(e.narrowest, opening);
     e.widest = std::max(e.widest, opening);
     e.slip = std::max(e.slip, std::abs(slip));
-    const double off = std::abs(opening - model.law()[k].friction * std::abs(slip));
-    e.dilates = e.dilates && off <= flow * std::max(std::abs(opening), std::abs(slip));
   }
   std::vector<MovingJoint> moving;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {
     const auto& [narrowest, widest, slip, dilates] = of_joint[k];
-    const bool flows = dilates && slip > least;
+    const bool flows = dilates && slip > least && widest - narrowest <= slip;
     const int kind = flows ? slides : narrowest > least ? parts : widest > std::max(least, slip) ? hinges : slides;
     const double size = kind == slides ? slip : widest;
     if (size > least) moving.push_back({kind, points.joints()[k].block_i, points.joints()[k].block_j, size});
@@ -91,6 +91,12 @@ std::string direction(const BlockMotion& m) {
 
 }  // namespace
 
+std::string of_slip_that_dilates(bool dilates) {
+  return dilates ? "; this is the motion of slip that dilates, by which limit analysis proves the limit: what slides "
+                   "rises by friction times its slip, and the structure itself moves otherwise"
+                 : "";
+}
+
 MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>& motion) {
   const auto& s = model.structure();
   double size = -1;
@@ -104,7 +110,7 @@ MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>&
   const int candidate = size == largest ? block : -1;
   int found = -1;
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, candidate, Teuchos::outArg(found));
-  return {found, model.source().block(found).name, largest};
+  return {found, model.source().block(found).name, largest, false};
 }
 
 std::string mechanism_in_words(const Model<2>& model, const std::vector<double>& motion) {

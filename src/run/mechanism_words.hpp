@@ -12,6 +12,9 @@ namespace voussoir {
 /// The block that moves most in a motion. Collective.
 MechanismSummary largest_mover(const Model<2>&, const std::vector<double>& motion);
 
+/// Said of a motion of limit analysis that cannot do without dilatancy; nothing of others.
+std::string of_slip_that_dilates(bool dilates);
+
 /// Such as "2 of 5 blocks move, block 3 most, down and turning clockwise; joints that slide: block 1 / block 3".
 /// Collective.
 /// @param motion  displacement of all nodes of this rank [m], of any size

@@ -59,7 +59,7 @@ void Narrator::end(const StepReport& report, const StatusCount& count, double se
   told_ = progress_;
   print(say_, "%5d %8.4g %7d %9lld %7lld %7lld %7lld %9.2e %9.2e %8.2f", step_, target_,
         report.newton.newton_iterations, count.selected, count.open, count.slip, report.newton.krylov_iterations,
-        report.error_estimate, summary.largest_displacement, seconds);
+        report.error_estimate, summary.residual_displacement, seconds);
   // A remaining time is worth saying when a run takes more than ten seconds.
   if (progress_ > first_progress_ && spent_ > 10 && progress_ < 1)
     print(say_, "   about %.0f s to go", spent_ / (progress_ - first_progress_) * (1 - progress_));

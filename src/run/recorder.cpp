@@ -68,10 +68,14 @@ void Recorder<dim>::write_tables() {
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
     mesh.block.push_back(block.mesh.id);
-    mesh.block_set.push_back(block.mesh.sets.empty() ? -1 : block.mesh.sets.front());
+    std::vector<int> in_set(mesh.block_set_names.size(), 0);
+    for (const int set : block.mesh.sets) in_set[static_cast<std::size_t>(set)] = 1;
+    mesh.in_set.insert(mesh.in_set.end(), in_set.begin(), in_set.end());
     for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
       mesh.node.push_back(block.first_node + static_cast<NodeId>(i));
       mesh.block_of_node.push_back(block.mesh.id);
+      const auto held = model_.held().begin() + dim * (block.first_local + static_cast<long>(i));
+      mesh.held.push_back(std::any_of(held, held + dim, [](char one) { return one != 0; }));
       mesh.coordinates.insert(mesh.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
     }
     for (std::size_t c = 0; c < block.mesh.cells.size(); ++c) {
@@ -223,7 +227,11 @@ void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, do
   sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);
-  sum.largest_displacement = largest_displacement;
+  sum.residual_displacement = largest_displacement;
+  if (largest_displacement > sum.largest_displacement) {
+    sum.largest_displacement = largest_displacement;
+    sum.largest_displacement_time = sum.time;
+  }
   sum.energy = {energy.elastic(),  energy.kinetic(),   energy.external_work(), energy.friction(),
                 energy.fracture(), energy.imbalance(), energy.damping(),       energy.imbalance_in_time()};
   sum.load_factor = load_factor;

@@ -109,6 +109,8 @@ void Record::keep(Archive& archive) {
   archive.value("complementarity_residual", summary.complementarity_residual);
   archive.value("error_estimate", summary.error_estimate);
   archive.value("largest_displacement_m", summary.largest_displacement);
+  archive.value("largest_displacement_time_s", summary.largest_displacement_time);
+  archive.value("residual_displacement_m", summary.residual_displacement);
   archive.value("load_factor", summary.load_factor);
   archive.within("selected_points", count.selected, 0, largest_count);
   archive.within("open_points", count.open, 0, largest_count);

@@ -139,22 +139,27 @@ RigidLimits::RigidLimits(const Model<2>& model, const RigidTask& task) : model_(
   if (comm.getRank() == 0) analysis_ = std::make_unique<const LimitAnalysis>(std::move(rigid));
 }
 
-/// The first rank asks, the others are told.
+/// The first rank asks, the others are told; all but the mechanism itself, for which its motion stands.
 template <class Ask>
 LimitAnswer RigidLimits::on_first_rank(const Ask& ask) const {
   const auto& comm = *model_.structure().comm();
   LimitAnswer answer;
   if (analysis_) answer = ask(*analysis_);
   if (comm.getSize() == 1) return answer;
-  double head[5] = {static_cast<double>(answer.verdict), answer.factor, answer.out_of_balance,
-                    static_cast<double>(answer.iterations), answer.mechanism.empty() ? 0.0 : 1.0};
-  Teuchos::broadcast(comm, 0, 5, head);
+  double head[6] = {static_cast<double>(answer.verdict),
+                    answer.factor,
+                    answer.out_of_balance,
+                    static_cast<double>(answer.iterations),
+                    answer.motion.empty() ? 0.0 : 1.0,
+                    answer.dilates ? 1.0 : 0.0};
+  Teuchos::broadcast(comm, 0, 6, head);
   answer.verdict = static_cast<LimitVerdict>(static_cast<int>(head[0]));
   answer.factor = head[1], answer.out_of_balance = head[2], answer.iterations = static_cast<int>(head[3]);
-  answer.mechanism.resize(head[4] > 0 ? middle_.size() : 0);
+  answer.motion.resize(head[4] > 0 ? middle_.size() : 0);
+  answer.dilates = head[5] > 0;
   answer.force.resize(ids_.size());
-  if (!answer.mechanism.empty())
-    Teuchos::broadcast(comm, 0, static_cast<int>(3 * answer.mechanism.size()), answer.mechanism.front().data());
+  if (!answer.motion.empty())
+    Teuchos::broadcast(comm, 0, static_cast<int>(3 * answer.motion.size()), answer.motion.front().data());
   if (!answer.force.empty())
     Teuchos::broadcast(comm, 0, static_cast<int>(2 * answer.force.size()), answer.force.front().data());
   return answer;
@@ -172,6 +177,12 @@ bool RigidLimits::borne_at_any_factor() const {
   int borne = analysis_ && analysis_->borne_at_any_factor() ? 1 : 0;
   Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(borne));
   return borne > 0;
+}
+
+bool RigidLimits::is_rows() const {
+  int rows = analysis_ && analysis_->is_rows() ? 1 : 0;
+  Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(rows));
+  return rows > 0;
 }
 
 LimitAnswer RigidLimits::most_balanced(double factor, double* free_share) const {
@@ -212,10 +223,10 @@ std::vector<std::array<ReactionRange, 2>> RigidLimits::reactions(int supports, d
 std::vector<double> RigidLimits::on_nodes(const LimitAnswer& answer) const {
   const auto& s = model_.structure();
   std::vector<double> motion(2 * static_cast<std::size_t>(s.nodes()), 0.0);
-  if (answer.mechanism.empty()) return motion;
+  if (answer.motion.empty()) return motion;
   for (int n = 0; n < s.nodes(); ++n) {
     const auto block = static_cast<std::size_t>(s.blocks()[s.block_of_node()[n]].mesh.id);
-    const auto v = velocity_at(answer.mechanism[block], place_of(s, n) - middle_[block]);
+    const auto v = velocity_at(answer.motion[block], place_of(s, n) - middle_[block]);
     motion[2 * n] = v[0], motion[2 * n + 1] = v[1];
   }
   double largest = 0;

@@ -34,10 +34,11 @@ class RigidLimits {
   LimitAnswer bears(double factor) const;
   bool borne_at_any_factor() const;
   LimitAnswer most_balanced(double factor, double* free_share) const;
+  bool is_rows() const;
   std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated) const;
   std::vector<std::array<ReactionRange, 2>> reactions(int supports, double factor) const;
 
-  /// A mechanism on local nodes [m], largest 1.
+  /// The motion of an answer on local nodes [m], largest 1.
   std::vector<double> on_nodes(const LimitAnswer&) const;
   /// Forces on local points [N].
   PointField on_points(const LimitAnswer&) const;

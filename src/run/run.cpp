@@ -148,9 +148,9 @@ bool Run::load_step(const ContactState& before) {
   if (report.newton.outcome != NewtonOutcome::converged) {
     narrator_->failed(report, stage, target);
     const auto failed = std::exchange(state_, before);
-    if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target}, target);
+    if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target, r->dilates}, target);
     if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
-      failure_ = Failure{failed, report, step_.mechanism(), target};
+      failure_ = Failure{failed, report, step_.mechanism(), target, false};
     if (halve_step(before, next_load, prescribed)) return true;
     if (!pass_in_time({load_, next_load, prescribed}, at_factor(stage, target), report)) return fail(*failure_, target);
   } else if (jumped(report, model_.scene().internals.step) && halve_step(before, next_load, prescribed)) {
@@ -185,7 +185,7 @@ bool Run::pass_in_time(const LoadIncrement& increment, const std::string& when, 
     report.newton.outcome = NewtonOutcome::collapse;
     report.newton.reason = "let go under these loads it moves on with growing speed, as seen in time";
     settled.state.velocity.clear();
-    failure_ = Failure{std::move(settled.state), report, std::move(settled.mechanism), steps_.target()};
+    failure_ = Failure{std::move(settled.state), report, std::move(settled.mechanism), steps_.target(), false};
     return false;
   }
   state_ = std::move(settled.state);
@@ -214,7 +214,7 @@ bool Run::time_step(const ContactState& before) {
       narrator_->say("  Time step halved to " + number_text(control_->time_step()) + " s.");
       return true;
     }
-    return fail({failed, report.step, dynamics_->mechanism(), steps_.target()}, steps_.target());
+    return fail({failed, report.step, dynamics_->mechanism(), steps_.target(), false}, steps_.target());
   }
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
@@ -281,7 +281,8 @@ bool Run::fail(const Failure& failure, double last) {
     summary.message += "; smaller steps, down to load factor " + std::to_string(last) + ", could not be decided";
   recorder_->record_mechanism(failure.mechanism, failure.state, steps_.stage(), failure.target);
   summary.mechanism = largest_mover(model_, failure.mechanism);
-  summary.message += "; " + mechanism_in_words(model_, failure.mechanism);
+  summary.mechanism->dilates = failure.dilates;
+  summary.message += "; " + mechanism_in_words(model_, failure.mechanism) + of_slip_that_dilates(failure.dilates);
   return false;
 }
 

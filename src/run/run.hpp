@@ -57,6 +57,7 @@ class Run {
     StepReport report;
     std::vector<double> mechanism;
     double target = 0;
+    bool dilates = false;  ///< the mechanism is one of limit analysis whose slip lifts
     bool collapse() const { return report.newton.outcome == NewtonOutcome::collapse; }
   };
 

@@ -79,13 +79,13 @@ bool StaticTheorem::refuses() {
   const RigidLimits whole(model_, {absent_, state_, *load_, {}});
   auto answer = whole.bears(0);
   if (answer.verdict != LimitVerdict::refused) return false;
-  refusal_ = Refusal{0, whole.on_nodes(answer), whole.on_points(answer)};
+  refusal_ = Refusal{0, whole.on_nodes(answer), answer.dilates, whole.on_points(answer)};
   auto more = *load_;
   for (std::size_t k = 0; k < more.size(); ++k) more[k] -= (*before_)[k];
   const RigidLimits raised(model_, {absent_, state_, *before_, std::move(more)});
   answer = raised.largest_factor(1);
   if (answer.verdict == LimitVerdict::limited)
-    refusal_ = Refusal{std::max(0.0, answer.factor), raised.on_nodes(answer), raised.on_points(answer)};
+    refusal_ = Refusal{std::max(0.0, answer.factor), raised.on_nodes(answer), answer.dilates, raised.on_points(answer)};
   return true;
 }
 

@@ -20,6 +20,7 @@ bool theorem_applies(const Model<2>&);
 struct Refusal {
   double share = 0;               ///< [-] of the way from the loads before to these that can be borne
   std::vector<double> mechanism;  ///< on local nodes, largest component 1
+  bool dilates = false;           ///< what slides in it lifts (statics/coulomb_motion.hpp)
   PointField lambda;              ///< [N] forces at that share
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "statics/coulomb_motion.hpp"
 #include "statics/limit_programme.hpp"
 
 namespace voussoir {
@@ -46,6 +47,17 @@ bool on_a_line(const RigidStructure& s, const std::vector<int>& order, std::size
       return false;
   }
   return true;
+}
+
+/// Adds the motion of an answer that has a mechanism.
+LimitAnswer in_motion(const RigidStructure& s, LimitAnswer answer) {
+  if (answer.verdict != LimitVerdict::limited && answer.verdict != LimitVerdict::refused) return answer;
+  std::vector<Wrench> driving;
+  for (const auto& stone : s.stones) driving.push_back(stone.raised);
+  auto motion = coulomb_motion(s, answer.mechanism, driving);
+  answer.motion = std::move(motion.of_stones);
+  answer.dilates = motion.dilates;
+  return answer;
 }
 
 }  // namespace
@@ -268,7 +280,7 @@ LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, 
 LimitAnswer LimitAnalysis::largest_factor(double largest) const {
   bool balanced_unraised = true;
   auto answer = raised_up_to(largest, 1, &balanced_unraised);
-  if (balanced_unraised) return answer;
+  if (balanced_unraised) return in_motion(s_, std::move(answer));
   answer = bears(0);
   if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
   return answer;
@@ -283,9 +295,10 @@ bool LimitAnalysis::borne_at_any_factor() const {
 
 LimitAnswer LimitAnalysis::bears(double factor) const {
   bool balanced = true;
-  auto answer = under_loads(factor).raised_up_to(1, 1, &balanced);
+  const auto loaded = under_loads(factor);
+  auto answer = loaded.raised_up_to(1, 1, &balanced);
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
-  return answer;
+  return in_motion(loaded.s_, std::move(answer));
 }
 
 std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated) const {

@@ -26,6 +26,8 @@ struct LimitAnswer {
   LimitVerdict verdict = LimitVerdict::unknown;
   double factor = 0;              ///< [-] of raised loads, by the power of the mechanism where there is one
   std::vector<Wrench> mechanism;  ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
+  std::vector<Wrench> motion;     ///< the same without dilatancy, where that is possible (statics/coulomb_motion.hpp)
+  bool dilates = false;           ///< it is not: the motion is the mechanism
   std::vector<Vector<2>> force;   ///< [N] per contact, normal and tangential, where loads are balanced
   double out_of_balance = 0;      ///< [-] of those forces, relative to the largest load of a stone
   int iterations = 0;             ///< of the simplex method
@@ -49,9 +51,14 @@ class LimitAnalysis {
   /// Whether fixed loads and so much of the raised ones can be balanced.
   LimitAnswer bears(double factor) const;
   /// Forces that balance loads with the resultants of all joints as near to the middle of their joints as can be: the
-  /// share of every joint, from its edges, that they leave free. Dry straight joints alone can be narrowed. Of many
-  /// such forces those with the least sum of normal forces.
+  /// share of every joint, from its edges, that they leave free, up to the largest one looked for. Dry straight joints
+  /// alone can be narrowed. Of many such forces those with the least sum of normal forces.
   LimitAnswer most_balanced(double factor, double* free_share) const;
+  static constexpr double largest_free_share = 1 - 1.0 / 1024;
+  /// Whether stones stand in rows: each has two neighbours at most, or is held and has one, none of a row is its own
+  /// neighbour's neighbour, and all joints are dry and straight. The share that forces leave free is then one of the
+  /// depth of a row, and 1 / (1 - share) its geometric factor of safety.
+  bool is_rows() const;
   /// Least and most of reactions over all admissible forces: per support, along x and y.
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
   std::vector<std::array<ReactionRange, 2>> reactions(int supports, double factor) const;

@@ -1,6 +1,8 @@
 // Which of all forces that balance given loads are told: the most balanced ones, and the ends of reactions.
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "statics/limit_programme.hpp"
 
@@ -9,8 +11,8 @@ namespace {
 
 // A reaction of more than this comes from forces at their end, so that it has none.
 constexpr double endless_reaction = most_force / 10;
-// A share of joints is bisected to one part in two to this power.
-constexpr int halvings = 10;
+// A share of joints is bisected to what is looked for of it.
+constexpr double finest = 1 - LimitAnalysis::largest_free_share;
 
 }  // namespace
 
@@ -22,7 +24,7 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
     return loaded.raised_up_to(1, share, &balanced, &basis);
   };
   // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
-  double stands = 1, falls = std::pow(0.5, halvings);
+  double stands = 1, falls = finest;
   auto best = with(falls);
   if (best.verdict == LimitVerdict::unlimited) {
     stands = falls;
@@ -30,7 +32,7 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
     best = with(1);
   }
   if (best.verdict == LimitVerdict::unlimited)
-    for (int k = 0; k < halvings && stands > falls; ++k) {
+    while (stands - falls > finest) {
       const double share = (stands + falls) / 2;
       auto answer = with(share);
       const bool borne = answer.verdict == LimitVerdict::unlimited;
@@ -42,6 +44,33 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
   auto least = loaded.least_pressed(stands, basis);
   if (least.verdict != LimitVerdict::unlimited) least = loaded.least_pressed(stands, {});
   return least.verdict == LimitVerdict::unlimited ? least : best;
+}
+
+bool LimitAnalysis::is_rows() const {
+  const auto count = s_.stones.size();
+  std::vector<std::set<int>> neighbours(count);
+  for (const auto& c : s_.contacts) {
+    neighbours[static_cast<std::size_t>(c.stone_i)].insert(c.stone_j);
+    neighbours[static_cast<std::size_t>(c.stone_j)].insert(c.stone_i);
+  }
+  std::vector<std::size_t> most(count, 2);
+  for (const auto& h : s_.supports) most[static_cast<std::size_t>(h.stone)] = 1;
+  for (std::size_t b = 0; b < count; ++b)
+    if (neighbours[b].size() > most[b]) return false;
+  // Rows have ends: what is left when they are taken away one after the other are rings that close.
+  std::vector<int> ends;
+  for (std::size_t b = 0; b < count; ++b)
+    if (neighbours[b].size() < 2) ends.push_back(static_cast<int>(b));
+  std::size_t taken = 0;
+  for (std::vector<char> gone(count, 0); !ends.empty();) {
+    const int end = ends.back();
+    ends.pop_back();
+    if (std::exchange(gone[static_cast<std::size_t>(end)], 1)) continue;
+    ++taken;
+    for (const int next : neighbours[static_cast<std::size_t>(end)])
+      if (neighbours[static_cast<std::size_t>(next)].erase(end) > 0) ends.push_back(next);
+  }
+  return taken == count && std::count(partner_.begin(), partner_.end(), -1) == 0;
 }
 
 /// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,

@@ -169,4 +169,18 @@ TEUCHOS_UNIT_TEST(MostBalanced, TheFreeShareOfAnArchIsThatOfTheThinnestInsideIt)
   TEST_FLOATING_EQUALITY(1 - free_share, 0.10678 / thickness, 0.01);
 }
 
+TEUCHOS_UNIT_TEST(Rows, AnArchAndAColumnAreRowsRingsOnEachOtherAndWallsAreNone) {
+  TEST_ASSERT(LimitAnalysis(ring(7, 10, 1.5, pi, {0.6})).is_rows());
+  TEST_ASSERT(LimitAnalysis(box_on_bed(1, 1, {0.6})).is_rows());
+  auto two = box_on_bed(2, 1, {0.6});
+  const int upper = add_box(two, {0, 1}, 2, 1, 1);
+  add_joint(two, 1, upper, {0, 1}, {2, 1}, {0.6});
+  TEST_ASSERT(LimitAnalysis(two).is_rows());
+  hold(two, 1);  // held in the middle of the row
+  TEST_ASSERT(!LimitAnalysis(two).is_rows());
+  TEST_ASSERT(!LimitAnalysis(wall({{1, 2, 2, 1}, {2, 2, 2}, {1, 2, 2, 1}}, 0.6)).is_rows());
+  auto glued = box_on_bed(1, 1, {0.6, 1, 0});  // joints with strength are not narrowed
+  TEST_ASSERT(!LimitAnalysis(glued).is_rows());
+}
+
 }  // namespace

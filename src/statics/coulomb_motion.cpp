@@ -1,0 +1,214 @@
+#include "statics/coulomb_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "statics/admissible_forces.hpp"
+#include "statics/linear_programme.hpp"
+
+namespace voussoir {
+namespace {
+
+// Motions of a mechanism are exact to 1e-8 of the largest, which is 1; ten times that is none.
+constexpr double none = 1e-7;
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+double power(const Wrench& load, const Wrench& motion) {
+  return load[0] * motion[0] + load[1] * motion[1] + load[2] * motion[2];
+}
+
+/// Stones that move as one have three components of motion: those of its first stone, the turn times its radius.
+struct Part {
+  int first_stone = 0;
+  double radius = 0;  ///< [m] of the farthest place from the middle of that stone
+};
+
+class MotionProgramme {
+ public:
+  MotionProgramme(const RigidStructure& s, const std::vector<Wrench>& mechanism, const std::vector<Wrench>& driving)
+      : s_(s), mechanism_(mechanism) {
+    join_stones();
+    for (std::size_t k = 0; k < 3 * parts_.size(); ++k) rows_of_column_.emplace_back();
+    for (const auto& c : s_.contacts) add_contact(c);
+    for (const auto& h : s_.supports) add_row(terms_of(h.stone, h.arm, h.direction, 1), -none, none);
+    add_driving(driving);
+    add_distance();
+  }
+
+  bool slides() const { return !sliding_.empty(); }
+
+  /// Nothing where what slides cannot stay closed.
+  std::vector<Wrench> solve() {
+    for (std::size_t k = 0; k < rows_of_column_.size(); ++k)
+      lp_.add_column(std::move(rows_of_column_[k]), -endless, endless, -cost_[k]);
+    for (const auto& [row, sign] : distances_) lp_.add_column({{row, sign}}, 0, endless, 0);
+    const auto closest = lp_.maximise();
+    const double allowed = 2 * none * static_cast<double>(sliding_.size());
+    if (closest.end != ProgrammeEnd::optimal || -closest.value > allowed) return {};
+    const int columns = static_cast<int>(cost_.size());
+    for (int k = 0; k < columns; ++k) lp_.set_cost(k, 0);
+    for (std::size_t k = 0; k < distances_.size(); ++k) lp_.set_cost(columns + static_cast<int>(k), -1);
+    for (const int row : sliding_) lp_.set_row(row, -none, allowed);
+    const auto nearest = lp_.maximise();
+    return motions(nearest.end == ProgrammeEnd::optimal ? nearest.x : closest.x);
+  }
+
+ private:
+  using Terms = std::vector<std::pair<int, double>>;  ///< column, factor
+
+  double radius(int stone) const { return s_.stones[static_cast<std::size_t>(stone)].radius; }
+  const Wrench& moves(int stone) const { return mechanism_[static_cast<std::size_t>(stone)]; }
+  bool rests(int stone) const {
+    const auto& v = moves(stone);
+    return std::hypot(v[0], v[1]) + std::abs(v[2]) * radius(stone) <= none;
+  }
+
+  /// Parts of stones that touch and turn alike, without what rests.
+  void join_stones() {
+    const auto count = s_.stones.size();
+    std::vector<int> root(count);
+    for (std::size_t b = 0; b < count; ++b) root[b] = static_cast<int>(b);
+    const auto find = [&](int b) {
+      while (root[static_cast<std::size_t>(b)] != b) b = root[static_cast<std::size_t>(b)];
+      return b;
+    };
+    for (const auto& c : s_.contacts) {
+      const double turn = std::abs(moves(c.stone_i)[2] - moves(c.stone_j)[2]);
+      if (norm(relative_velocity(c, mechanism_)) > none || turn * std::min(radius(c.stone_i), radius(c.stone_j)) > none)
+        continue;
+      const int a = find(c.stone_i), b = find(c.stone_j);
+      root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+    part_.assign(count, -1);
+    for (std::size_t b = 0; b < count; ++b) {
+      const int first = find(static_cast<int>(b));
+      if (rests(first)) continue;
+      auto& part = part_[static_cast<std::size_t>(first)];
+      if (part < 0) part = static_cast<int>(parts_.size()), parts_.push_back({first, 0});
+      part_[b] = part;
+      auto& reach = parts_[static_cast<std::size_t>(part)].radius;
+      reach = std::max(reach, norm(from_first(static_cast<int>(b))) + radius(static_cast<int>(b)));
+    }
+  }
+
+  /// The middle of a stone from that of the first of its part [m].
+  Vector<2> from_first(int stone) const {
+    const auto first = parts_[static_cast<std::size_t>(part_[static_cast<std::size_t>(stone)])].first_stone;
+    return s_.stones[static_cast<std::size_t>(stone)].middle - s_.stones[static_cast<std::size_t>(first)].middle;
+  }
+
+  /// Velocity of a place of a stone along a direction; nothing of one that rests.
+  Terms terms_of(int stone, const Vector<2>& arm, const Vector<2>& direction, double sign) const {
+    const int part = part_[static_cast<std::size_t>(stone)];
+    if (part < 0) return {};
+    const auto place = from_first(stone) + arm;
+    const double reach = parts_[static_cast<std::size_t>(part)].radius;
+    return {{3 * part, sign * direction[0]},
+            {3 * part + 1, sign * direction[1]},
+            {3 * part + 2, sign * cross(place, direction) / reach}};
+  }
+
+  int add_row(const Terms& terms, double lower, double upper) {
+    if (terms.empty()) return -1;
+    const int row = lp_.add_row(lower, upper);
+    for (const auto& [column, factor] : terms)
+      rows_of_column_[static_cast<std::size_t>(column)].push_back({row, factor});
+    return row;
+  }
+
+  void add_contact(const RigidContact& c) {
+    if (part_[static_cast<std::size_t>(c.stone_i)] == part_[static_cast<std::size_t>(c.stone_j)]) return;
+    const auto relative = [&](const Vector<2>& axis) {
+      auto terms = terms_of(c.stone_j, c.arm_j, axis, 1);
+      const auto less = terms_of(c.stone_i, c.arm_i, axis, -1);
+      terms.insert(terms.end(), less.begin(), less.end());
+      return terms;
+    };
+    const auto v = relative_velocity(c, mechanism_);
+    const double friction = c.law.friction < endless_friction ? c.law.friction : 0;
+    if (norm(v) <= none) {
+      for (const auto& axis : c.axis) add_row(relative(axis), -none, none);
+    } else if (std::abs(v[1]) > none && std::abs(v[0] - friction * std::abs(v[1])) <= none) {
+      const auto opening = relative(c.axis[0]);
+      sliding_.push_back(add_row(opening, -none, endless));
+      cost_.resize(rows_of_column_.size(), 0.0);
+      for (const auto& [column, factor] : opening) cost_[static_cast<std::size_t>(column)] += factor;
+      if (v[1] > 0)
+        add_row(relative(c.axis[1]), 0, endless);
+      else
+        add_row(relative(c.axis[1]), -endless, 0);
+    } else {
+      add_row(relative(c.axis[0]), -none, endless);
+    }
+  }
+
+  /// The loads do the same work as along the mechanism.
+  void add_driving(const std::vector<Wrench>& driving) {
+    double all = 0;
+    Wrench unit{};
+    std::vector<double> sum(rows_of_column_.size(), 0.0);
+    for (std::size_t b = 0; b < part_.size(); ++b) {
+      if (part_[b] < 0) continue;
+      all += power(driving[b], mechanism_[b]);
+      const auto place = from_first(static_cast<int>(b));
+      const auto part = static_cast<std::size_t>(part_[b]);
+      unit = driving[b];
+      sum[3 * part] += unit[0];
+      sum[3 * part + 1] += unit[1];
+      sum[3 * part + 2] += (cross(place, {unit[0], unit[1]}) + unit[2]) / parts_[part].radius;
+    }
+    Terms terms;
+    for (std::size_t k = 0; k < sum.size(); ++k) terms.emplace_back(static_cast<int>(k), sum[k] / all);
+    add_row(terms, 1, 1);
+  }
+
+  /// Of every component from the mechanism's: a column for more and one for less.
+  void add_distance() {
+    cost_.resize(rows_of_column_.size(), 0.0);
+    for (std::size_t k = 0; k < rows_of_column_.size(); ++k) {
+      const auto& part = parts_[k / 3];
+      const double here = moves(part.first_stone)[k % 3] * (k % 3 == 2 ? part.radius : 1);
+      const int row = lp_.add_row(here, here);
+      rows_of_column_[k].push_back({row, 1});
+      distances_.emplace_back(row, 1.0);
+      distances_.emplace_back(row, -1.0);
+    }
+  }
+
+  std::vector<Wrench> motions(const std::vector<double>& x) const {
+    std::vector<Wrench> all(part_.size(), Wrench{});
+    for (std::size_t b = 0; b < part_.size(); ++b) {
+      if (part_[b] < 0) continue;
+      const auto k = 3 * static_cast<std::size_t>(part_[b]);
+      const double turn = x[k + 2] / parts_[k / 3].radius;
+      const auto v = velocity_at({x[k], x[k + 1], turn}, from_first(static_cast<int>(b)));
+      all[b] = {v[0], v[1], turn};
+    }
+    return all;
+  }
+
+  const RigidStructure& s_;
+  const std::vector<Wrench>& mechanism_;
+  std::vector<int> part_;  ///< of a stone; -1 for one that rests
+  std::vector<Part> parts_;
+  LinearProgramme lp_;
+  std::vector<std::vector<ProgrammeEntry>> rows_of_column_;
+  std::vector<double> cost_;  ///< per column: of opening where the mechanism slides
+  std::vector<int> sliding_;  ///< rows of those openings
+  std::vector<std::pair<int, double>> distances_;
+};
+
+}  // namespace
+
+CoulombMotion coulomb_motion(const RigidStructure& s, const std::vector<Wrench>& mechanism,
+                             const std::vector<Wrench>& driving) {
+  MotionProgramme programme(s, mechanism, driving);
+  if (!programme.slides()) return {mechanism, false};
+  auto motion = programme.solve();
+  if (motion.empty()) return {mechanism, true};
+  return {std::move(motion), false};
+}
+
+}  // namespace voussoir
