@@ -57,14 +57,15 @@ def draw_energy(history, folder):
     course = Course(history)
     energies = {name: column(history, f"{key}_J") for name, key in
                 (("external work", "external_work"), ("elastic", "elastic"), ("kinetic", "kinetic"), ("friction", "friction"),
-                 ("fracture", "fracture"), ("damping", "damping"))}
+                 ("fracture", "fracture"), ("damping", "damping"), ("jumps", "jump"))
+                if f"{key}_J" in history[0]}
     present = {name: value for name, value in energies.items() if np.nanmax(np.abs(value), initial=0) > 0}
     largest = max((np.nanmax(np.abs(value)) for value in present.values()), default=0)
     if not largest > 0:
         return None
     factor, unit = prefixed(largest, "J")
     figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 3.6), gridspec_kw=dict(width_ratios=(1.6, 1)))
-    shades = dict(zip(energies, ((INK, "--"), (BLUE, "-"), (GREEN, "-"), (ORANGE, "-"), (RED, "-"), (PURPLE, "-"))))
+    shades = dict(zip(energies, ((INK, "--"), (BLUE, "-"), (GREEN, "-"), (ORANGE, "-"), (RED, "-"), (PURPLE, "-"), (RED, ":"))))
     for name, value in present.items():
         colour, style = shades[name]
         on_top = 3 if name == "external work" else 2  # dashed, so that what it hides shows through

@@ -162,8 +162,9 @@ def add_cost(page, results, folder):
                      + (f" Peak memory per rank: {memory}." if memory else ""))
     if history and "elastic_J" in history[0]:
         page.part("Energy book")
-        page.words("External work is stored as elastic energy or spent in friction and fracture; the imbalance is what the book does not explain "
-                   "and should be as small as the tolerance of the solver.")
+        page.words("External work, forces times ways of loads and moved supports, is stored as elastic energy or spent in friction and fracture, "
+                   "or lost in a jump, where the structure let go faster than it was moved. The imbalance is what the book does not "
+                   "explain: in time steps as little as the tolerance of the solver, in load steps it goes with their size.")
         tables.step_table(page, history, tables.ENERGY_COLUMNS)
 
 

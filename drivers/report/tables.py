@@ -172,7 +172,7 @@ STEP_COLUMNS = (("step", "step"), ("stage", "stage"), ("load factor", "load_fact
                 ("displacement [m]", "largest_displacement_m"), ("seconds", "seconds"))
 ENERGY_COLUMNS = (("step", "step"), ("stage", "stage"), ("elastic [J]", "elastic_J"), ("kinetic [J]", "kinetic_J"),
                   ("external work [J]", "external_work_J"), ("friction [J]", "friction_J"), ("fracture [J]", "fracture_J"),
-                  ("damping [J]", "damping_J"), ("imbalance [J]", "imbalance_J"))
+                  ("damping [J]", "damping_J"), ("lost in jumps [J]", "jump_J"), ("imbalance [J]", "imbalance_J"))
 
 
 def step_table(page, history, columns):

@@ -1,62 +1,61 @@
 // The energy book: what went in, what is stored, what was lost, and what the book cannot explain.
 //
-//   imbalance = elastic + kinetic + friction + fracture + damping - external work        [J]
+//   imbalance = elastic + kinetic + friction + fracture + damping + jump - external work        [J]
 //
-// In load steps friction takes the force at the end of the step times the slip, and the imbalance tells what the rule
-// for work and loss leaves (run/load_step_book): it vanishes with the size of the steps. In time steps all is
-// exact, so the part of the imbalance that arose in them shows how well they were solved.
+// External work is forces times ways of loads and moved supports, losses are what the laws of joints take on their way:
+// neither is made of the other. In load steps the imbalance tells what the rules for work and loss leave
+// (run/load_step_book): it vanishes with the size of the steps. In time steps all is exact, so the part of the
+// imbalance that arose in them shows how well they were solved.
 #pragma once
+
+#include <string>
+
+#include "base/energies.hpp"
 
 namespace voussoir {
 
-/// What one step adds. [J]
-struct EnergyOfStep {
-  double elastic_at_end = 0, kinetic_at_end = 0;
-  double external_work = 0, friction = 0, fracture = 0, damping = 0;
-};
+/// What one step adds; what is stored is that at its end. [J]
+using EnergyOfStep = Energies;
 
 class EnergyBook {
  public:
   /// @param in_time  true for a time step, false for a load step
   void advance(const EnergyOfStep& step, bool in_time = false) {
     const double before = imbalance();
-    elastic_ = step.elastic_at_end;
-    kinetic_ = step.kinetic_at_end;
-    external_work_ += step.external_work;
-    friction_ += step.friction;
-    fracture_ += step.fracture;
-    damping_ += step.damping;
+    for (const auto& term : energy_terms)
+      sum_.*term.value = step.*term.value + (term.kind == EnergyKind::stored ? 0.0 : sum_.*term.value);
     if (in_time) imbalance_in_time_ += imbalance() - before;
   }
 
   /// Names what a checkpoint keeps (output/checkpoint.hpp).
   template <class Archive>
   void keep(Archive& archive) {
-    archive.value("energy.elastic_J", elastic_);
-    archive.value("energy.kinetic_J", kinetic_);
-    archive.value("energy.external_work_J", external_work_);
-    archive.value("energy.friction_J", friction_);
-    archive.value("energy.fracture_J", fracture_);
-    archive.value("energy.damping_J", damping_);
+    for (const auto& term : energy_terms) archive.value("energy." + std::string(term.name), sum_.*term.value);
     archive.value("energy.imbalance_in_time_J", imbalance_in_time_);
   }
 
-  double elastic() const { return elastic_; }
-  double kinetic() const { return kinetic_; }
-  double external_work() const { return external_work_; }
-  double friction() const { return friction_; }
-  double fracture() const { return fracture_; }
-  double damping() const { return damping_; }
-  double imbalance() const { return elastic_ + kinetic_ + friction_ + fracture_ + damping_ - external_work_; }
+  const Energies& sums() const { return sum_; }
+  double elastic() const { return sum_.elastic; }
+  double kinetic() const { return sum_.kinetic; }
+  double external_work() const { return sum_.external_work; }
+  double friction() const { return sum_.friction; }
+  double fracture() const { return sum_.fracture; }
+  double imbalance() const {
+    double left = 0;
+    for (const auto& term : energy_terms)
+      if (term.kind != EnergyKind::part) left += (term.kind == EnergyKind::given ? -1 : 1) * (sum_.*term.value);
+    return left;
+  }
   double imbalance_in_time() const { return imbalance_in_time_; }
   /// The velocities a structure is given before its first time step.
   void give(double kinetic) {
-    kinetic_ += kinetic;
-    external_work_ += kinetic;
+    sum_.kinetic += kinetic;
+    sum_.external_work += kinetic;
+    sum_.work_within_steps += kinetic;
   }
 
  private:
-  double elastic_ = 0, kinetic_ = 0, external_work_ = 0, friction_ = 0, fracture_ = 0, damping_ = 0;
+  Energies sum_;
   double imbalance_in_time_ = 0;
 };
 

@@ -51,9 +51,11 @@ void JointLawParameters::declare(ParameterSection& section) {
   };
   check("normal stiffness", normal_stiffness);
   check("tangential stiffness", tangential_stiffness);
-  section.add("initial gap", initial_gap, "m", at_least(0.0),
-              "opening of these joints at the start; the mesh shows them closed", "blocks do not lie in each other",
-              "Give 0 for blocks that touch.");
+  section.add(
+      "initial gap", initial_gap, "m", at_least(0.0),
+      "opening of these joints at the start; the mesh shows them closed. What stands open is not bonded: its cohesion "
+      "and tension strength count for nothing",
+      "blocks do not lie in each other", "Give 0 for blocks that touch.");
 }
 
 }  // namespace voussoir

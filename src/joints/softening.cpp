@@ -5,21 +5,7 @@
 namespace voussoir {
 namespace {
 
-constexpr double finest_piece = 0.5;  // of kappa, where a rule of five points has only round-off to leave
-constexpr double all_lost = 40;       // kappa beyond which exponential softening has left less than round-off
-
-/// Share of a straight way after which a function that grows along it is beyond a bound; 1 where it stays below.
-template <class Function>
-double share_below(double bound, const Function& grows) {
-  if (grows(1.0) <= bound) return 1;
-  double low = 0, high = 1;
-  while (high - low > 1e-16 * high) {
-    const double middle = (low + high) / 2;
-    if (middle == low || middle == high) break;
-    (grows(middle) <= bound ? low : high) = middle;
-  }
-  return low;
-}
+constexpr double all_lost = 40;  // kappa beyond which exponential softening has left less than round-off
 
 }  // namespace
 
@@ -115,31 +101,6 @@ void SofteningPoints::start_again() {
     opened_[k] = opened_before_[k];
     way_[k] = reached_[k] = 0;
   }
-}
-
-double held_energy(const PointLaw& whole, const Softening& softening, const JointWear& wear, double gap) {
-  if (!(gap > 0) || !(wear.opened > 0) || !std::isfinite(whole.tension)) return 0;
-  const double pull = strength_left(whole.tension, softening.damage(softening.kappa(wear.opened, wear.slipped)));
-  const double share = std::min(1.0, gap / wear.opened);
-  return pull * wear.opened * share * share / 2;
-}
-
-double mean_strength(const Softening& softening, const JointWear& from, const JointWear& to) {
-  const double opened = to.opened - from.opened, slipped = to.slipped - from.slipped;
-  const auto kappa = [&](double share) {
-    return softening.kappa(from.opened + share * opened, from.slipped + share * slipped);
-  };
-  const double end = share_below(softening.exponential ? all_lost : 2.0, kappa);
-  const int pieces = 1 + static_cast<int>((kappa(end) - kappa(0)) / finest_piece);
-  // Gauss's rule of five points.
-  constexpr double place[] = {0.5, 0.230765344947158, 0.769234655052842, 0.046910077030668, 0.953089922969332};
-  constexpr double weight[] = {0.284444444444444, 0.239314335249683, 0.239314335249683, 0.118463442528095,
-                               0.118463442528095};
-  double left = 0;
-  for (int piece = 0; piece < pieces; ++piece)
-    for (int i = 0; i < 5; ++i)
-      left += weight[i] * (1 - softening.damage(kappa(end * (piece + place[i]) / pieces))) * end / pieces;
-  return left;
 }
 
 }  // namespace voussoir

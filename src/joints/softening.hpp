@@ -66,13 +66,6 @@ struct WeakenedLaw {
 /// @param slip    [m] way slipped since the start of the step
 WeakenedLaw weaken(const PointLaw& whole, const Softening&, const JointWear& before, double gap, double slip);
 
-/// Energy that an open point would give back if it closed [J].
-double held_energy(const PointLaw& whole, const Softening&, const JointWear&, double gap);
-
-/// Mean share of its strength that a point has along a straight way from one wear to another [-]: times strength and
-/// way it is the work that a mode takes.
-double mean_strength(const Softening&, const JointWear& from, const JointWear& to);
-
 /// Softening of many points during one step, as the nonlinear solver sees it. Points wear with every state that it
 /// comes to on its way (wear_by), and their strength may be held as it is meanwhile.
 class SofteningPoints {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
@@ -86,23 +87,28 @@ constexpr Column columns[] = {
     column<&HistoryRow::complementarity_residual>("complementarity_residual"),
     column<&HistoryRow::largest_penetration>("largest_penetration_m"),
     column<&HistoryRow::error_estimate>("error_estimate"),
-    column<&HistoryRow::elastic>("elastic_J"),
-    column<&HistoryRow::kinetic>("kinetic_J"),
-    column<&HistoryRow::external_work>("external_work_J"),
-    column<&HistoryRow::friction>("friction_J"),
-    column<&HistoryRow::fracture>("fracture_J"),
-    column<&HistoryRow::damping>("damping_J"),
     column<&HistoryRow::imbalance>("imbalance_J"),
     column<&HistoryRow::imbalance_in_time>("imbalance_in_time_J"),
     column<&HistoryRow::largest_displacement>("largest_displacement_m"),
     column<&HistoryRow::seconds>("seconds"),
 };
+constexpr std::string_view behind_energies = "imbalance_J";
+
+/// Names of columns and values of a row, in their order: terms of the energy book stand before what it leaves.
+template <class Add>
+void each_column(const HistoryRow& row, const Add& add) {
+  for (const Column& c : columns) {
+    if (c.name == behind_energies)
+      for (const auto& term : energy_terms) add(term.name, field(row.energy.*term.value));
+    add(c.name, c.value(row));
+  }
+}
 
 }  // namespace
 
 std::string History::heading(const std::vector<std::string>& further) {
   std::string line;
-  for (const Column& c : columns) line += (line.empty() ? "" : ",") + std::string(c.name);
+  each_column({}, [&](const char* name, const std::string&) { line += (line.empty() ? "" : ",") + std::string(name); });
   for (std::string name : further) {
     // A name may hold anything; a row is a line.
     std::replace_if(
@@ -132,7 +138,8 @@ History::History(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> comm, 
 void History::append(const HistoryRow& row) {
   on_first_rank(*comm_, [this, &row] {
     std::string line;
-    for (const Column& c : columns) line += (&c == columns ? "" : ",") + c.value(row);
+    each_column(
+        row, [&](const char* name, const std::string& value) { line += (name == columns[0].name ? "" : ",") + value; });
     for (const double value : row.observed) line += ',' + field(value);
     put(line);
   });

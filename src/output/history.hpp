@@ -9,6 +9,8 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
 
+#include "base/energies.hpp"
+
 namespace voussoir {
 
 /// What a load step found and what it cost; numbers are those of the whole structure, counts those of this step alone.
@@ -24,12 +26,10 @@ struct HistoryRow {
   double complementarity_residual = 0.0;  ///< [-]
   double largest_penetration = 0.0;       ///< [m]
   double error_estimate = 0.0;            ///< [-] relative, energy norm
-  double elastic = 0.0, kinetic = 0.0;    ///< [J] stored at the end of the step
-  double external_work = 0.0;             ///< [J] since the start, like friction, fracture and imbalance
-  double friction = 0.0, fracture = 0.0, damping = 0.0;  ///< [J]
-  double imbalance = 0.0;                                ///< [J] what the energy book cannot explain
-  double imbalance_in_time = 0.0;                        ///< [J] the part of it that arose in time steps
-  double largest_displacement = 0.0;                     ///< [m]
+  Energies energy;                        ///< [J] stored at the end of the step; all others since the start
+  double imbalance = 0.0;                 ///< [J] what the energy book cannot explain
+  double imbalance_in_time = 0.0;         ///< [J] the part of it that arose in time steps
+  double largest_displacement = 0.0;      ///< [m]
   double seconds = 0.0;
   std::vector<double> observed;  ///< a value for each further column
 };

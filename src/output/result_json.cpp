@@ -32,14 +32,11 @@ const char* word(Outcome outcome) {
 }
 
 Json energy_book(const EnergySummary& energy) {
-  return {{"elastic_J", energy.elastic},
-          {"kinetic_J", energy.kinetic},
-          {"external_work_J", energy.external_work},
-          {"friction_J", energy.friction},
-          {"fracture_J", energy.fracture},
-          {"damping_J", energy.damping},
-          {"imbalance_J", energy.imbalance},
-          {"imbalance_in_time_J", energy.imbalance_in_time}};
+  Json json;
+  for (const auto& term : energy_terms) json[term.name] = energy.*term.value;
+  json["imbalance_J"] = energy.imbalance;
+  json["imbalance_in_time_J"] = energy.imbalance_in_time;
+  return json;
 }
 
 Json load_factor_search(const CollapseSummary& c) {

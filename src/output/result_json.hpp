@@ -11,6 +11,7 @@
 
 #include <Teuchos_Comm.hpp>
 
+#include "base/energies.hpp"
 #include "base/warning.hpp"
 
 namespace voussoir {
@@ -19,9 +20,8 @@ namespace voussoir {
 enum class Outcome { equilibrium, collapse, not_converged, out_of_range, interrupted };
 
 /// Energy book at the end of the run. [J]
-struct EnergySummary {
-  double elastic = 0.0, kinetic = 0.0, external_work = 0.0, friction = 0.0, fracture = 0.0, imbalance = 0.0;
-  double damping = 0.0, imbalance_in_time = 0.0;
+struct EnergySummary : Energies {
+  double imbalance = 0.0, imbalance_in_time = 0.0;
 };
 
 /// The motion a collapse begins with.

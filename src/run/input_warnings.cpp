@@ -175,6 +175,17 @@ void warn_of_raised_energies(const Model<2>& model, Warnings& all) {
   }
 }
 
+/// What is drawn open bonds nothing (Model::set_strengths).
+void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
+  for (const auto& [name, law] : scene.joints)
+    if (law.initial_gap > 0 && std::max(law.cohesion, law.tension_strength) > 0)
+      all.push_back({"strength_over_gap", scene.file + ": scene > joints > " + name + " > initial gap", "",
+                     law.initial_gap,
+                     "the joints stand open by " + number_text(law.initial_gap) +
+                         " m at the start, and what does not touch is not bonded: their cohesion and tension strength "
+                         "count for nothing, and where they close they rub; leave the gap out where mortar fills it"});
+}
+
 }  // namespace
 
 Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
@@ -182,6 +193,7 @@ Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
   warn_of_sizes(scene, source, all);
   warn_of_lone_stones(scene, source, all);
+  warn_of_strength_over_gaps(scene, all);
   append(all, warnings_of_sides(scene, source));
   return all;
 }

@@ -96,6 +96,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
     found.solves -= settled.report.newton.newton_iterations;
     settled.report.newton.newton_iterations += found.report.newton.newton_iterations;
     found.report = settled.report;
+    found.report.passed_in_time = true;
   } else {
     run.state.velocity.clear();
     found.report.newton.outcome = NewtonOutcome::collapse;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
 #include "step/joint_strength.hpp"
@@ -29,6 +30,16 @@ double rubbing(const Model<dim>& model, const ContactState& state, int k) {
 
 }  // namespace
 
+void add_work(const WorkOfForces& forces, double beyond_mean, double overshoot, bool jumped, EnergyOfStep& energy) {
+  const double either_way = (std::abs(forces.change_of_loads) + std::abs(forces.change_of_reactions)) / 2;
+  if (beyond_mean < (jumped ? 0.0 : -either_way)) {
+    energy.jump = -beyond_mean;
+    beyond_mean = 0;
+  }
+  energy.work_within_steps = std::min(beyond_mean, either_way + overshoot);
+  energy.external_work = forces.of_mean + energy.work_within_steps;
+}
+
 template <int dim>
 LoadStepBook<dim>::LoadStepBook(const Model<dim>& model, const AdaptiveStep<dim>& step, const ContactState& before,
                                 const std::vector<double>& load_before)
@@ -39,33 +50,48 @@ LoadStepBook<dim>::LoadStepBook(const Model<dim>& model, const AdaptiveStep<dim>
       reaction_before_(step.residual(before, load_before)),
       gap_before_(step.stone_gaps(before)) {}
 
-/// What strength takes in opening and in slipping, exact on a straight way; what joints would give back is no loss.
+/// What strength takes along the law's own way, and what the mean of forces leaves out of it.
 template <int dim>
-void LoadStepBook<dim>::add_fracture(const ContactState& after, const PointField& gap, int k, OfPoints& sum) const {
+CrackWork LoadStepBook<dim>::add_fracture(const ContactState& after, const PointField& gap, int k,
+                                          OfPoints& sum) const {
   const auto& law = model_.law()[k];
   const auto& softening = model_.softening()[k];
-  const JointWear start{before_.opened[k], before_.slipped[k]}, end{after.opened[k], after.slipped[k]};
-  const double held_before = held_energy(law, softening, start, gap_before_[dim * k]);
-  const double held_after = held_energy(law, softening, end, gap[dim * k]);
-  sum.held += held_after;
-  const double mean = mean_strength(softening, start, end);
-  const auto taken = [mean](double strength, double way) { return way > 0 ? mean * strength * way : 0.0; };
-  const double opened = std::max(0.0, gap[dim * k]) - std::max(0.0, gap_before_[dim * k]);
-  const double pulled = std::min(0.0, before_.lambda[dim * k]) + std::min(0.0, after.lambda[dim * k]);
-  double work = -pulled / 2 * opened;
-  if (end.opened > start.opened) {  // it pulls as before up to the largest opening there has been, then it softens
-    const double exact =
-        held_energy(law, softening, start, start.opened) - held_before + taken(law.tension, end.opened - start.opened);
-    sum.to_work += exact - work;
-    work = exact;
-  }
-  if (const double way = end.slipped - start.slipped; way > 0) {
-    const double exact = taken(law.cohesion, way);
-    const double ends = law_left(model_, before_, k).cohesion + law_left(model_, after, k).cohesion;
-    sum.to_work += exact - ends / 2 * way;
-    work += exact;
-  }
-  sum.fracture += work - (held_after - held_before);
+  const auto end_of = [&](const ContactState& state, const PointField& gaps) {
+    CrackEnd end{{state.opened[k], state.slipped[k]}, gaps[dim * k], state.lambda[dim * k]};
+    // Of a point that bears what its law has no open one bear, the gap is what solvers leave of none.
+    const double pull = weaken(law, softening, end.wear, end.gap, 0).pull;
+    if (!(model_.local_stiffness()[k] * end.gap - end.normal > pull)) end.gap = std::min(end.gap, 0.0);
+    return end;
+  };
+  const auto from = end_of(before_, gap_before_), to = end_of(after, gap);
+  const auto work = crack_work(law, softening, from, to);
+  sum.held += held_energy(law, softening, to.wear, to.gap);
+  sum.fracture += work.fracture;
+  const double pulled = std::max(0.0, -from.normal), pulls = std::max(0.0, -to.normal);
+  sum.beyond_mean += work.pull - (pulled + pulls) / 2 * (std::max(0.0, to.gap) - std::max(0.0, from.gap));
+  sum.overshoot += std::max(0.0, work.peak_pull - std::max(pulled, pulls)) * work.opened;
+  return work;
+}
+
+/// Friction takes the force at the end of the step; work has that of the mean of bounds.
+template <int dim>
+void LoadStepBook<dim>::add_friction(const ContactState& after, const PointField& gap, const CrackWork& crack, int k,
+                                     OfPoints& sum) const {
+  const auto force_before = tangential<dim>(before_.lambda, k), force = tangential<dim>(after.lambda, k);
+  const auto slip = tangential<dim>(gap, k) - tangential<dim>(gap_before_, k);
+  const auto law = law_left(model_, after, k), law_before = law_left(model_, before_, k);
+  const double bound = friction_bound(law, after.lambda[dim * k]);
+  const double all = friction_work(bound, force, slip, model_.local_stiffness()[k]);
+  if (all == 0 && crack.slipped == 0) return;
+  const bool softens = !model_.softening().empty() && model_.softening()[k].any();
+  const double way = norm(slip), taken = all - (softens ? std::min(all, law.cohesion * way) : 0.0);
+  const double rubbed = softens ? rubbing(model_, before_, k) : friction_bound(law_before, before_.lambda[dim * k]);
+  sum.friction += taken;
+  sum.beyond_mean += crack.cohesion + (rubbed * way + taken) / 2 + 0.5 * dot(force_before + force, slip);
+  const double peak = std::max(friction_bound(law_before, std::max(0.0, before_.lambda[dim * k])),
+                               friction_bound(law_before, std::max(0.0, after.lambda[dim * k])));
+  if (std::isfinite(peak))
+    sum.overshoot += std::max(0.0, peak - std::max(norm(force_before), norm(force))) * std::max(way, crack.slipped);
 }
 
 template <int dim>
@@ -74,46 +100,44 @@ typename LoadStepBook<dim>::OfPoints LoadStepBook<dim>::of_points(const ContactS
   const auto gap = step_.stone_gaps(after);
   for (int k = 0; k < model_.points().owned(); ++k) {
     if (!after.selected[k]) continue;
-    if (!model_.softening().empty()) add_fracture(after, gap, k, sum);
-    const auto force_before = tangential<dim>(before_.lambda, k), force = tangential<dim>(after.lambda, k);
-    const auto slip = tangential<dim>(gap, k) - tangential<dim>(gap_before_, k);
-    const auto law = law_left(model_, after, k);
-    const double bound = friction_bound(law, after.lambda[dim * k]);
-    const double all = friction_work(bound, force, slip, model_.local_stiffness()[k]);
-    if (all == 0) continue;
-    const double by_cohesion = std::min(all, law.cohesion * norm(slip)), taken = all - by_cohesion;
-    const double cohesion = law_left(model_, before_, k).cohesion + law.cohesion;
-    const double by_mean = -0.5 * dot(force_before + force, slip);
-    const double by_bounds = ((rubbing(model_, before_, k) + cohesion) * norm(slip) + taken) / 2;
-    sum.friction += taken;
-    sum.to_work += by_bounds - by_mean;
+    const bool softens = !model_.softening().empty() && model_.softening()[k].any();
+    const auto crack = softens ? add_fracture(after, gap, k, sum) : CrackWork{};
+    add_friction(after, gap, crack, k, sum);
   }
   return sum;
 }
 
 template <int dim>
-EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vector<double>& load) const {
+EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vector<double>& load, bool jumped) const {
   const auto& s = model_.structure();
   const auto reaction = step_.residual(after, load);
   const auto deformation = s.deformation(after.displacement);
   std::vector<double> ku;
   s.apply_stiffness(deformation, ku);
-  double elastic = 0, work = 0;
+  EnergyOfStep energy;
+  WorkOfForces work;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
-    elastic += deformation[i] * ku[i] / 2;
+    energy.elastic += deformation[i] * ku[i] / 2;
     const double moved = after.displacement[i] - before_.displacement[i];
-    work += moved * (load_before_[i] + load[i]) / 2;
-    if (model_.held()[i]) work += moved * (reaction_before_[i] + reaction[i]) / 2;
+    work.of_mean += moved * (load_before_[i] + load[i]) / 2;
+    if (!model_.held()[i]) {
+      work.change_of_loads += moved * (load[i] - load_before_[i]);
+      continue;
+    }
+    work.of_mean += moved * (reaction_before_[i] + reaction[i]) / 2;
+    work.change_of_reactions += moved * (reaction[i] - reaction_before_[i]);
   }
   const auto points = of_points(after);
-  elastic += model_.mortar_energy(after.lambda) + points.held;
+  energy.elastic += model_.mortar_energy(after.lambda) + points.held;
   const auto& comm = *s.comm();
-  return {total_over_ranks(comm, elastic),
-          0,
-          total_over_ranks(comm, work + points.to_work),
-          total_over_ranks(comm, points.friction),
-          total_over_ranks(comm, points.fracture),
-          0};
+  const auto all = [&comm](double mine) { return total_over_ranks(comm, mine); };
+  const WorkOfForces of_all{all(work.of_mean), all(work.change_of_loads), all(work.change_of_reactions)};
+  energy.elastic = all(energy.elastic);
+  energy.friction = all(points.friction);
+  energy.fracture = all(points.fracture);
+  add_work(of_all, all(points.beyond_mean), all(points.overshoot), jumped, energy);
+  VOUSSOIR_ENSURE(!(energy.fracture < 0) && !(energy.friction < 0) && !(energy.jump < 0));
+  return energy;
 }
 
 template class LoadStepBook<2>;

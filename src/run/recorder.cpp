@@ -6,6 +6,7 @@
 
 #include "blocks/stresses.hpp"
 #include "linalg/reduce.hpp"
+#include "run/step_warnings.hpp"
 #include "step/joint_strength.hpp"
 #include "step/phase.hpp"
 
@@ -140,7 +141,8 @@ void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& af
                            const StepReport& report, const std::string& stage, double load_factor, bool write_fields,
                            double seconds) {
   Phase phase("output");
-  record_.energy.advance(book.close(after, load));
+  const bool jump = report.passed_in_time || jumped(report, model_.scene().internals.step);
+  record_.energy.advance(book.close(after, load, jump));
   const auto reaction = observations_.ask_reactions() ? step_.residual(after, load) : std::vector<double>{};
   finish(after, report, stage, load_factor, {}, reaction, write_fields, seconds);
 }
@@ -149,8 +151,15 @@ template <int dim>
 void Recorder<dim>::record(const ContactState& after, const TimeStepReport& report, const std::string& stage,
                            double stage_share, double time, bool write_fields, double seconds) {
   Phase phase("output");
-  record_.energy.advance(
-      {report.elastic, report.kinetic, report.external_work, report.friction, report.fracture, report.damping}, true);
+  EnergyOfStep energy;
+  energy.elastic = report.elastic;
+  energy.kinetic = report.kinetic;
+  energy.external_work = report.external_work;
+  energy.friction = report.friction;
+  energy.fracture = report.fracture;
+  energy.damping = report.damping;
+  energy.work_within_steps = report.work_of_impulses;
+  record_.energy.advance(energy, true);
   record_.summary.time = time;
   finish(after, report.step, stage, stage_share, time, report.reaction, write_fields, seconds);
 }
@@ -194,12 +203,7 @@ HistoryRow Recorder<dim>::row_of(const StepReport& report) const {
   row.complementarity_residual = report.newton.complementarity;
   row.largest_penetration = report.newton.penetration;
   row.error_estimate = report.error_estimate;
-  row.elastic = energy.elastic();
-  row.kinetic = energy.kinetic();
-  row.external_work = energy.external_work();
-  row.friction = energy.friction();
-  row.fracture = energy.fracture();
-  row.damping = energy.damping();
+  row.energy = energy.sums();
   row.imbalance = energy.imbalance();
   row.imbalance_in_time = energy.imbalance_in_time();
   return row;
@@ -232,8 +236,7 @@ void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, do
     sum.largest_displacement = largest_displacement;
     sum.largest_displacement_time = sum.time;
   }
-  sum.energy = {energy.elastic(),  energy.kinetic(),   energy.external_work(), energy.friction(),
-                energy.fracture(), energy.imbalance(), energy.damping(),       energy.imbalance_in_time()};
+  sum.energy = {energy.sums(), energy.imbalance(), energy.imbalance_in_time()};
   sum.load_factor = load_factor;
 }
 

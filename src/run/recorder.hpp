@@ -134,8 +134,7 @@ void Record::keep(Archive& archive) {
   summary.open_points = count.open;
   summary.stick_points = count.stick;
   summary.slip_points = count.slip;
-  summary.energy = {energy.elastic(),  energy.kinetic(),   energy.external_work(), energy.friction(),
-                    energy.fracture(), energy.imbalance(), energy.damping(),       energy.imbalance_in_time()};
+  summary.energy = {energy.sums(), energy.imbalance(), energy.imbalance_in_time()};
 }
 
 extern template class Recorder<2>;

@@ -191,6 +191,7 @@ bool Run::pass_in_time(const LoadIncrement& increment, const std::string& when, 
   state_ = std::move(settled.state);
   report = settled.report;
   report.newton.newton_iterations = settled.solves;
+  report.passed_in_time = true;
   for (const auto& w : passed_in_time(settled.time, when)) warn(w);
   return true;
 }

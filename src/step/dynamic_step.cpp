@@ -176,7 +176,7 @@ void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<doub
       mine = true;
     }
   if (largest_over_ranks(*mass_.comm(), mine) == 0) return;
-  report.external_work += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
   state.velocity = v;
 }
 
@@ -337,7 +337,8 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
     const auto jump = velocities_.apply(*model_, after, closing, resting);
     const auto tied = bond_what_rests(after, at_rest_.gaps(after.displacement), energy, resting);
     report.friction += jump.friction + tied.friction;
-    report.external_work += jump.work_of_supports + tied.work_of_supports;
+    report.work_of_impulses += jump.work_of_supports + tied.work_of_supports;
+    report.external_work += report.work_of_impulses;
   } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
     report.step.newton.fail(failure.what());
     return false;

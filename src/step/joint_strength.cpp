@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "joints/crack_work.hpp"
 #include "joints/friction_work.hpp"
 
 namespace voussoir {
@@ -50,9 +51,10 @@ EnergyOfStep loss_in_time(const Model<dim>& model, const ContactState& before, c
   const double taken = friction_work(friction_bound(law, normal), force, slip, stiffness);
   const double by_cohesion = taken > 0 ? std::min(taken, law.cohesion * norm(slip)) : 0.0;
   loss.friction = taken - by_cohesion;
-  loss.fracture = by_cohesion - 2 * std::min(0.0, normal) * (gap[dim * k] - opening) +
-                  held_energy(whole, softening, start, 2 * opening) -
-                  held_energy(whole, softening, end, 2 * gap[dim * k]);
+  // What the forces of the step take; where it bends sharply that may be less than the law takes, never less than none.
+  loss.fracture = std::max(0.0, by_cohesion - 2 * std::min(0.0, normal) * (gap[dim * k] - opening) +
+                                    held_energy(whole, softening, start, 2 * opening) -
+                                    held_energy(whole, softening, end, 2 * gap[dim * k]));
   return loss;
 }
 

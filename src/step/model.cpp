@@ -101,12 +101,7 @@ void Model<dim>::set_laws() {
     joint.family = family_of(scene_, source_, i, j);
   }
   law_ = PointLaws(points_->points().size());
-  for (std::size_t k = 0; k < law_.size(); ++k) {
-    const auto& p = points_->points()[k];
-    const auto& law = scene_.joints[joints[p.joint].family].parameters;
-    law_.set(k, {law.friction_coefficient, law.cohesion * p.area, law.tension_strength * p.area});
-    initial_gap_.push_back(law.initial_gap);
-  }
+  for (std::size_t k = 0; k < law_.size(); ++k) initial_gap_.push_back(joint_law(k).initial_gap);
   // Of the scene, not of the points here: every rank must come to the same.
   for (const auto& [name, law] : scene_.joints) {
     weakens_ |= std::max(law.cohesion, law.tension_strength) > 0 &&
@@ -115,44 +110,69 @@ void Model<dim>::set_laws() {
     softest_mortar_ = std::min({softest_mortar_, law.normal_stiffness, law.tangential_stiffness});
   }
   if (softest_mortar_ < JointLawParameters::infinity)
-    for (const auto& p : points_->points()) {
-      const auto& law = scene_.joints[joints[p.joint].family].parameters;
-      compliance_.push_back({1 / (law.normal_stiffness * p.area), 1 / (law.tangential_stiffness * p.area)});
+    for (std::size_t k = 0; k < law_.size(); ++k) {
+      const double area = points_->points()[k].area;
+      compliance_.push_back(
+          {1 / (joint_law(k).normal_stiffness * area), 1 / (joint_law(k).tangential_stiffness * area)});
     }
   set_local_stiffness(nullptr, {});
-  set_softening();
+  set_strengths();
   const bool closed = std::all_of(scene_.joints.begin(), scene_.joints.end(),
                                   [](const auto& joint) { return joint.parameters.initial_gap == 0; });
   if (closed) initial_gap_.clear();
 }
 
+template <int dim>
+const JointLawParameters& Model<dim>::joint_law(std::size_t point) const {
+  return scene_.joints[points_->joints()[points_->points()[point].joint].family].parameters;
+}
+
+/// What stands open as drawn, or beside a stone that is not there, is not bonded: it can rub, no more.
+template <int dim>
+bool Model<dim>::is_bonded(std::size_t point) const {
+  const auto& p = points_->points()[point];
+  const auto& block = structure_->block_of_node();
+  const bool there = absent_.empty() || !(absent_[block[p.node_i]] || absent_[block[p.node_j]]);
+  return there && joint_law(point).initial_gap == 0;
+}
+
+template <int dim>
+void Model<dim>::set_strengths() {
+  if (weakens_) softening_.resize(law_.size());
+  for (std::size_t k = 0; k < law_.size(); ++k) {
+    const auto& joint = joint_law(k);
+    const bool bonded = is_bonded(k);
+    const double area = points_->points()[k].area;
+    law_.set(k, {joint.friction_coefficient, bonded ? joint.cohesion * area : 0.0,
+                 bonded ? joint.tension_strength * area : 0.0});
+    if (weakens_) softening_[k] = bonded ? softening_of(k) : Softening{};
+  }
+}
+
 /// Where the strength of a joint falls faster than the stones beside it can follow, its force jumps: no joint softens
 /// faster than a share of what a point sees of them. One that has no energy of its own softens as fast as that.
 template <int dim>
-void Model<dim>::set_softening() {
-  if (!weakens_) return;
+Softening Model<dim>::softening_of(std::size_t k) const {
   constexpr double infinity = JointLawParameters::infinity;
-  softening_.resize(points_->points().size());
-  for (std::size_t k = 0; k < softening_.size(); ++k) {
-    const auto& p = points_->points()[k];
-    const auto& joint = scene_.joints[points_->joints()[p.joint].family].parameters;
-    const double tension = joint.tension_strength * p.area, cohesion = joint.cohesion * p.area;  // [N]
-    const bool exponential = joint.softening == SofteningShape::exponential;
-    const auto rate = [&](double energy, double strength, double other, int component, bool& brittle) {
-      const double lost = strength > 0 ? strength : other;  // what a mode without strength of its own takes
-      if (!(lost > 0) || lost == infinity) return 0.0;
-      const double c = compliance_.empty() ? 0.0 : compliance_[k].along(component), stone = local_stiffness_[k];
-      const double steepest = scene_.internals.step.steepest_softening * stone / (1 + c * stone);
-      const double fastest = (exponential ? 1 : 2) * steepest / lost;
-      const double asked = energy > 0 ? lost / (energy * p.area) : infinity;
-      brittle = asked > fastest;
-      return std::min(fastest, asked);
-    };
-    auto& s = softening_[k];
-    s.exponential = exponential;
-    s.per_opening = rate(joint.fracture_energy, tension, cohesion, 0, s.brittle_opening);
-    s.per_slip = rate(joint.shear_fracture_energy, cohesion, tension, 1, s.brittle_slip);
-  }
+  const double area = points_->points()[k].area;
+  const auto& joint = joint_law(k);
+  const double tension = joint.tension_strength * area, cohesion = joint.cohesion * area;  // [N]
+  const bool exponential = joint.softening == SofteningShape::exponential;
+  const auto rate = [&](double energy, double strength, double other, int component, bool& brittle) {
+    const double lost = strength > 0 ? strength : other;  // what a mode without strength of its own takes
+    if (!(lost > 0) || lost == infinity) return 0.0;
+    const double c = compliance_.empty() ? 0.0 : compliance_[k].along(component), stone = local_stiffness_[k];
+    const double steepest = scene_.internals.step.steepest_softening * stone / (1 + c * stone);
+    const double fastest = (exponential ? 1 : 2) * steepest / lost;
+    const double asked = energy > 0 ? lost / (energy * area) : infinity;
+    brittle = asked > fastest;
+    return std::min(fastest, asked);
+  };
+  Softening s;
+  s.exponential = exponential;
+  s.per_opening = rate(joint.fracture_energy, tension, cohesion, 0, s.brittle_opening);
+  s.per_slip = rate(joint.shear_fracture_energy, cohesion, tension, 1, s.brittle_slip);
+  return s;
 }
 
 /// Springs in series: the cells on both sides, each as stiff as Young's modulus times the thickness. In a time step the
@@ -222,6 +242,9 @@ void Model<dim>::set_absent(const std::vector<char>& absent) {
   hold_supports();
   for (std::size_t i = 0; i < held_.size(); ++i)
     if (absent[structure_->block_of_node()[i / dim]]) held_[i] = 1;
+  if (absent_ == absent) return;
+  absent_ = absent;
+  set_strengths();
 }
 
 template <int dim>

@@ -36,7 +36,7 @@ class Model {
   const std::vector<char>& held() const { return held_; }
   /// Stiffness a point sees in the cells beside it [N/m].
   const std::vector<double>& local_stiffness() const { return local_stiffness_; }
-  /// Law of each point without damage.
+  /// Law of each point without damage. What is open as drawn, or beside a stone that is not there, has no strength.
   const PointLaws& law() const { return law_; }
   /// How points lose their strength; empty where no joint has any that can be lost.
   const std::vector<Softening>& softening() const { return softening_; }
@@ -61,7 +61,7 @@ class Model {
   /// @return the largest turn of a stone since the last time [rad]
   double follow(const std::vector<double>& displacement);
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
-  /// Holds all of the blocks that are not there [per local block], and what supports hold.
+  /// Holds all of the blocks that are not there [per local block], and what supports hold; no joint bonds with them.
   void set_absent(const std::vector<char>& absent);
   /// Another number wherever places or supports may have changed: what is made of them is to be made again.
   int arrangement() const { return arrangement_; }
@@ -76,7 +76,10 @@ class Model {
 
  private:
   void set_laws();
-  void set_softening();
+  void set_strengths();
+  Softening softening_of(std::size_t point) const;
+  const JointLawParameters& joint_law(std::size_t point) const;
+  bool is_bonded(std::size_t point) const;
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   void hold_supports();
 
@@ -87,6 +90,7 @@ class Model {
   std::shared_ptr<ContactPoints<dim>> points_;
   std::unique_ptr<Continuum<dim>> continuum_;
   std::vector<char> held_;
+  std::vector<char> absent_;  ///< per local block; empty where nothing is built
   std::vector<double> local_stiffness_;
   PointLaws law_;
   std::vector<PointCompliance> compliance_;

@@ -34,6 +34,7 @@ struct StepReport {
   int tied_block = -1;    ///< that stone; -1 where no stone is left loose
   long long largest_clusters = 0;  ///< nodes that were unknowns in the last round
   SystemCost cost;
+  bool passed_in_time = false;  ///< statics led nowhere: let go with inertia, the structure came to rest there
 
   bool converged() const { return newton.outcome == NewtonOutcome::converged; }
   /// Goes on with another solution of the same step, which stands.
