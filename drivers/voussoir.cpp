@@ -35,6 +35,7 @@ const char* const usage =
   --overwrite         remove earlier results of DIR instead of keeping them beside
   --restart           go on with the run in DIR, interrupted or with further stages; without --xml, with its scene
   --restart-from=DIR2 go on with the run in DIR2, and leave that as it is: results go to DIR
+  --trust             let a .geo run programs, and read and write other files, which is refused else
   --validate          check scene and mesh, then stop
   --dry-run           also count unknowns and predict the cost, then stop
   --limit-analysis    rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall
@@ -79,6 +80,8 @@ Arguments parse(const std::vector<std::string>& words) {
       a.run.overwrite = true;
     else if (word == "--restart")
       a.run.restart = true;
+    else if (word == "--trust")
+      a.run.trust = Trust::yes;
     else if (word == "--validate")
       a.run.validate = true;
     else if (word == "--dry-run")
@@ -186,6 +189,7 @@ int run_program(const std::vector<std::string>& words) {
       return exit_done;
     }
     listen_for_stop_signals();
+    end_child_processes_when(stop_signal_here);
     reserve_blas_memory();
     const auto scene = read_on_all_ranks(a, *comm);
     return finish(a, scene, run(scene, a.run, comm, say), say);
@@ -197,7 +201,7 @@ int run_program(const std::vector<std::string>& words) {
     return exit_no_convergence;
   } catch (const ResourceError& error) {
     if (first) std::cerr << error.what() << "\n";
-    return exit_resource;
+    return stop_signal_here() ? exit_interrupted : exit_resource;
   } catch (const std::exception& error) {
     if (!is_out_of_memory(error)) throw;
     std::cerr << out_of_memory_message << "\n" << std::flush;

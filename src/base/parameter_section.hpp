@@ -5,6 +5,8 @@
 //                 "a negative coefficient would create energy in sliding", "Give mu = tan(friction angle).");
 //   }
 //
+// What is allowed and probably not meant is part of the range: at_least(0.0).usually(0.02, 2).
+//
 // The default is the value the struct has. A ParameterSection visits the declarations: ParameterReader fills the
 // struct from a list and validates, XmlPrinter writes it, with or without its documentation. A value is bound when
 // its statement ends, so later statements may depend on it.
@@ -105,6 +107,13 @@ class ParameterSection {
              const std::string& advice) {
     if (!holds) refuse(name, value, why, advice);
   }
+  /// Doubts a value for what other values are: it is allowed and probably not meant. A value alone is doubted where it
+  /// is outside Range::usually().
+  /// @param why   "is 20 m at a tension strength of 0.05 Pa (...)", without the full stop
+  void expect(bool holds, const std::string& name, const std::string& value, const std::string& why,
+              const std::string& advice) {
+    if (!holds) wonder(name, value, why, advice);
+  }
 
  protected:
   virtual void visit(const Parameter&) = 0;
@@ -112,6 +121,7 @@ class ParameterSection {
   virtual void visit(const Family&) = 0;
   virtual void refuse(const std::string& name, const std::string& value, const std::string& why,
                       const std::string& advice) = 0;
+  virtual void wonder(const std::string&, const std::string&, const std::string&, const std::string&) {}
 };
 
 template <class T>

@@ -37,6 +37,22 @@ Range Range::or_infinite() const {
   return range;
 }
 
+Range Range::usually(double least, double most) const {
+  Range range = *this;
+  range.least_usual_ = least;
+  range.most_usual_ = most;
+  return range;
+}
+
+bool Range::is_usual(double x) const {
+  if (most_usual_ == 0 || x == 0 || std::isinf(x)) return true;
+  return least_usual_ <= std::abs(x) && std::abs(x) <= most_usual_;
+}
+
+std::string Range::usual_text() const {
+  return most_usual_ == 0 ? "" : number_text(least_usual_) + " to " + number_text(most_usual_);
+}
+
 Range Range::even() const {
   Range range = *this;
   range.even_ = true;

@@ -14,6 +14,12 @@ class Range {
 
   Range or_infinite() const;
   Range even() const;
+  /// Sizes that are usual: another is allowed, and a warning asks whether its unit is meant. Signs do not matter, and
+  /// nothing at all (0) and infinity are usual wherever they are allowed.
+  Range usually(double least, double most) const;
+  bool is_usual(double) const;
+  /// "0.05 to 2", or "" where nothing is unusual.
+  std::string usual_text() const;
 
  private:
   friend Range any_number();
@@ -26,6 +32,7 @@ class Range {
   Range(double low, bool with_low, double high, bool with_high);
 
   double low_, high_;
+  double least_usual_ = 0, most_usual_ = 0;  ///< both 0: nothing is unusual
   bool with_low_, with_high_;
   bool infinite_ = false, even_ = false;
 };

@@ -8,11 +8,12 @@ namespace voussoir {
 void StageParameters::declare(ParameterSection& section) {
   section.add("increments", increments, "-", between(1, 1e6), "equal load steps of this stage",
               "a stage needs one step");
-  section.add("duration", duration, "s", at_least(0.0),
+  section.add("duration", duration, "s", at_least(0.0).usually(1e-7, 1e5),
               "time this stage takes, in time steps with mass; 0 = load steps without mass", "time goes forward",
               "Give 0 for load steps.");
-  section.add("time step", time_step, "s", at_least(0.0), "time step of a stage with duration; 0 = automatic",
-              "time goes forward", "Give 0 to let the program choose.");
+  section.add("time step", time_step, "s", at_least(0.0).usually(1e-9, 1),
+              "time step of a stage with duration; 0 = automatic", "time goes forward",
+              "Give 0 to let the program choose.");
   section.check(time_step == 0 || time_step <= duration, "time step", number_text(time_step) + " s",
                 "must be <= duration = " + number_text(duration) + " s (a stage needs one step)",
                 "Give 0 to let the program choose, or a duration");

@@ -7,9 +7,9 @@ namespace voussoir {
 void TimeParameters::declare(ParameterSection& section) {
   section.add_choice<Mass>("mass", mass, {{"consistent", Mass::consistent}, {"lumped", Mass::lumped}},
                            "consistent follows the shape functions, lumped puts it into the nodes");
-  section.add("mass damping", mass_damping, "1/s", at_least(0.0),
+  section.add("mass damping", mass_damping, "1/s", at_least(0.0).usually(1e-5, 1e5),
               "alpha of the Rayleigh damping alpha M + beta K; slows whole motions", "damping takes energy");
-  section.add("stiffness damping", stiffness_damping, "s", at_least(0.0),
+  section.add("stiffness damping", stiffness_damping, "s", at_least(0.0).usually(1e-12, 0.2),
               "beta of the Rayleigh damping alpha M + beta K; slows vibrations, the fast ones most",
               "damping takes energy", "For a share z of the critical damping at the period T give z x T / pi.");
   section.add("error tolerance", error_tolerance, "-", above(0.0),
@@ -31,9 +31,9 @@ void TimeParameters::declare(ParameterSection& section) {
 void InitialVelocityParameters::declare(ParameterSection& section) {
   section.add("blocks", blocks, "set of blocks; a later velocity goes before an earlier one", Presence::optional,
               "Give \"all\" or a set of the mesh.");
-  section.add("vx", vx, "m/s", any_number(), "to the right");
-  section.add("vy", vy, "m/s", any_number(), "upwards");
-  section.add("rotation", rotation, "rad/s", any_number(), "counter-clockwise, added to (vx, vy)");
+  section.add("vx", vx, "m/s", any_number().usually(1e-9, 1000), "to the right");
+  section.add("vy", vy, "m/s", any_number().usually(1e-9, 1000), "upwards");
+  section.add("rotation", rotation, "rad/s", any_number().usually(1e-9, 1000), "counter-clockwise, added to (vx, vy)");
   section.add("about x", about_x, "m", any_number().or_infinite(),
               "centre of the rotation; inf: the mass centre of the blocks");
   section.add("about y", about_y, "m", any_number().or_infinite(),

@@ -17,12 +17,14 @@ void declare_block_set(ParameterSection& section, std::string& blocks) {
 }
 
 void declare_gravity(ParameterSection& section, double& gravity) {
-  section.add("gravity", gravity, "m/s2", any_number(), "of the earth, downwards (-y) where masses are weighed");
+  section.add("gravity", gravity, "m/s2", any_number().usually(1, 100),
+              "of the earth, downwards (-y) where masses are weighed");
 }
 
 void declare_water(ParameterSection& section, double& level, double& density, double& gravity) {
   section.add("level", level, "m", any_number(), "height y of the water");
-  section.add("density", density, "kg/m3", at_least(0.0), "of the water", "a density", "Fresh water has 1000.");
+  section.add("density", density, "kg/m3", at_least(0.0).usually(500, 2000), "of the water", "a density",
+              "Fresh water has 1000.");
   declare_gravity(section, gravity);
 }
 

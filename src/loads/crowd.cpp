@@ -11,7 +11,8 @@ namespace voussoir {
 
 void CrowdParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
-  section.add("intensity", intensity, "Pa", any_number(), "vertical force per horizontal area; a dense crowd has 5000");
+  section.add("intensity", intensity, "Pa", any_number().usually(50, 1e6),
+              "vertical force per horizontal area; a dense crowd has 5000");
   section.add("x from", x_from, "m", any_number(), "where it begins");
   section.add("x to", x_to, "m", any_number(), "where it ends");
   section.check(x_to > x_from, "x to", number_text(x_to) + " m",

@@ -14,19 +14,19 @@ namespace voussoir {
 
 void EarthPressureParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
-  section.add("unit weight", unit_weight, "N/m3", at_least(0.0), "of the soil", "a weight",
+  section.add("unit weight", unit_weight, "N/m3", at_least(0.0).usually(1000, 1e5), "of the soil", "a weight",
               "Backfill has 16e3 to 20e3.");
   section.add("surface", surface, "m", any_number(), "height y of the surface of the soil; facets above bear nothing");
-  section.add("surcharge", surcharge, "Pa", any_number(), "vertical pressure on that surface");
+  section.add("surcharge", surcharge, "Pa", any_number().usually(50, 1e7), "vertical pressure on that surface");
   section.add_choice<State>(
       "state", state,
       {{"at rest", State::at_rest}, {"active", State::active}, {"passive", State::passive}, {"given", State::given}},
       "horizontal by vertical stress K: 1 - sin phi at rest, tan2(45 - phi / 2) where the wall "
       "gives way (active, the least), tan2(45 + phi / 2) where it is pushed in (passive, the "
       "largest), or given");
-  section.add("friction angle", friction_angle, "degrees", between(0, 60), "phi of the soil", "an angle of soil",
-              "Loose sand has 30, gravel 40.");
-  section.add("coefficient", given, "-", at_least(0.0), "K when state = given", "a soil pushes");
+  section.add("friction angle", friction_angle, "degrees", between(0, 60).usually(2, 60), "phi of the soil",
+              "an angle of soil", "Loose sand has 30, gravel 40.");
+  section.add("coefficient", given, "-", at_least(0.0).usually(0.05, 20), "K when state = given", "a soil pushes");
 }
 
 double EarthPressureParameters::coefficient() const {

@@ -163,8 +163,8 @@ void GroundMotionParameters::declare(ParameterSection& section) {
   section.add("scale", scale, "-", any_number(), "times every value of the file");
   section.add_choice<bool>("baseline", corrected, {{"as recorded", false}, {"corrected", true}},
                            "corrected takes off the linear acceleration that leaves the ground at rest where it began");
-  section.add("ax", ax, "m/s2", any_number(), "acceleration to the right; 0.15 g = 1.4715");
-  section.add("ay", ay, "m/s2", any_number(), "acceleration upwards");
+  section.add("ax", ax, "m/s2", any_number().usually(1e-4, 1000), "acceleration to the right; 0.15 g = 1.4715");
+  section.add("ay", ay, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards");
 }
 
 std::string GroundMotionParameters::summary() const {

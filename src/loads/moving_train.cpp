@@ -27,6 +27,8 @@ struct EdgeOfStone {
   BlockId stone;
 };
 
+constexpr double lightest_axle = 100;  // [N] of a handcart; less is kN or tonnes
+
 // Ends of edges that meet: far above round-off, far below the length of an edge.
 constexpr double meeting = 1e-9;  // of an edge
 
@@ -132,7 +134,8 @@ void MovingTrainParameters::declare(ParameterSection& section) {
               Presence::required, "Give a number for each axle, the first in front.");
   section.add("spacings", spacings, "distances [m] from each axle to the next: \"2.5\"");
   section.add("position", position, "m", any_number(), "x of the first axle at time 0, where static stages see it");
-  section.add("speed", speed, "m/s", any_number(), "along x; axles follow the first against its direction");
+  section.add("speed", speed, "m/s", any_number().usually(0.001, 150),
+              "along x; axles follow the first against its direction");
   const auto loads = numbers_in(axle_loads), distances = numbers_in(spacings);
   section.check(loads.has_value() && !loads->empty(), "axle loads", in_quotes(axle_loads), "must be numbers",
                 "Write them like \"80e3, 80e3\"");
@@ -144,6 +147,9 @@ void MovingTrainParameters::declare(ParameterSection& section) {
   section.check(distances->size() + 1 == loads->size(), "spacings", in_quotes(spacings),
                 "must be one less than the " + std::to_string(loads->size()) + " axle loads",
                 "Give the distance from each axle to the next");
+  const auto weighs = [](double load) { return load == 0 || std::abs(load) >= lightest_axle; };
+  section.expect(std::all_of(loads->begin(), loads->end(), weighs), "axle loads", in_quotes(axle_loads),
+                 "has an axle of less than " + number_text(lightest_axle) + " N", "Are they given in newtons?");
   axle_load = *loads;
   behind.assign(1, 0.0);
   for (const double d : *distances) behind.push_back(behind.back() + d);

@@ -15,8 +15,8 @@ namespace voussoir {
 void PointLoadParameters::declare(ParameterSection& section) {
   section.add("x", x, "m", any_number(), "the point");
   section.add("y", y, "m", any_number(), "the point");
-  section.add("fx", fx, "N", any_number(), "force to the right, on the modelled thickness");
-  section.add("fy", fy, "N", any_number(), "force upwards, on the modelled thickness");
+  section.add("fx", fx, "N", any_number().usually(1, 1e9), "force to the right, on the modelled thickness");
+  section.add("fy", fy, "N", any_number().usually(1, 1e9), "force upwards, on the modelled thickness");
   section.add("tolerance", tolerance, "m", at_least(0.0), "largest distance from the point to the nearest node",
               "a distance", "Half the element size is enough on the outside of the structure.");
   section.add("blocks", blocks, "set of blocks whose nodes are looked at: says which stone bears a load on a joint",
@@ -36,11 +36,11 @@ NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point, const
   NearestNode nearest;
   const auto counts = [&](int i) { return among.empty() || among[i]; };
   for (int i = 0; i < s.nodes(); ++i)
-    if (counts(i)) mine = std::min(mine, norm(s.position()[i] - point));
+    if (counts(i)) mine = std::min(mine, norm(s.drawn_position()[i] - point));
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(nearest.distance));
   long long first = std::numeric_limits<long long>::max(), id = 0;  // copies of a vertex are equally near
   for (int i = 0; i < s.nodes(); ++i)
-    if (counts(i) && norm(s.position()[i] - point) == nearest.distance)
+    if (counts(i) && norm(s.drawn_position()[i] - point) == nearest.distance)
       first = std::min<long long>(first, s.node_id()[i]);
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, first, Teuchos::outArg(id));
   const auto it = std::find(s.node_id().begin(), s.node_id().end(), static_cast<NodeId>(id));
@@ -82,7 +82,7 @@ std::vector<BlockId> stones_near(const Structure<2>& s, const Vector<2>& point, 
   const auto nearest = nearest_node(s, point, among);
   std::vector<BlockId> bearer, others;
   for (int i = 0; i < s.owned_nodes(); ++i) {
-    if (!among[i] || norm(s.position()[i] - point) > nearest.distance + round_off * s.size()) continue;
+    if (!among[i] || norm(s.drawn_position()[i] - point) > nearest.distance + round_off * s.size()) continue;
     const BlockId stone = s.blocks()[s.block_of_node()[i]].mesh.id;
     (i == nearest.local ? bearer : others).push_back(stone);
   }

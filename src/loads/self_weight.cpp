@@ -14,8 +14,8 @@ std::string SelfWeightParameters::summary() const { return "self weight, gravity
 bool SelfWeightParameters::is_zero() const { return gravity == 0; }
 
 void AccelerationParameters::declare(ParameterSection& section) {
-  section.add("ax", ax, "m/s2", any_number(), "acceleration to the right; 0.15 g = 1.4715");
-  section.add("ay", ay, "m/s2", any_number(), "acceleration upwards");
+  section.add("ax", ax, "m/s2", any_number().usually(1e-4, 1000), "acceleration to the right; 0.15 g = 1.4715");
+  section.add("ay", ay, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards");
 }
 
 std::string AccelerationParameters::summary() const {

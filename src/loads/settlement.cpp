@@ -12,9 +12,9 @@ namespace voussoir {
 void SettlementParameters::declare(ParameterSection& section) {
   section.add("support", support, "name of the support of this scene that moves; only its held components do",
               Presence::required, "Give a name from the section \"supports\".");
-  section.add("ux", ux, "m", any_number(), "displacement to the right");
-  section.add("uy", uy, "m", any_number(), "displacement upwards; a settlement is negative");
-  section.add("rotation", rotation, "rad", any_number(),
+  section.add("ux", ux, "m", any_number().usually(1e-9, 2), "displacement to the right");
+  section.add("uy", uy, "m", any_number().usually(1e-9, 2), "displacement upwards; a settlement is negative");
+  section.add("rotation", rotation, "rad", any_number().usually(1e-9, 1.6),
               "rotation, counter-clockwise; a small one unless model > rotations is finite");
   section.add("about x", about_x, "m", any_number().or_infinite(),
               "centre of the rotation; inf: the middle of the support's edges");

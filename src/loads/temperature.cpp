@@ -32,9 +32,10 @@ class Temperature final : public PatternLoad<2> {
 
 void TemperatureParameters::declare(ParameterSection& section) {
   declare_block_set(section, blocks);
-  section.add("change", change, "K", any_number(), "how much warmer than when the structure was free of stress");
-  section.add("expansion", expansion, "1/K", at_least(0.0), "coefficient of thermal expansion", "stones expand",
-              "Limestone has 8e-6, granite 7e-6, brick 6e-6.");
+  section.add("change", change, "K", any_number().usually(0.01, 500),
+              "how much warmer than when the structure was free of stress");
+  section.add("expansion", expansion, "1/K", at_least(0.0).usually(1e-7, 1e-4), "coefficient of thermal expansion",
+              "stones expand", "Limestone has 8e-6, granite 7e-6, brick 6e-6.");
 }
 
 std::string TemperatureParameters::summary() const {

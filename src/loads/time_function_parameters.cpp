@@ -68,8 +68,8 @@ void TimeFunctionParameters::declare(ParameterSection& section) {
          begin(s);
          s.add("end", end, "s", any_number().or_infinite(), "when it ends");
          size(s);
-         s.add("frequency", frequency, "Hz", above(0), "oscillations per second", "a frequency");
-         s.add("phase", phase, "rad", any_number(), "angle at the start");
+         s.add("frequency", frequency, "Hz", above(0).usually(1e-4, 1e6), "oscillations per second", "a frequency");
+         s.add("phase", phase, "rad", any_number().usually(1e-6, 13), "angle at the start");
        });
   keys(Type::pulse, "pulse", "Half a sine: amplitude sin(pi (t - start) / duration) while it lasts, 0 outside",
        [&](ParameterSection& s) {
@@ -82,8 +82,8 @@ void TimeFunctionParameters::declare(ParameterSection& section) {
          begin(s);
          last(s);
          size(s);
-         s.add("first frequency", first_frequency, "Hz", above(0), "at the start", "a frequency");
-         s.add("last frequency", last_frequency, "Hz", above(0), "at the end", "a frequency");
+         s.add("first frequency", first_frequency, "Hz", above(0).usually(1e-4, 1e6), "at the start", "a frequency");
+         s.add("last frequency", last_frequency, "Hz", above(0).usually(1e-4, 1e6), "at the end", "a frequency");
        });
   keys(Type::record, "record", "Points from a file, linear in between, held before the first and after the last",
        [&](ParameterSection& s) {

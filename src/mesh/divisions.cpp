@@ -62,4 +62,27 @@ std::vector<Division> divisions_for(const std::vector<DividedCurve>& curves, dou
   return divisions;
 }
 
+std::vector<DividedCurve> curves_divided_alike(const std::map<int, std::vector<double>>& one,
+                                               const std::map<int, std::vector<double>>& other, double unit) {
+  std::vector<DividedCurve> divided;
+  for (const auto& [tag, cells] : one)
+    if (const auto found = other.find(tag); found != other.end() && found->second.size() == cells.size()) {
+      divided.push_back({tag, cells});
+      for (double& cell : divided.back().lengths) cell *= unit;
+    }
+  return divided;
+}
+
+std::vector<double> edge_lengths(const std::vector<double>& along, const std::vector<double>& x) {
+  std::vector<std::size_t> order(std::min(x.size() / 3, along.size()));
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+  std::vector<double> lengths;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const double *a = &x[3 * order[k - 1]], *b = &x[3 * order[k]];
+    lengths.push_back(std::hypot(b[0] - a[0], b[1] - a[1]));
+  }
+  return lengths;
+}
+
 }  // namespace voussoir

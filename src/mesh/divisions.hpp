@@ -5,6 +5,7 @@
 // greatest common divisor), with the smallest m for which no cell is longer than wanted.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,14 @@ struct Division {
 /// @param wanted  [m] length of cells
 /// @param file    for messages
 std::vector<Division> divisions_for(const std::vector<DividedCurve>&, double wanted, const std::string& file);
+
+/// The curves that two meshes divide into as many cells. [m]
+/// @param one, other  lengths of cells by curve [units of the file]
+std::vector<DividedCurve> curves_divided_alike(const std::map<int, std::vector<double>>& one,
+                                               const std::map<int, std::vector<double>>& other, double unit);
+
+/// Lengths of the edges of a curve from its beginning.
+/// @param along  place of each node on the curve, in any order;  @param x  its coordinates, three each
+std::vector<double> edge_lengths(const std::vector<double>& along, const std::vector<double>& x);
 
 }  // namespace voussoir

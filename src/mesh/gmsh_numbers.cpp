@@ -1,6 +1,5 @@
 #include "mesh/gmsh_numbers.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -9,26 +8,11 @@
 #include <set>
 #include <sstream>
 
+#include "mesh/geo_commands.hpp"
 #include "mesh/lattice.hpp"
 
 namespace voussoir {
 namespace {
-
-std::string without_comments(const std::string& text) {
-  std::string rest;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text.compare(i, 2, "//") == 0) {
-      i = std::min(text.find('\n', i), text.size() - 1);
-      rest += '\n';
-    } else if (text.compare(i, 2, "/*") == 0) {
-      i = std::min(text.find("*/", i + 2), text.size() - 2) + 1;
-      rest += ' ';
-    } else {
-      rest += text[i];
-    }
-  }
-  return rest;
-}
 
 /// Names on the left of an equals sign inside DefineConstant[ ... ];
 std::set<std::string> defined_constants(const std::string& text) {
@@ -55,7 +39,7 @@ void read_code(const std::filesystem::path& path, std::set<std::string>& seen, C
   std::ostringstream contents;
   contents << file.rdbuf();
   if (!file) code.complete = false;
-  const std::string text = without_comments(contents.str());
+  const std::string text = without_comments(contents.str(), Strings::kept);
   code.text += text + "\n";
   static const std::regex included("\\b(Include|Merge)\\b\\s*(\"([^\"]*)\")?");
   for (std::sregex_iterator it(text.begin(), text.end(), included), end; it != end; ++it) {

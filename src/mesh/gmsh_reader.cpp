@@ -2,26 +2,29 @@
 #include "mesh/gmsh_reader.hpp"
 
 #include <gmsh.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <new>
 #include <utility>
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
+#include "mesh/cell_count.hpp"
 #include "mesh/divisions.hpp"
+#include "mesh/gmsh_failures.hpp"
 #include "mesh/gmsh_numbers.hpp"
 #include "mesh/gmsh_request.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/msh_format.hpp"
+#include "mesh/node_numbers.hpp"
 #include "mesh/on_rank_zero.hpp"
 #include "mesh/surface_mesh.hpp"
+#include "mesh/temporary_file.hpp"
 
 namespace voussoir {
 namespace {
@@ -49,6 +52,8 @@ class Gmsh {
     bool failed = false;
     try {
       command();
+    } catch (const std::bad_alloc&) {  // is no fault of the file
+      throw;
     } catch (...) {  // gmsh throws strings and ints; the reason is in its log
       failed = true;
     }
@@ -70,32 +75,8 @@ class Gmsh {
   }
 };
 
-/// A file for the eyes of gmsh alone, gone with the object.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& text) {
-    path_ = (std::filesystem::temp_directory_path() / "voussoir-XXXXXX.geo").string();
-    const int descriptor = mkstemps(path_.data(), 4);
-    if (descriptor < 0)
-      throw ResourceError("no file can be written in " + path_ + " (set TMPDIR to a folder with room).");
-    close(descriptor);
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryFile() { unlink(path_.c_str()); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 /// A finished mesh, not a geometry to be meshed.
 bool is_mesh(const std::string& file) { return std::filesystem::path(file).extension() == ".msh"; }
-
-[[noreturn]] void refuse_file(const std::string& file, const std::string& why, const std::string& advice) {
-  refuse_mesh("gmsh > file", file, why, advice);
-}
 
 /// Cells of that length everywhere, whatever points and fields of the file say.
 void set_mesh_size(double size) {
@@ -113,15 +94,47 @@ std::map<int, std::vector<double>> cells_of_curves() {
     std::vector<std::size_t> nodes;
     std::vector<double> x, along;
     gmsh::model::mesh::getNodes(nodes, x, along, dim, tag, true);
-    std::vector<std::size_t> order(std::min(nodes.size(), along.size()));
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
-    for (std::size_t k = 1; k < order.size(); ++k) {
-      const double *a = &x[3 * order[k - 1]], *b = &x[3 * order[k]];
-      cells[tag].push_back(std::hypot(b[0] - a[0], b[1] - a[1]));
-    }
+    cells[tag] = edge_lengths(along, x);
   }
   return cells;
+}
+
+/// Points along a curve of the drawing, curved ones by a chord for each sixteenth [m].
+std::vector<Vector<2>> along(int curve, double unit) {
+  constexpr int chords = 16;
+  std::vector<double> first, last, at, x;
+  gmsh::model::getParametrizationBounds(1, curve, first, last);
+  for (int k = 0; k <= chords; ++k) at.push_back(first.at(0) + (last.at(0) - first.at(0)) * k / chords);
+  gmsh::model::getValue(1, curve, at, x);
+  std::vector<Vector<2>> points;
+  for (std::size_t k = 0; k + 2 < x.size(); k += 3) points.push_back({unit * x[k], unit * x[k + 1]});
+  return points;
+}
+
+/// The stones as drawn, their borders not divided.
+Drawing drawing_of(double unit) {
+  Drawing drawing;
+  gmsh::vectorpair surfaces, curves;
+  gmsh::model::getEntities(surfaces, 2);
+  for (const auto& surface : surfaces) {
+    drawing.stones.emplace_back();
+    gmsh::model::getBoundary({surface}, curves, false, true, false);
+    for (const auto& [dim, tag] : curves) drawing.add(tag, along(std::abs(tag), unit));
+  }
+  return drawing;
+}
+
+/// Edges that each curve has when all sizes of the file are that many times as large.
+std::map<int, double> edges_with(double times) {
+  double factor;
+  gmsh::option::getNumber("Mesh.MeshSizeFactor", factor);
+  gmsh::option::setNumber("Mesh.MeshSizeFactor", times * factor);
+  gmsh::model::mesh::clear();
+  gmsh::model::mesh::generate(1);
+  gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
+  std::map<int, double> edges;
+  for (const auto& [tag, cells] : cells_of_curves()) edges[tag] = static_cast<double>(cells.size());
+  return edges;
 }
 
 /// Curves that have as many cells when four as when eight are wanted on each: the file divides them itself.
@@ -147,14 +160,7 @@ std::vector<DividedCurve> divided_curves(double unit) {
     gmsh::model::mesh::removeSizeCallback();
     return cells_of_curves();
   };
-  const auto four = divided_by(4), eight = divided_by(8);
-  std::vector<DividedCurve> divided;
-  for (const auto& [tag, cells] : four)
-    if (const auto other = eight.find(tag); other != eight.end() && other->second.size() == cells.size()) {
-      divided.push_back({tag, cells});
-      for (double& cell : divided.back().lengths) cell *= unit;
-    }
-  return divided;
+  return curves_divided_alike(divided_by(4), divided_by(8), unit);
 }
 
 /// The element size of a scene by gmsh's mesh size, where the file has no number of that name. Divisions of the file
@@ -184,6 +190,34 @@ void set_mesh_size(Gmsh& gmsh_itself, const GmshParameters& p) {
                   "Write DefineConstant[ element_size = ... ]; in the file and use the number there.");
 }
 
+/// Refuses a drawing whose own sizes ask for more cells than can be computed with: found by meshing its curves, with
+/// cells a thousand times smaller each time, so that no more edges are made than can be borne.
+void refuse_too_fine(Gmsh& gmsh_itself, const GmshParameters& p, Drawing& drawing) {
+  std::map<int, double> coarser;
+  for (const double times : {1e9, 1e6, 1e3, 1.0}) {
+    std::map<int, double> edges;
+    gmsh_itself.run(p.file, "mesh the curves of the file", [&] { edges = edges_with(times); });
+    drawing.divide(times == 1 ? edges : least_edges(edges, coarser, times));
+    coarser = edges;
+    refuse_too_many_cells(p, drawing);
+  }
+}
+
+/// gmsh heeds it when it saves a mesh, and a mesh is not saved here.
+void refuse_scaling(const std::string& file) {
+  double scaling = 1;
+  gmsh::option::getNumber("Mesh.ScalingFactor", scaling);
+  if (scaling != 1)
+    refuse_file(file, "sets Mesh.ScalingFactor = " + in_words(scaling) + ", which scales only what gmsh saves.",
+                "Take it out, and say the unit of the file by mesh > gmsh > unit.");
+}
+
+void read_geo(Gmsh& gmsh_itself, const GmshParameters& p, const std::map<std::string, double>& numbers) {
+  const TemporaryFile with_numbers(geo_with_numbers(numbers, std::filesystem::absolute(p.file).string()), ".geo");
+  gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(with_numbers.path()); });
+  refuse_scaling(p.file);
+}
+
 void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
   const std::filesystem::path path = std::filesystem::absolute(p.file);
   const std::string ending = path.extension().string();
@@ -197,8 +231,7 @@ void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
     gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(path.string()); });
   } else if (ending == ".geo") {
     const auto numbers = numbers_to_set(p, path.string());
-    const TemporaryFile with_numbers(geo_with_numbers(numbers, path.string()));
-    gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(with_numbers.path()); });
+    read_geo(gmsh_itself, p, numbers);
     if (p.element_size > 0 && numbers.count("element_size") == 0) set_mesh_size(gmsh_itself, p);
     gmsh_itself.run(p.file, "mesh the file", [] { gmsh::model::mesh::generate(2); });
   } else {
@@ -245,40 +278,6 @@ std::string name_of_entity(int dimension, int tag) {
   return (dimension == 2 ? "surface " : "curve ") + std::to_string(tag);
 }
 
-/// Nodes in the order of their tags.
-class NodeNumbers {
- public:
-  NodeNumbers(std::string file, double unit, SurfaceMesh& mesh) : file_(std::move(file)) {
-    std::vector<double> coordinates, parametric;
-    std::vector<std::size_t> tags;
-    gmsh::model::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
-    std::vector<std::pair<std::size_t, std::size_t>> order;
-    for (std::size_t n = 0; n < tags.size(); ++n) order.emplace_back(tags[n], n);
-    std::sort(order.begin(), order.end());
-    double extent = 0, off_plane = 0;
-    for (const auto& [tag, n] : order) {
-      const double* x = &coordinates[3 * n];
-      tags_.push_back(tag);
-      mesh.position.push_back({unit * x[0], unit * x[1]});
-      extent = std::max({extent, std::abs(x[0]), std::abs(x[1])});
-      off_plane = std::max(off_plane, std::abs(x[2]));
-    }
-    if (off_plane > coincidence * extent)
-      refuse_file(file_, "has nodes at z = " + in_words(unit * off_plane) + " m; a plane scene lies in z = 0.",
-                  "Draw the structure in the x-y plane, y upward.");
-  }
-  int operator()(std::size_t tag) const {
-    const auto found = std::lower_bound(tags_.begin(), tags_.end(), tag);
-    if (found == tags_.end() || *found != tag)
-      refuse_file(file_, "has a cell at node " + std::to_string(tag) + ", which is not there.", "Mesh it again.");
-    return static_cast<int>(found - tags_.begin());
-  }
-
- private:
-  std::string file_;
-  std::vector<std::size_t> tags_;
-};
-
 /// Nodes of each element of one entity, all of first order.
 std::vector<std::vector<std::size_t>> read_elements(const std::string& file, int dimension, int entity) {
   std::vector<int> types;
@@ -301,7 +300,10 @@ std::vector<std::vector<std::size_t>> read_elements(const std::string& file, int
 
 SurfaceMesh read_surfaces(const GmshParameters& p) {
   SurfaceMesh mesh;
-  const NodeNumbers number(p.file, p.unit, mesh);
+  std::vector<double> coordinates, parametric;
+  std::vector<std::size_t> node_tags;
+  gmsh::model::mesh::getNodes(node_tags, coordinates, parametric, -1, -1, false, false);
+  const NodeNumbers number(p.file, p.unit, node_tags, coordinates, mesh);
   Groups surface_groups = read_groups(p.file, 2), curve_groups = read_groups(p.file, 1);
   mesh.block_sets = surface_groups.names;
   mesh.facet_sets = curve_groups.names;
@@ -344,7 +346,27 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
   return mesh;
 }
 
-/// What the child process does.
+/// What a child process does before a .geo is meshed, in a process of its own because meshes depend on what was meshed
+/// before: refuses a drawing that asks for too many cells. Its answer may explain why gmsh fails.
+std::string look_at(const std::string& request) {
+  const GmshParameters p = gmsh_parameters_of(request);
+  const std::filesystem::path path = std::filesystem::absolute(p.file);
+  if (path.extension() != ".geo" || !std::filesystem::is_regular_file(path)) return "";
+  Gmsh gmsh_itself;
+  const auto numbers = numbers_to_set(p, path.string());
+  read_geo(gmsh_itself, p, numbers);
+  Drawing drawing;
+  gmsh_itself.run(p.file, "measure the file", [&] { drawing = drawing_of(p.unit); });
+  if (p.element_size > 0) {
+    drawing.divide(p.element_size);
+    refuse_too_many_cells(p, drawing);
+  } else {
+    refuse_too_fine(gmsh_itself, p, drawing);
+  }
+  return far_from_origin(drawing);
+}
+
+/// What a child process does.
 std::string mesh_of(const std::string& request) {
   const GmshParameters parameters = gmsh_parameters_of(request);
   Gmsh gmsh_itself;
@@ -354,14 +376,15 @@ std::string mesh_of(const std::string& request) {
 
 }  // namespace
 
-std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, const Teuchos::Comm<int>& comm) {
+std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, const Teuchos::Comm<int>& comm,
+                                          Trust trust) {
   BlockList<2> list;
   on_rank_zero(comm, [&] {
-    const auto died = [&](const std::string& signal) {
-      refuse_file(parameters.file, "made gmsh crash (" + signal + ").",
-                  "Open the file in gmsh itself; where it is damaged, save it anew in format 4.1.");
-    };
-    const SurfaceMesh mesh = surface_mesh_of(in_child_process(mesh_of, bytes_of(parameters), died));
+    if (trust == Trust::no) refuse_commands(parameters.file, parameters.file);
+    const auto died = [&](const ChildEnd& end) { refuse_end(parameters.file, end); };
+    const std::string hint = in_child_process(look_at, bytes_of(parameters), died);
+    const SurfaceMesh mesh =
+        with_hint(hint, [&] { return surface_mesh_of(in_child_process(mesh_of, bytes_of(parameters), died)); });
     list = blocks_of_surfaces(mesh);
     if (is_mesh(parameters.file)) list.warnings = warnings_of_format(parameters.file, mesh);
   });

@@ -4,6 +4,7 @@
 #include <Teuchos_Comm.hpp>
 #include <memory>
 
+#include "mesh/geo_commands.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/mesh_parameters.hpp"
 
@@ -15,6 +16,7 @@ namespace voussoir {
 /// in the order of their tags; one without a name is called "group 7".
 /// Throws InputError on every rank when the file cannot be used; what gmsh said is part of the message. gmsh works in a
 /// process of its own, since it may crash on a damaged file.
-std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters&, const Teuchos::Comm<int>&);
+/// @param trust  whether the file may do what a drawing need not: run programs, read and write files
+std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters&, const Teuchos::Comm<int>&, Trust trust = Trust::no);
 
 }  // namespace voussoir

@@ -26,7 +26,7 @@ void GmshParameters::declare(ParameterSection& section) {
   section.add_choice<double>("unit", unit, {{"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"ft", foot}},
                              "unit of the lengths in the file; everything else of a scene is in metres");
   section.add(
-      "element size", element_size, "m", at_least(0.0),
+      "element size", element_size, "m", at_least(0.0).usually(1e-4, 10),
       "wanted length of cell edges: the number element_size where the .geo defines one, else gmsh's mesh size; 0 "
       "keeps that of the file",
       "a length", "Give 0 for the size the file has.");

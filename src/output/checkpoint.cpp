@@ -94,10 +94,34 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
   for (std::size_t k = 0; k < order.size(); ++k)
     std::transform(stored.begin() + static_cast<long>(k) * columns, stored.begin() + static_cast<long>(k + 1) * columns,
                    values.begin() + static_cast<long>(order[k]) * columns, [](Stored v) { return static_cast<T>(v); });
-  const int wrong = !std::all_of(stored.begin(), stored.end(), [](Stored v) { return std::isfinite(double(v)); });
+  require_all(name + " with a number that is not finite",
+              std::all_of(stored.begin(), stored.end(), [](Stored v) { return std::isfinite(double(v)); }));
+}
+
+void Checkpoint::require_all(const std::string& what, bool mine) const {
+  const int wrong = !mine;
   int wrong_anywhere = 0;
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, wrong, Teuchos::outArg(wrong_anywhere));
-  if (wrong_anywhere) throw ResourceError(cannot_read(path_, name + " with a number that is not finite"));
+  if (wrong_anywhere) throw ResourceError(cannot_read(path_, what));
+}
+
+template <class T>
+void Checkpoint::rows_within(const std::string& name, const LocalRows& local, int columns, std::vector<T>& values,
+                             double least, double most) {
+  rows(name, local, columns, values);
+  if (saving()) return;
+  require_all(name + " with a number outside its range",
+              std::all_of(values.begin(), values.end(), [&](T v) { return least <= v && v <= most; }));
+}
+
+void Checkpoint::texts(const std::string& name, std::vector<std::string>& lines) {
+  const std::string path = "/texts/" + name;
+  if (saving())
+    file_->write_texts(path, lines);
+  else if (file_->has(path))
+    lines = file_->read_texts(path);
+  else
+    throw ResourceError(cannot_read(path_, name + " that is not there"));
 }
 
 void Checkpoint::publish() {
@@ -120,5 +144,7 @@ template void Checkpoint::within(const std::string&, double&, double, double);
 template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<char>&);
 template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<int>&);
 template void Checkpoint::rows(const std::string&, const LocalRows&, int, std::vector<double>&);
+template void Checkpoint::rows_within(const std::string&, const LocalRows&, int, std::vector<char>&, double, double);
+template void Checkpoint::rows_within(const std::string&, const LocalRows&, int, std::vector<double>&, double, double);
 
 }  // namespace voussoir

@@ -42,10 +42,18 @@ class Checkpoint {
   /// double.
   template <class T>
   void rows(const std::string& name, const LocalRows&, int columns, std::vector<T>&);
+  /// The same with a range, such as for words or counts: a file that holds another number is refused.
+  template <class T>
+  void rows_within(const std::string& name, const LocalRows&, int columns, std::vector<T>&, double least, double most);
+  /// Lines of text that all ranks know, without blanks at their ends.
+  void texts(const std::string& name, std::vector<std::string>&);
   /// Puts what was saved in the place of the last checkpoint.
   void publish();
 
  private:
+  /// Throws on all ranks where a number of any rank is not as it must be.
+  void require_all(const std::string& what, bool mine) const;
+
   std::string path_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   Way way_;

@@ -313,6 +313,8 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& path) const {
   Handle type(H5Dget_type(dataset), H5Tclose);
   const std::size_t length = H5Tget_size(type);
   impl_->require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0, "no texts of one length");
+  constexpr std::size_t most = std::size_t{1} << 30;  // bytes: a scene of 16 MB in lines as long as its longest
+  impl_->require(length <= most && static_cast<std::size_t>(shape.rows) <= most / length, "more text than any");
   std::string padded(length * shape.rows, '\0');
   if (shape.rows > 0) impl_->require(H5Dread(dataset, type, H5S_ALL, H5S_ALL, impl_->collective(), padded.data()) >= 0);
   std::vector<std::string> texts;

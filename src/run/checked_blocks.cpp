@@ -10,11 +10,12 @@
 
 namespace voussoir {
 
-std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                                               Trust trust) {
   Phase phase("mesh");
   std::unique_ptr<BlockSource<2>> source;
   try {
-    source = make_block_source<2>(scene.mesh, *comm);
+    source = make_block_source<2>(scene.mesh, *comm, trust);
     check_fit(scene, *source);
     check_sides(scene, *source);
     std::vector<FacetNames> supported;

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "run/idle_loads.hpp"
 #include "run/joint_sides.hpp"
 #include "run/support_warnings.hpp"
+#include "scene/unusual_values.hpp"
 #include "step/scene_fit.hpp"
 
 namespace voussoir {
@@ -191,6 +193,7 @@ void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
 Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
   Warnings all = source.warnings();
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
+  append(all, unusual_values(scene));
   warn_of_sizes(scene, source, all);
   warn_of_lone_stones(scene, source, all);
   warn_of_strength_over_gaps(scene, all);
@@ -206,6 +209,7 @@ Warnings input_warnings(const Model<2>& model) {
   warn_of_idle_laws(model, all);
   warn_of_raised_energies(model, all);
   append(all, model.loads().warnings());
+  append(all, warnings_of_idle_loads(model));
   append(all, support_warnings(model));
   return all;
 }

@@ -53,7 +53,10 @@ Run::Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branc
   nothing_left_ = options.restart && finished() && holds_result(options.folder, *model.structure().comm());
   if (nothing_left_) return;
   if (branched) branched->copy_records(model.scene().output.fields);
+  // What is looked up by place is looked up where the structure was drawn, then it goes to where it has moved to.
   recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
+  if ((options.restart || branched) && model.scene().model.rotations == Rotations::finite)
+    model_.follow(state_.displacement);
   if (recorder_->fields_lost())
     say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
   narrator_ = std::make_unique<Narrator>(say, options.verbose);
@@ -309,7 +312,6 @@ const RunSummary& Run::interrupted() {
 void Run::restore(Record& so_far) {
   const RunState state{steps_, state_, load_, level_, so_far, seconds_, load_factor_.get()};
   const auto changed = saved_.restore(state);
-  if (model_.scene().model.rotations == Rotations::finite) model_.follow(state_.displacement);
   say_ << words_of(state, changed);
   forget_input_warnings(so_far.summary.warnings);
   const auto& stages = model_.scene().stages;

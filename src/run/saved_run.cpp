@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <set>
+#include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "base/digest.hpp"
@@ -14,14 +15,16 @@
 #include "output/checkpoint.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
-#include "scene/scene_printer.hpp"
+#include "run/scene_changes.hpp"
 #include "step/phase.hpp"
 
 namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 11;  // of the file; raised when a value changes its meaning
+constexpr int format = 12;          // of the file; raised when a value changes its meaning
+constexpr double most_steps = 2e9;  // numbers that can be added to
+constexpr double largest = std::numeric_limits<double>::max();
 
 long long number_of(const std::string& text) { return static_cast<long long>(digest(text.data(), text.size())); }
 
@@ -30,18 +33,49 @@ InputError another_structure(const std::string& path, const std::string& what) {
                     " differ from the scene's.\n  Give the scene it was computed from, or another --out=DIR.");
 }
 
-/// One number for all nodes of the structure and their places; a sum, so that ranks do not matter.
+/// One number for parts that ranks have; a sum, so that ranks do not matter. Only its lower half is summed as a number,
+/// or signs could overflow. Collective.
+long long sum_of_digests(std::uint64_t here, const Teuchos::Comm<int>& comm) {
+  const auto mine = static_cast<long long>(here & 0xffffffffu);
+  long long all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all & 0xffffffff;
+}
+
+/// Of all nodes of the structure and their places.
 long long geometry_digest(const Structure<dim>& s) {
   std::uint64_t sum = 0;
   for (int i = 0; i < s.owned_nodes(); ++i) {
     const auto node = digest(&s.node_id()[i], sizeof(NodeId));
     sum += digest(s.drawn_position()[i].data(), dim * sizeof(double), node);
   }
-  // Only the lower half is summed over ranks as a number, or signs could overflow.
-  const auto mine = static_cast<long long>(sum & 0xffffffffu);
-  long long all = 0;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all & 0xffffffff;
+  return sum_of_digests(sum, *s.comm());
+}
+
+/// Of the cells between them: a wall of triangles has the nodes of one of quadrilaterals.
+long long cells_digest(const Structure<dim>& s) {
+  std::uint64_t sum = 0;
+  for (int b = 0; b < s.owned_blocks(); ++b)
+    for (const auto& cell : s.blocks()[b].mesh.cells)
+      sum += digest(cell.node.data(), cell.count * sizeof(int), digest(&s.blocks()[b].mesh.id, sizeof(BlockId)));
+  return sum_of_digests(sum, *s.comm());
+}
+
+/// Of the stones and edges in the sets of that name.
+long long sets_digest(const Model<dim>& model, const SetsAtWork& sets) {
+  const auto& s = model.structure();
+  const auto add = [](const std::string& name, std::uint64_t start) { return digest(name.data(), name.size(), start); };
+  std::uint64_t sum = 0;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& mesh = s.blocks()[b].mesh;
+    const auto block = digest(&mesh.id, sizeof(BlockId));
+    for (const int set : mesh.sets)
+      if (const auto& name = model.source().block_sets()[set]; sets.of_blocks.count(name)) sum += add(name, block);
+    for (const auto& facet : mesh.facets)
+      if (const auto& name = model.source().facet_sets()[facet.set]; sets.of_facets.count(name))
+        sum += add(name, digest(facet.node.data(), facet.count * sizeof(int), block));
+  }
+  return sum_of_digests(sum, *s.comm());
 }
 
 LocalRows node_rows(const Structure<dim>& s) {
@@ -69,18 +103,19 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("load", nodes, dim, run.load);
   checkpoint.rows("lambda", points, dim, state.lambda);
   checkpoint.rows("slip_origin", points, dim, state.slip_origin);
-  checkpoint.rows("selected", points, 1, state.selected);
+  checkpoint.rows_within("selected", points, 1, state.selected, 0, 1);
   checkpoint.rows("opened", points, 1, state.opened);
   checkpoint.rows("slipped", points, 1, state.slipped);
-  checkpoint.rows("status", points, 1, state.status);
-  checkpoint.value("rest.error.ratio", state.rest.error.ratio);
-  checkpoint.value("rest.error.root_known", state.rest.error.root_known);
-  checkpoint.value("rest.error.root", state.rest.error.root);
-  checkpoint.value("rest.error.travelled", state.rest.error.travelled);
+  constexpr auto last_status = static_cast<double>(PointStatus::bonded);
+  checkpoint.rows_within("status", points, 1, state.status, 0, last_status);
+  checkpoint.within("rest.error.ratio", state.rest.error.ratio, 0, largest);
+  checkpoint.within("rest.error.root_known", state.rest.error.root_known, 0, largest);
+  checkpoint.within("rest.error.root", state.rest.error.root, 0, largest);
+  checkpoint.within("rest.error.travelled", state.rest.error.travelled, 0, largest);
   checkpoint.rows("rest.place", points, dim, state.rest.place);
-  checkpoint.rows("rest.steps", points, 1, state.rest.steps);
-  checkpoint.rows("rest.needed", points, 1, state.rest.needed);
-  checkpoint.rows("rest.bonded", points, 1, state.rest.bonded);
+  checkpoint.rows_within("rest.steps", points, 1, state.rest.steps, 0, most_steps);
+  checkpoint.rows_within("rest.needed", points, 1, state.rest.needed, 0, most_steps);
+  checkpoint.rows_within("rest.bonded", points, 1, state.rest.bonded, 0, 1);
   bool built = !model.scene().construction.empty();  // restored: that of the scene it was saved with
   checkpoint.value("built", built);
   if (built) {
@@ -93,95 +128,88 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   if (searching && run.load_factor) run.load_factor->keep(checkpoint, nodes, points, dim, model.weakens());
 }
 
-/// What of a scene made the state at the end of its first stages: their loads and times, and which blocks were there.
-std::string past(const Scene& scene, std::size_t stages) {
-  std::string text;
-  for (std::size_t k = 0; k < stages; ++k) {
-    const auto& stage = scene.stages[k];
-    text += stage.name + '\n' + number_text(stage.duration) + (stage.at_once ? " at once\n" : "\n");
-    for (const auto& [load, factor] : stage.factors) text += load + '=' + number_text(factor) + '\n';
-  }
-  const auto when = [&](const std::string& name) {
-    for (std::size_t k = 0; k < stages; ++k)
-      if (scene.stages[k].name == name) return std::to_string(k);
-    return std::string(name.empty() ? "" : "later");
-  };
-  for (const auto& [name, c] : scene.construction) {
-    const auto there = when(c.appears) + " to " + when(c.disappears);
-    // Blocks that go in a later stage have been there like all others.
-    if (there != " to " && there != " to later") text += c.blocks + ": " + there + '\n';
-  }
-  return text;
-}
-
 std::string pattern_of(const Scene& scene) {
   std::string text;
   for (const auto& [load, share] : scene.load_factor.pattern) text += load + '=' + number_text(share) + '\n';
   return text;
 }
 
-/// What lies behind a run must be as it was: the stages it has passed, and the pattern of a search that has begun.
-/// Throws InputError on all ranks.
-void check_past(Checkpoint& checkpoint, const Scene& scene, const std::string& path) {
+/// Stages that a run has passed must be there as they were, by name and order. Throws InputError on all ranks.
+Passed passed_stages(Checkpoint& checkpoint, const Scene& scene, const std::string& path) {
   const std::string other_way = "\n  Leave the stages up to that one as they were.";
+  Passed passed;
   int stages = 0;
-  checkpoint.value("load_steps.stage", stages);
-  const auto passed = static_cast<std::size_t>(stages);
+  double reached = 0;
+  checkpoint.within("load_steps.stage", stages, 0, std::numeric_limits<int>::max());
+  checkpoint.within("load_steps.reached", reached, 0, 1);
+  checkpoint.value("load_factor.begun", passed.searching);
+  passed.stages = static_cast<std::size_t>(stages);
   std::string stage;
   checkpoint.value("load_steps.stage_name", stage);
-  if (passed > scene.stages.size() || (passed == scene.stages.size() && !stage.empty()))
+  passed.in_stage = !stage.empty() && reached > 0;
+  if (passed.stages > scene.stages.size() || (passed.stages == scene.stages.size() && !stage.empty()))
     throw InputError(path + ": stands " + (stage.empty() ? "at the end of its stages" : "in stage '" + stage + "'") +
                      "\n  but the scene has fewer stages." + other_way);
-  if (!stage.empty() && scene.stages[passed].name != stage)
-    throw InputError(path + ": stands in stage '" + stage + "'\n  but the scene has '" + scene.stages[passed].name +
-                     "' in its place." + other_way);
-  long long digest_of_past = 0;
-  checkpoint.value("past", digest_of_past);
-  if (passed > 0 && digest_of_past != number_of(past(scene, passed)))
-    throw InputError(path + ": has passed the stages up to '" + scene.stages[passed - 1].name +
-                     "'\n  but the scene has others in their place (their names, loads, factors, durations or blocks "
-                     "differ).\n  Leave them as they were; stages that follow may be changed and added.");
-  bool searching = false;
-  checkpoint.value("load_factor.begun", searching);
-  if (!searching) return;
+  if (!stage.empty() && scene.stages[passed.stages].name != stage)
+    throw InputError(path + ": stands in stage '" + stage + "'\n  but the scene has '" +
+                     scene.stages[passed.stages].name + "' in its place." + other_way);
+  std::vector<std::string> names;
+  checkpoint.texts("stages passed", names);
+  for (std::size_t k = 0; k < std::min(names.size(), passed.stages); ++k)
+    if (names[k] != scene.stages[k].name)
+      throw InputError(path + ": has passed stage '" + names[k] + "'\n  but the scene has '" + scene.stages[k].name +
+                       "' in its place." + other_way);
+  return passed;
+}
+
+/// The pattern of a search that has begun must be as it was. Throws InputError on all ranks.
+void check_search(Checkpoint& checkpoint, const Scene& scene, const Passed& passed, const std::string& path) {
+  if (!passed.searching) return;
   if (!scene.load_factor.asked())
     throw InputError(path +
                      ": stands in a load factor analysis\n  but the scene asks for none.\n  Give the section "
                      "\"load factor\" again, or another --out=DIR.");
   long long pattern = 0;
   checkpoint.value("load_factor.pattern", pattern);
-  const bool longer = passed < scene.stages.size();
+  const bool longer = passed.stages < scene.stages.size();
   if (longer || pattern != number_of(pattern_of(scene)))
     throw InputError(path + ": stands in a load factor analysis\n  but the scene has another " +
-                     (longer ? "stage before it, '" + scene.stages[passed].name + "'" : std::string("pattern")) +
+                     (longer ? "stage before it, '" + scene.stages[passed.stages].name + "'" : std::string("pattern")) +
                      ".\n  Compute the stages in a scene without load factor; then start this scene and others from "
                      "their end with --restart-from.");
 }
 
-/// Names of the sections that a scene had when it was saved and has not, or otherwise, now; those of the structure must
-/// be the same. Throws InputError on all ranks.
-std::vector<std::string> keep_sections(Checkpoint& checkpoint, const Scene& scene, const std::string& path) {
-  const auto here = section_texts(scene);
-  std::string names;  // a scene prints only the sections it has
-  for (const auto& [section, text] : here) names += section + '\n';
-  checkpoint.value("sections", names);
-  std::vector<std::string> changed;
-  std::set<std::string> missing;
-  for (const auto& [section, text] : here) missing.insert(section);
-  for (const auto& section : split(names, "\n")) {
-    if (section.empty()) continue;
-    const auto found = here.find(section);
-    const long long now = found == here.end() ? 0 : number_of(found->second);
-    long long saved = now;
-    checkpoint.value("section." + section, saved);
-    if (saved != now || found == here.end()) changed.push_back(section);
-    missing.erase(section);
+constexpr char end_of_path = '\t';  // no key of a scene holds it
+
+std::vector<std::string> lines_of(const SceneValues& values) {
+  std::vector<std::string> lines;
+  for (const auto& [path, value] : values) lines.push_back(path + end_of_path + value);
+  return lines;
+}
+
+SceneValues values_of(const std::vector<std::string>& lines) {
+  SceneValues values;
+  for (const auto& line : lines) {
+    const auto end = std::min(line.find(end_of_path), line.size());
+    values.emplace_back(line.substr(0, end), line.substr(std::min(end + 1, line.size())));
   }
-  changed.insert(changed.end(), missing.begin(), missing.end());
-  for (const auto& section : changed)
-    if (section == "model" || section == "materials" || section == "joints" || section == "supports")
-      throw another_structure(path, section);
-  return changed;
+  return values;
+}
+
+/// What a file holds, as a number, however it is called and wherever it lies. Collective.
+std::string content_of(const std::string& file, const Teuchos::Comm<int>& comm) {
+  auto number = static_cast<long long>(no_bytes_digest);
+  if (comm.getRank() == 0) {
+    std::ifstream in(file, std::ios::binary);
+    char part[1 << 16];
+    auto sum = no_bytes_digest;
+    while (in.read(part, sizeof part), in.gcount() > 0) sum = digest(part, static_cast<std::size_t>(in.gcount()), sum);
+    number = static_cast<long long>(sum);
+  }
+  Teuchos::broadcast(comm, 0, Teuchos::outArg(number));
+  std::ostringstream text;
+  text << "a file with digest " << std::hex << static_cast<std::uint64_t>(number);
+  return text.str();
 }
 
 /// What must be the same before and after: the structure. Throws InputError on all ranks.
@@ -196,6 +224,7 @@ void check_identity(Checkpoint& checkpoint, const Model<dim>& model, const std::
   same("nodes", model.structure().total_nodes(), "numbers of nodes");
   same("points", model.points().total(), "numbers of contact points");
   same("geometry", geometry_digest(model.structure()), "places of nodes");
+  same("cells", cells_digest(model.structure()), "cells");
 }
 
 }  // namespace
@@ -209,22 +238,31 @@ std::string words_of(const RunState& run, const std::vector<std::string>& change
     text << ", load factor " << run.load_factor->search().lower() << "\n";
   else
     text << ", the end of all stages\n";
-  for (const auto& section : changed) text << "  changed since the run was saved: " << section << "\n";
+  for (const auto& line : changed) text << "  changed since the run was saved: " << line << "\n";
   return text.str();
 }
 
 SavedRun::SavedRun(const Model<2>& model, const std::string& folder, const std::string& from)
     : model_(model),
       path_(folder + "/" + checkpoint_file),
-      source_((from.empty() ? folder : from) + "/" + checkpoint_file) {}
+      source_((from.empty() ? folder : from) + "/" + checkpoint_file),
+      values_(scene_values(model.scene(),
+                           [&](const std::string& file) { return content_of(file, *model.structure().comm()); })) {}
 
 void SavedRun::save(const RunState& run) {
   Phase phase("output");
   Checkpoint checkpoint(path_, model_.structure().comm(), Checkpoint::Way::save);
   check_identity(checkpoint, model_, path_);
-  keep_sections(checkpoint, model_.scene(), path_);
-  auto behind = number_of(past(model_.scene(), run.steps.passed())), pattern = number_of(pattern_of(model_.scene()));
-  checkpoint.value("past", behind);
+  const Scene& scene = model_.scene();
+  const Passed passed{run.steps.passed(), !run.steps.finished() && run.steps.reached() > 0,
+                      run.steps.finished() && run.load_factor && run.load_factor->begun()};
+  auto lines = lines_of(values_);
+  checkpoint.texts("scene", lines);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < passed.stages; ++k) names.push_back(scene.stages[k].name);
+  checkpoint.texts("stages passed", names);
+  auto sets = sets_digest(model_, sets_at_work(scene, passed)), pattern = number_of(pattern_of(scene));
+  checkpoint.value("sets", sets);
   checkpoint.value("load_factor.pattern", pattern);
   std::string stage = run.steps.finished() ? "" : run.steps.stage();
   checkpoint.value("load_steps.stage_name", stage);
@@ -249,8 +287,15 @@ std::vector<std::string> SavedRun::restore(const RunState& run) const {
   Phase phase("output");
   Checkpoint checkpoint(source_, model_.structure().comm(), Checkpoint::Way::restore);
   check_identity(checkpoint, model_, source_);
-  const auto changed = keep_sections(checkpoint, model_.scene(), source_);
-  check_past(checkpoint, model_.scene(), source_);
+  const auto passed = passed_stages(checkpoint, model_.scene(), source_);
+  check_search(checkpoint, model_.scene(), passed, source_);
+  std::vector<std::string> lines;
+  checkpoint.texts("scene", lines);
+  const auto changed = scene_changes(values_of(lines), values_, model_.scene(), passed, source_);
+  long long sets = 0;
+  checkpoint.value("sets", sets);
+  if (sets != sets_digest(model_, sets_at_work(model_.scene(), passed)))
+    throw another_structure(source_, "sets of blocks or edges");
   keep_state(checkpoint, model_, run);
   for (auto& [name, seconds] : run.seconds) checkpoint.value("seconds." + name, seconds);
   return changed;

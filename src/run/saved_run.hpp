@@ -13,6 +13,7 @@
 #include "dynamics/step_control.hpp"
 #include "run/load_factor_analysis.hpp"
 #include "run/recorder.hpp"
+#include "scene/scene_values.hpp"
 
 namespace voussoir {
 
@@ -27,11 +28,12 @@ struct RunState {
   LoadFactorAnalysis* load_factor = nullptr;  ///< where the scene asks for one
 };
 
-/// Where a run that was taken up goes on, and which sections of its scene have changed, in lines.
+/// Where a run that was taken up goes on, and what of its scene has changed, in lines.
 std::string words_of(const RunState&, const std::vector<std::string>& changed);
 
 class SavedRun {
  public:
+  /// Collective.
   /// @param folder  where it is saved
   /// @param from    where it is taken up from, when that is another folder
   SavedRun(const Model<2>&, const std::string& folder, const std::string& from = "");
@@ -41,8 +43,8 @@ class SavedRun {
   /// Saves when the scene asks for it after this step. Collective.
   void save_when_due(const RunState&);
   /// Takes a run up again. One that had come to its end goes on with the stages that follow. Collective; throws
-  /// InputError when the checkpoint is of another structure, or the stages it has passed are others than the scene's.
-  /// @return sections of the scene that have changed since it was saved
+  /// InputError when the checkpoint is of another structure or of another past (scene_changes.hpp).
+  /// @return what of the scene has changed since it was saved and may
   std::vector<std::string> restore(const RunState&) const;
   /// The run has come to its end, and nobody wants to go on from there.
   void remove() const;
@@ -50,6 +52,7 @@ class SavedRun {
  private:
   const Model<2>& model_;
   std::string path_, source_;
+  SceneValues values_;  ///< of the scene, with the content of the files its loads have read
   Teuchos::Time clock_{"since the last checkpoint", true};
   int steps_since_ = 0;
 };

@@ -57,7 +57,7 @@ RunSummary run_to_the_end(Run& run, const Model<2>& model, const std::string& fo
 RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, std::ostream& say) {
   Teuchos::Time clock("total", true);
   print_scene(say, scene, options.verbose);
-  const auto source = checked_blocks(scene, comm);
+  const auto source = checked_blocks(scene, comm, options.trust);
   if (const auto seen = only_looked_at(scene, options, *source, comm, say)) return *seen;
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
   std::optional<BranchedFolder> branched;

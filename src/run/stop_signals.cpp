@@ -23,6 +23,8 @@ void listen_for_stop_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+bool stop_signal_here() { return received != 0; }
+
 bool stop_signal_on_any_rank(const Teuchos::Comm<int>& comm) {
   const int mine = received;
   int any = 0;

@@ -9,6 +9,8 @@ namespace voussoir {
 /// outgrows its limit becomes an error of writing, like a full disk, instead of a signal that ends the program.
 void listen_for_stop_signals();
 
+/// Whether a signal has reached this rank.
+bool stop_signal_here();
 /// Whether a signal has reached any rank. Collective; the same answer on all ranks.
 bool stop_signal_on_any_rank(const Teuchos::Comm<int>&);
 

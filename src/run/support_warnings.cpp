@@ -47,12 +47,12 @@ std::array<double, 9> held_of_whole(const Model<2>& model) {
   for (int node = 0; node < s.owned_nodes(); ++node) {
     if (!is_held(node, 0) && !is_held(node, 1)) continue;
     sum[2] += 1;
-    for (int c = 0; c < 2; ++c) sum[c] += s.position()[node][c];
+    for (int c = 0; c < 2; ++c) sum[c] += s.drawn_position()[node][c];
   }
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, sum, total);
   std::array<double, 9> mine{}, all;
   for (int node = 0; node < s.owned_nodes(); ++node) {
-    const auto& x = s.position()[node];
+    const auto& x = s.drawn_position()[node];
     const double row[2][3] = {{1, 0, -(x[1] - total[1] / total[2]) / s.size()},
                               {0, 1, (x[0] - total[0] / total[2]) / s.size()}};
     for (int c = 0; c < 2; ++c)

@@ -183,19 +183,4 @@ void write_scene(std::ostream& os, const Scene& scene) {
   os << "</ParameterList>\n";
 }
 
-std::map<std::string, std::string> section_texts(const Scene& scene) {
-  std::ostringstream whole;
-  write_scene(whole, scene);
-  std::map<std::string, std::string> texts;
-  std::istringstream lines(whole.str());
-  const std::string begin = "  <ParameterList name=\"";  // sections alone are indented by two
-  std::string section;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind(begin, 0) == 0) section = line.substr(begin.size(), line.find('"', begin.size()) - begin.size());
-    if (!section.empty()) texts[section] += line + '\n';
-    if (line == "  </ParameterList>") section.clear();
-  }
-  return texts;
-}
-
 }  // namespace voussoir

@@ -1,9 +1,7 @@
 // A scene for people and for files.
 #pragma once
 
-#include <map>
 #include <ostream>
-#include <string>
 
 #include "scene/scene.hpp"
 
@@ -19,9 +17,6 @@ void write_scene(std::ostream&, const Scene&);
 
 /// Every number and switch that decides how steps are solved, with unit, range, default, meaning and reason.
 void print_internals_reference(std::ostream&);
-
-/// The sections of write_scene() by name, to tell what two scenes differ in.
-std::map<std::string, std::string> section_texts(const Scene&);
 
 /// xml/reference.xml: a scene that shows and explains every parameter there is.
 void print_reference(std::ostream&);

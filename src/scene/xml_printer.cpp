@@ -37,6 +37,8 @@ struct TextOf {
 
 }  // namespace
 
+std::string value_text(const Parameter& p) { return std::visit(TextOf{}, p.value).value; }
+
 void XmlPrinter::line(const std::string& text) {
   os_ << std::string(static_cast<std::size_t>(2 * depth_), ' ') << (in_comment_ ? fit_for_comment(text) : text) << '\n';
 }
@@ -96,6 +98,7 @@ std::string XmlPrinter::documentation(const Parameter& p) const {
   std::string text;
   if (number) {
     text = (p.unit.empty() ? "" : "[" + p.unit + "] ") + p.range.text();
+    if (const auto usual = p.range.usual_text(); !usual.empty()) text += ", usually " + usual;
   } else if (const Choice* choice = std::get_if<Choice>(&p.value)) {
     for (const std::string& word : choice->words) text += (text.empty() ? "" : " | ") + word;
   }
@@ -170,9 +173,7 @@ void XmlPrinter::visit(const Family& family) {
   if (only_example) end_comment();
 }
 
-void DefaultsCollector::visit(const Parameter& p) {
-  defaults[after(path_, p.name)] = std::visit(TextOf{}, p.value).value;
-}
+void DefaultsCollector::visit(const Parameter& p) { defaults[after(path_, p.name)] = value_text(p); }
 
 void DefaultsCollector::visit(const Subsection& section, const std::function<void()>& declare) {
   const std::string outer = path_;

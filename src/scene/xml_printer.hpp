@@ -10,6 +10,9 @@
 
 namespace voussoir {
 
+/// The value of a parameter in words; "" for a sublist.
+std::string value_text(const Parameter&);
+
 /// Defaults as messages show them, by key: the path with members of families called *.
 using Defaults = std::map<std::string, std::string>;
 

@@ -9,6 +9,7 @@ import format as format_rule
 import headers
 import house
 import layers
+import readme_code
 import settings
 import sizes
 import top_level
@@ -73,6 +74,21 @@ class IncludesPointDown(unittest.TestCase):
         self.assertEqual(layers.problems_of_libraries([one]), [])
         self.assertEqual(len(layers.problems_of_libraries([one, two])), 1)
         self.assertEqual(len(layers.problems_of_libraries([header])), 1)
+
+
+class CodeOfReadmes(unittest.TestCase):
+    def problems(self, code):
+        return readme_code.problems_of("README.md", f"Text.\n\n{code}\n\nMore.\n", {"drivers/run": {"--out"}})
+
+    def test_a_command_has_a_line_of_its_own(self):
+        good = "    drivers/run A.xml --out B    # first\n    drivers/run C.xml \\\n    --out D"
+        self.assertEqual(self.problems(good), [])
+        self.assertEqual(len(self.problems("    drivers/run A.xml --out B # first drivers/run C.xml\n    --out D")), 2)
+        self.assertEqual(len(self.problems("```\ndrivers/run A.xml drivers/run C.xml\n```")), 1)
+        self.assertEqual(self.problems("Not code: drivers/run, then drivers/run."), [])
+
+    def test_its_options_are_those_of_the_program(self):
+        self.assertEqual(len(self.problems("    drivers/run A.xml --outt B")), 1)
 
 
 class TheTopLevel(unittest.TestCase):

@@ -6,14 +6,17 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <csignal>
+#include <cstdio>
 #include <fstream>
+#include <thread>
 
 #include "base/error.hpp"
+#include "base/free_memory.hpp"
 
 namespace voussoir {
 namespace {
 
-void nothing(const std::string&) {}
+void nothing(const ChildEnd&) {}
 
 std::string echo(const std::string& request) { return request; }
 
@@ -55,7 +58,7 @@ TEUCHOS_UNIT_TEST(ChildProcess, ThrowsHereWhatIsThrownThere) {
 
 TEUCHOS_UNIT_TEST(ChildProcess, TellsOfItsDeathAndTheNextOneWorks) {
   std::string how;
-  const auto died = [&](const std::string& signal) { throw InputError(how = signal); };
+  const auto died = [&](const ChildEnd& end) { throw InputError(how = end.signal()); };
   const auto raised = [](const std::string& signal) -> std::string {
     std::raise(std::stoi(signal));
     return "";
@@ -63,8 +66,32 @@ TEUCHOS_UNIT_TEST(ChildProcess, TellsOfItsDeathAndTheNextOneWorks) {
   for (const int signal : {SIGSEGV, SIGTERM, SIGKILL})
     TEST_THROW(in_child_process(raised, std::to_string(signal), died), InputError);
   TEST_EQUALITY(how, "Killed");
-  TEST_THROW(in_child_process([](auto&) -> std::string { _exit(3); }, "", nothing), ResourceError);
+  const auto exits = [](auto&) -> std::string { _exit(3); };
+  TEST_THROW(in_child_process(exits, "", nothing), ResourceError);
+  ChildEnd seen;
+  TEST_THROW(in_child_process(exits, "", [&](const ChildEnd& end) { seen = end; }), ResourceError);
+  TEST_ASSERT(seen.by == ChildEnd::By::itself);
+  TEST_EQUALITY(seen.number, 3);
   TEST_EQUALITY(in_child_process(echo, "goes on", nothing), "goes on");
+}
+
+// A child that wants more than the machine has free is refused it, whatever it does then, and its program goes on.
+TEUCHOS_UNIT_TEST(ChildProcess, GetsHalfOfTheMemoryThatIsFree) {
+  ChildEnd seen;
+  const auto died = [&](const ChildEnd& end) {
+    seen = end;
+    throw InputError("too much");
+  };
+  // Asked for at once, and never touched: the machine is not to suffer.
+  const auto wants_all = [](auto&) -> std::string {
+    ::operator delete(::operator new(static_cast<std::size_t>(free_memory())));
+    return "got it";
+  };
+  TEST_THROW(in_child_process(wants_all, "", died), InputError);
+  TEST_ASSERT(seen.by == ChildEnd::By::memory);
+  TEST_COMPARE(seen.allowed, <, 0.6 * whole_memory());
+  const auto wants_little = [](auto&) { return std::string(1'000'000, 'v'); };
+  TEST_EQUALITY(in_child_process(wants_little, "", died).size(), 1'000'000u);
 }
 
 /// Whether a process is there and is more than an entry in a table.
@@ -84,6 +111,40 @@ TEUCHOS_UNIT_TEST(ChildProcess, NobodyIsLeftBehind) {
   TEST_INEQUALITY(waiting, std::to_string(getpid()));
   for (int tenths = 0; tenths < 100 && lives(waiting); ++tenths) usleep(100'000);
   TEST_ASSERT(!lives(waiting));
+}
+
+// Killed, which no process can hear of: the process that waits and its child end with the program.
+TEUCHOS_UNIT_TEST(ChildProcess, AKilledProgramLeavesNobodyAtWork) {
+  const std::string file = "processes-of-a-killed-program";
+  std::remove(file.c_str());
+  const auto work = [](const std::string& where) -> std::string {
+    begin_child_processes();
+    return in_child_process(
+        [](const std::string& name) -> std::string {
+          const pid_t waiting = getppid();
+          std::ofstream(name + ".part") << waiting << ' ' << getpid();
+          std::rename((name + ".part").c_str(), name.c_str());
+          for (;;) pause();
+        },
+        where, nothing);
+  };
+  const auto killer = [&] {  // the child that is the program here is the parent of the process that waits
+    std::string waiting, child;
+    for (int tenths = 0; tenths < 300 && !(std::ifstream(file) >> waiting >> child); ++tenths) usleep(100'000);
+    std::ifstream status("/proc/" + waiting + "/status");
+    for (std::string word; status >> word;)
+      if (pid_t program = 0; word == "PPid:" && status >> program) ::kill(program, SIGKILL);
+    return std::make_pair(waiting, child);
+  };
+  std::pair<std::string, std::string> left;
+  std::thread other([&] { left = killer(); });
+  TEST_THROW(in_child_process(work, file, [](const ChildEnd& end) { throw InputError(end.signal()); }), InputError);
+  other.join();
+  TEST_ASSERT(!left.second.empty());
+  for (const auto& process : {left.first, left.second}) {
+    for (int tenths = 0; tenths < 100 && lives(process); ++tenths) usleep(100'000);
+    TEST_ASSERT(!lives(process));
+  }
 }
 
 // A library that is used without that is used all the same.

@@ -14,7 +14,9 @@ namespace voussoir::test {
 
 inline const std::string geo_folder = VOUSSOIR_SOURCE_DIR "/tests/unit/mesh/geo/";
 
-inline std::unique_ptr<BlockSource<2>> read(const GmshParameters& p) { return read_gmsh(p, *Tpetra::getDefaultComm()); }
+inline std::unique_ptr<BlockSource<2>> read(const GmshParameters& p, Trust trust = Trust::no) {
+  return read_gmsh(p, *Tpetra::getDefaultComm(), trust);
+}
 
 inline GmshParameters geo(const std::string& name) {
   GmshParameters p;

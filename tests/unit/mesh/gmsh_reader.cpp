@@ -211,7 +211,7 @@ TEUCHOS_UNIT_TEST(Gmsh, QuadrilateralsTheFileDoesNotMakeAreRefused) {
 }
 
 TEUCHOS_UNIT_TEST(Gmsh, AFinishedMeshTakesNoNumbers) {
-  GmshParameters p = written("finished.msh", "");
+  GmshParameters p = written("finished.msh", "$MeshFormat\n");
   p.element_size = 0.1;
   TEST_ASSERT(holds(refusal(p), "is a finished mesh"));
 }

@@ -131,13 +131,13 @@ TEUCHOS_UNIT_TEST(ElementSize, NumbersOfIncludedFilesAreFound) {
                                                   "Characteristic Length{1, 2, 3, 4} = element_size;\n"
                                                   "Plane Surface(1) = {1}; Physical Curve(\"base\") = {1};\n");
   p.element_size = 0.2;
-  TEST_EQUALITY(facet_midpoints(*read(p), "base").size(), 5u);
+  TEST_EQUALITY(facet_midpoints(*read(p, Trust::yes), "base").size(), 5u);
   const std::string corners = written("corners.geo", square).file;
   p = written("including_points.geo", "Include \"" + corners +
                                           "\";\nPlane Surface(1) = {1};\nPhysical Curve(\"base\") "
                                           "= {1};\n");
   p.element_size = 0.25;
-  TEST_EQUALITY(facet_midpoints(*read(p), "base").size(), 4u);  // no number anywhere: gmsh's own size
+  TEST_EQUALITY(facet_midpoints(*read(p, Trust::yes), "base").size(), 4u);  // no number anywhere: gmsh's own size
 }
 
 TEUCHOS_UNIT_TEST(Divisions, AreOneMultipleForAllCurves) {

@@ -34,7 +34,7 @@ struct Run {
 void copy_without(const std::string& table, const std::vector<std::string>& tables, const std::string& from,
                   const std::string& to) {
   on_first_rank(*world(), [&] {
-    std::vector<std::string> kept = {"/run"};
+    std::vector<std::string> kept = {"/run", "/texts"};
     for (const auto& t : tables)
       if (t != table) kept.push_back("/state/" + t);
     std::filesystem::create_directories(to);
@@ -60,6 +60,39 @@ TEUCHOS_UNIT_TEST(SavedRun, WithoutATableThatEveryRunHasIsRefused) {
   TEST_COMPARE_ARRAYS(other.experiment.state().displacement, run.experiment.state().displacement);
   TEST_COMPARE_ARRAYS(other.experiment.state().lambda, run.experiment.state().lambda);
   TEST_COMPARE_ARRAYS(other.experiment.state().status, run.experiment.state().status);
+}
+
+// Words and counts that nothing could have saved so: whoever took them for an index would leave its table.
+TEUCHOS_UNIT_TEST(SavedRun, WordsAndCountsOutsideTheirRangeAreRefusedOnAllRanks) {
+  const std::string folder = fresh_folder("saved-run-ranges");
+  const auto refused = [&](const auto& spoil) {
+    Run run, other;
+    if (!run.experiment.advance({{"weight", 1.0}})) return false;
+    if (world()->getRank() == 0) spoil(run.experiment.state());  // what one rank owns
+    run.saved(folder).save(run.state());
+    try {
+      other.saved(folder).restore(other.state());
+    } catch (const ResourceError&) {
+      return true;
+    }
+    return false;
+  };
+  TEST_ASSERT(!refused([](ContactState&) {}));
+  TEST_ASSERT(refused([](ContactState& s) { s.status.front() = 4; }));
+  TEST_ASSERT(refused([](ContactState& s) { s.status.front() = -1; }));
+  TEST_ASSERT(refused([](ContactState& s) { s.selected.front() = 2; }));
+  for (const auto table : {&Rest::steps, &Rest::needed, &Rest::bonded})
+    for (const double wrong : {-1.0, 1e10}) {
+      Run run, other;
+      TEST_ASSERT(run.experiment.advance({{"weight", 1.0}}));
+      auto& rest = run.experiment.state().rest;
+      const auto points = run.experiment.state().status.size();
+      rest.place.assign(2 * points, 0.0);
+      for (auto* counts : {&rest.steps, &rest.needed, &rest.bonded}) counts->assign(points, 0.0);
+      if (world()->getRank() == 0) (rest.*table).front() = wrong;
+      run.saved(folder).save(run.state());
+      TEST_THROW(other.saved(folder).restore(other.state()), ResourceError);
+    }
 }
 
 /// A file that says that a collapse was found, and notes how many values are there before each table is read.

@@ -1,0 +1,130 @@
+#include "mesh/cell_count.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/free_memory.hpp"
+#include "base/text.hpp"
+#include "mesh/lattice.hpp"
+
+namespace voussoir {
+namespace {
+
+// What a bonded run takes for a cell where stones have thousands of them [bytes]; small stones and contact take more.
+constexpr double bytes_per_cell = 2000;
+// gmsh loses a digit of the smallest cell for each digit between its size and the distance from the origin: meshes fail
+// from a hundred thousand times the size of the drawing on, and are doubtful a digit before.
+constexpr double far = 1e4;
+
+std::string rounded(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+std::string why(double cells) {
+  return "asks for " + rounded(cells) + " cells, and this machine's memory of " + rounded(whole_memory() / 1e9) +
+         " GB holds at most " + rounded(most_cells()) + " of " + rounded(bytes_per_cell / 1000) + " kB";
+}
+
+double size_of(const Drawing& d) { return std::hypot(d.to[0] - d.from[0], d.to[1] - d.from[1]); }
+
+}  // namespace
+
+void Drawing::add(int curve, const std::vector<Vector<2>>& points) {
+  double length = 0, area = 0;
+  if (from[0] == infinity && !points.empty()) first_ = points[0];
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (int c = 0; c < 2; ++c) {
+      from[c] = std::min(from[c], points[k][c]);
+      to[c] = std::max(to[c], points[k][c]);
+    }
+    if (k == 0) continue;
+    length += norm(points[k] - points[k - 1]);
+    area += cross(points[k - 1] - first_, points[k] - first_) / 2;
+  }
+  auto& stone = stones.back();
+  stone.area += curve < 0 ? -area : area;
+  stone.border += length;
+  stone.length_of[std::abs(curve)] = length;
+}
+
+void Drawing::divide(double length) {
+  for (auto& stone : stones) stone.edges = stone.border / length;
+}
+
+void Drawing::divide(const std::map<int, double>& edges) {
+  for (auto& stone : stones) {
+    stone.edges = 0;
+    for (const auto& [curve, length] : stone.length_of) {
+      const auto found = edges.find(curve);
+      stone.edges += found == edges.end() ? 1 : found->second;
+    }
+  }
+}
+
+std::map<int, double> least_edges(const std::map<int, double>& edges, const std::map<int, double>& coarser,
+                                  double times) {
+  std::map<int, double> least;
+  for (const auto& [curve, count] : edges) {
+    const auto before = coarser.find(curve);
+    const bool follows = before != coarser.end() && before->second != count;
+    least[curve] = follows ? std::max(1.0, (count - 1) * times) : count;
+  }
+  return least;
+}
+
+double cells_of(const Drawing& drawing) {
+  double cells = 0;
+  for (const auto& stone : drawing.stones)
+    if (stone.border > 0) cells += std::abs(stone.area) * std::pow(stone.edges / stone.border, 2);
+  return cells;
+}
+
+double cells_of(const MeshParameters& p) {
+  const auto& w = p.wall;
+  const auto& a = p.arch;
+  const auto product = [](std::initializer_list<int> numbers) {
+    double all = 1;
+    for (const int number : numbers) all *= number;
+    return all;
+  };
+  if (p.type == MeshType::wall) return product({w.courses, w.blocks_per_course, w.cells_along, w.cells_up});
+  if (p.type == MeshType::gmsh) return 0;
+  const double piers = a.pier_height > 0 ? 2.0 * a.pier_courses : 0;
+  return product({a.cells_radial, a.cells_along}) * (a.voussoirs + piers);
+}
+
+double most_cells() { return whole_memory() / bytes_per_cell; }
+
+void refuse_too_many_cells(const GmshParameters& p, const Drawing& drawing) {
+  const double cells = cells_of(drawing);
+  if (!(cells > most_cells())) return;
+  const auto side = [&](int c) { return six_digits(drawing.to[c] - drawing.from[c]); };
+  const std::string size = side(0) + " x " + side(1);
+  const std::string unit = p.unit == 1 ? "m" : number_text(p.unit) + " m";
+  const bool given = p.element_size > 0;
+  refuse_mesh(given ? "gmsh > element size" : "gmsh > file", given ? in_words(p.element_size) + " m" : p.file,
+              why(cells) + ": the drawing measures " + size + " m, if its unit is " + unit + ".",
+              "If it is drawn in millimetres, centimetres or feet say so by mesh > gmsh > unit = mm, cm or ft (now: " +
+                  unit + "); else give a larger element size.");
+}
+
+void refuse_too_many_cells(const MeshParameters& p) {
+  const double cells = cells_of(p);
+  if (cells > most_cells())
+    refuse_mesh(p.type == MeshType::wall ? "wall" : "arch", rounded(cells) + " cells", why(cells) + ".",
+                "Give fewer stones, or fewer cells in each.");
+}
+
+std::string far_from_origin(const Drawing& d) {
+  const double size = size_of(d);
+  const double away =
+      std::hypot(std::max(std::abs(d.from[0]), std::abs(d.to[0])), std::max(std::abs(d.from[1]), std::abs(d.to[1])));
+  if (!(size > 0) || !(away > far * size)) return "";
+  return "  The drawing lies " + rounded(away) + " m from its origin, " + rounded(away / size) +
+         " times its size: gmsh has too few digits there. Move its origin to the structure (subtract a round number "
+         "from all coordinates).";
+}
+
+}  // namespace voussoir

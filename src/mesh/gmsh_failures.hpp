@@ -1,0 +1,29 @@
+// What is said of a file that gmsh could not mesh.
+#pragma once
+
+#include <string>
+
+#include "base/child_process.hpp"
+#include "base/error.hpp"
+
+namespace voussoir {
+
+/// Throws InputError about the file of a scene.
+[[noreturn]] void refuse_file(const std::string& file, const std::string& why, const std::string& advice);
+
+/// Throws what is to be said of a process of gmsh that gave no mesh: InputError where the file is to blame, else
+/// ResourceError.
+[[noreturn]] void refuse_end(const std::string& file, const ChildEnd&);
+
+/// Does work; to what it refuses a line is added that may explain it.
+template <class Work>
+auto with_hint(const std::string& hint, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    if (hint.empty()) throw;
+    throw InputError(error.what() + ("\n" + hint));
+  }
+}
+
+}  // namespace voussoir
