@@ -147,17 +147,16 @@ class MotionProgramme {
   /// The loads do the same work as along the mechanism.
   void add_driving(const std::vector<Wrench>& driving) {
     double all = 0;
-    Wrench unit{};
     std::vector<double> sum(rows_of_column_.size(), 0.0);
     for (std::size_t b = 0; b < part_.size(); ++b) {
       if (part_[b] < 0) continue;
       all += power(driving[b], mechanism_[b]);
       const auto place = from_first(static_cast<int>(b));
       const auto part = static_cast<std::size_t>(part_[b]);
-      unit = driving[b];
-      sum[3 * part] += unit[0];
-      sum[3 * part + 1] += unit[1];
-      sum[3 * part + 2] += (cross(place, {unit[0], unit[1]}) + unit[2]) / parts_[part].radius;
+      const auto& load = driving[b];
+      sum[3 * part] += load[0];
+      sum[3 * part + 1] += load[1];
+      sum[3 * part + 2] += (cross(place, {load[0], load[1]}) + load[2]) / parts_[part].radius;
     }
     Terms terms;
     for (std::size_t k = 0; k < sum.size(); ++k) terms.emplace_back(static_cast<int>(k), sum[k] / all);

@@ -49,15 +49,28 @@ bool on_a_line(const RigidStructure& s, const std::vector<int>& order, std::size
   return true;
 }
 
-/// Adds the motion of an answer that has a mechanism.
-LimitAnswer in_motion(const RigidStructure& s, LimitAnswer answer) {
-  if (answer.verdict != LimitVerdict::limited && answer.verdict != LimitVerdict::refused) return answer;
-  std::vector<Wrench> driving;
-  for (const auto& stone : s.stones) driving.push_back(stone.raised);
-  auto motion = coulomb_motion(s, answer.mechanism, driving);
-  answer.motion = std::move(motion.of_stones);
-  answer.dilates = motion.dilates;
-  return answer;
+/// Velocities of the stones as prices of a programme tell them, the largest motion 1.
+std::vector<Wrench> motion_of(const RigidStructure& s, const std::vector<double>& price) {
+  std::vector<Wrench> motion;
+  double size = 0;
+  for (std::size_t b = 0; b < s.stones.size(); ++b) {
+    const double r = s.stones[b].radius;
+    motion.push_back({price[3 * b], price[3 * b + 1], price[3 * b + 2] / r});
+    size = std::max(size, std::hypot(motion[b][0], motion[b][1]) + std::abs(motion[b][2]) * r);
+  }
+  if (!(size > 0)) return {};
+  for (auto& w : motion)
+    for (auto& v : w) v /= size;
+  return motion;
+}
+
+/// By how much stones of a motion move into each other, or what is held moves.
+double closes(const RigidStructure& s, const std::vector<Wrench>& motion) {
+  double most = 0;
+  for (const auto& c : s.contacts) most = std::max(most, -relative_velocity(c, motion)[0]);
+  for (const auto& h : s.supports)
+    most = std::max(most, std::abs(dot(velocity_at(motion[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
+  return most;
 }
 
 }  // namespace
@@ -214,16 +227,10 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
     answer.verdict = LimitVerdict::unlimited;
     return answer;
   }
-  double size = 0;
-  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
-    const double r = s_.stones[b].radius;
-    answer.mechanism.push_back({found.price[3 * b], found.price[3 * b + 1], found.price[3 * b + 2] / r});
-    const auto& v = answer.mechanism.back();
-    size = std::max(size, std::hypot(v[0], v[1]) + std::abs(v[2]) * r);
-  }
+  answer.mechanism = motion_of(s_, found.price);
+  if (answer.mechanism.empty()) return answer;
   double of_fixed = 0, of_raised = 0, turned_over = 0, absorbed = 0, against = 0;
   for (std::size_t b = 0; b < s_.stones.size(); ++b) {
-    for (auto& v : answer.mechanism[b]) v /= size;
     of_fixed += power(s_.stones[b].fixed, answer.mechanism[b]);
     of_raised += power(s_.stones[b].raised, answer.mechanism[b]);
     turned_over += std::abs(power(s_.stones[b].raised, answer.mechanism[b]));
@@ -236,7 +243,7 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
   for (const auto& h : s_.supports)
     against = std::max(
         against, std::abs(dot(velocity_at(answer.mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
-  if (!(size > 0) || against > against_the_law || !(of_raised > clear_gain * turned_over)) return answer;
+  if (against > against_the_law || !(of_raised > clear_gain * turned_over)) return answer;
   answer.factor = (absorbed - of_fixed) / of_raised;
   // The mechanism proves by itself. Forces agree as well as balance lets them, which of light stones is little.
   const double apart = clear_gain * std::max(1.0, factor) + out_of_balance * unit_ / of_raised;
@@ -277,10 +284,29 @@ LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, 
   return raised_up_to(largest, share_of_joints, balanced_unraised, basis);
 }
 
+/// Adds the motion of an answer that has a mechanism. Where what slides in it would have to lift, it is that of the
+/// structure without dilatancy, if that bears as much.
+LimitAnswer LimitAnalysis::in_motion(double largest, LimitAnswer answer) const {
+  if (answer.verdict != LimitVerdict::limited) return answer;
+  std::vector<Wrench> driving;
+  for (const auto& stone : s_.stones) driving.push_back(stone.raised);
+  auto motion = coulomb_motion(s_, answer.mechanism, driving);
+  answer.motion = std::move(motion.of_stones);
+  answer.dilates = motion.dilates;
+  if (!answer.dilates) return answer;
+  std::vector<Wrench> undilated;
+  answer.estimate = without_dilatancy(largest, answer, &undilated);
+  const bool bears_as_much = answer.estimate && *answer.estimate >= answer.factor * (1 - 2 * settled);
+  if (!bears_as_much || undilated.empty() || closes(s_, undilated) > against_the_law) return answer;
+  answer.motion = std::move(undilated);
+  answer.dilates = false;
+  return answer;
+}
+
 LimitAnswer LimitAnalysis::largest_factor(double largest) const {
   bool balanced_unraised = true;
   auto answer = raised_up_to(largest, 1, &balanced_unraised);
-  if (balanced_unraised) return in_motion(s_, std::move(answer));
+  if (balanced_unraised) return in_motion(largest, std::move(answer));
   answer = bears(0);
   if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
   return answer;
@@ -296,14 +322,16 @@ bool LimitAnalysis::borne_at_any_factor() const {
 LimitAnswer LimitAnalysis::bears(double factor) const {
   bool balanced = true;
   const auto loaded = under_loads(factor);
-  auto answer = loaded.raised_up_to(1, 1, &balanced);
+  auto answer = loaded.in_motion(1, loaded.raised_up_to(1, 1, &balanced));
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
-  return in_motion(loaded.s_, std::move(answer));
+  return answer;
 }
 
-std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated) const {
+std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated,
+                                                       std::vector<Wrench>* motion) const {
   if (associated.verdict == LimitVerdict::unlimited) return associated.factor;
   if (associated.verdict != LimitVerdict::limited) return {};
+  if (associated.estimate) return associated.estimate;
   auto p = programme(1, true, most_force);
   p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
   p.lp.set_cost(p.factor_column, 1);
@@ -320,7 +348,10 @@ std::optional<double> LimitAnalysis::without_dilatancy(double largest, const Lim
     const auto found = p.lp.maximise();
     if (found.end != ProgrammeEnd::optimal) return {};
     const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
-    if (round > 0 && std::abs(factor - last) <= settled * std::max(factor, last)) return factor;
+    if (round > 0 && std::abs(factor - last) <= settled * std::max(factor, last)) {
+      if (motion) *motion = motion_of(s_, found.price);
+      return factor;
+    }
     last = factor;
     for (std::size_t k = 0; k < kept_.size(); ++k)
       presses[k] += weight_of_last * (p.force(k, found.x, unit_)[0] - presses[k]);

@@ -24,13 +24,14 @@ enum class LimitVerdict {
 
 struct LimitAnswer {
   LimitVerdict verdict = LimitVerdict::unknown;
-  double factor = 0;              ///< [-] of raised loads, by the power of the mechanism where there is one
-  std::vector<Wrench> mechanism;  ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
-  std::vector<Wrench> motion;     ///< the same without dilatancy, where that is possible (statics/coulomb_motion.hpp)
-  bool dilates = false;           ///< it is not: the motion is the mechanism
-  std::vector<Vector<2>> force;   ///< [N] per contact, normal and tangential, where loads are balanced
-  double out_of_balance = 0;      ///< [-] of those forces, relative to the largest load of a stone
-  int iterations = 0;             ///< of the simplex method
+  double factor = 0;               ///< [-] of raised loads, by the power of the mechanism where there is one
+  std::vector<Wrench> mechanism;   ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
+  std::vector<Wrench> motion;      ///< the same without dilatancy, where that is possible (statics/coulomb_motion.hpp)
+  bool dilates = false;            ///< it is not: the motion is the mechanism
+  std::optional<double> estimate;  ///< [-] of the factor without dilatancy, where the motion needed it
+  std::vector<Vector<2>> force;    ///< [N] per contact, normal and tangential, where loads are balanced
+  double out_of_balance = 0;       ///< [-] of those forces, relative to the largest load of a stone
+  int iterations = 0;              ///< of the simplex method
 };
 
 /// Range of a reaction over all admissible forces [N]; no numbers where it has no end.
@@ -65,7 +66,10 @@ class LimitAnalysis {
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
   /// of programmes does not settle.
   /// @param associated  the answer of largest_factor(largest), where it begins
-  std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated) const;
+  /// @param motion      where wanted: in which it falls there, the largest 1 m; what slides opens by a thousandth of
+  ///                    what it would with dilatancy
+  std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated,
+                                          std::vector<Wrench>* motion = nullptr) const;
 
  private:
   struct Programme;
@@ -74,6 +78,7 @@ class LimitAnalysis {
   LimitAnswer raised_up_to(double largest, double share_of_joints, bool* balanced_unraised,
                            ProgrammeBasis* basis = nullptr) const;
   LimitAnswer least_pressed(double share_of_joints, const ProgrammeBasis&) const;
+  LimitAnswer in_motion(double largest, LimitAnswer) const;
   LimitAnswer judge(const Programme&, const ProgrammeSolution&, double largest) const;
   /// The same structure under its fixed loads and a factor of the raised ones, all of them raised from nothing.
   LimitAnalysis under_loads(double factor) const;

@@ -5,6 +5,7 @@
 
 import math
 import pathlib
+import random
 import subprocess
 import sys
 
@@ -25,6 +26,27 @@ SLAB = stones.rectangle(-0.8, -0.3, 0.8, 0)
 
 def scene(supports=("ground",), loads=None, stages=None, **sections):
     return stones.scene("stones.geo", supports, loads or {}, stages or {"own weight": stones.OWN_WEIGHT}, **sections)
+
+
+def surveyed_wall(seed, courses=4, across=4, uneven=0.03):
+    """A wall in bond on a slab, whose beds bend at every joint above or below, as far as a survey finds them uneven [m]."""
+    lot, height, width = random.Random(seed), 0.3, 0.5
+
+    def joints(row):
+        return [0.0, *[width * (k + row % 2 / 2) for k in range(1 - row % 2, across)], width * across]
+
+    beds = []
+    for row in range(courses + 1):
+        places = {x for r in (row - 1, row) if 0 <= r < courses for x in joints(r)}
+        flat = row in (0, courses)
+        beds.append(sorted((x, round(height * row + (0 if flat else lot.uniform(-uneven, uneven)), 6)) for x in sorted(places)))
+    end = width * across
+    outlines = {"slab": stones.polygon([(-0.3, -0.3), (end + 0.3, -0.3), (end + 0.3, 0), *beds[0][::-1], (-0.3, 0)])}
+    for row in range(courses):
+        for k, (a, b) in enumerate(zip(joints(row), joints(row)[1:])):
+            low, high = ([p for p in bed if a <= p[0] <= b] for bed in beds[row:row + 2])
+            outlines[f"stone {row} {k}"] = stones.polygon([*low, *high[::-1]])
+    return outlines
 
 
 def ring(name, radius, depth, voussoirs, x=0.0, y=0.0, first=0.0, last=math.pi):
@@ -112,6 +134,24 @@ class Mechanisms(program.SceneTest):
         self.assertIn("down", run.result["message"].split("(wedge)")[1].split(";")[0])
         self.assertGreater(self.motion(run)[:, 1].max(), -1e-9)
         self.assertLess(self.motion(run)[:, 1].max(), 1e-4)  # nothing rises
+
+    def test_stones_of_a_surveyed_wall_slide_to_the_right(self):
+        # The last two move otherwise than their mechanisms, in which what slides must lift: as slip without dilatancy does.
+        for seed, friction in ((0, 0.25), (5, 0.4), (1, 0.4), (6, 0.4)):
+            with self.subTest(seed=seed):
+                run = self.run_scene(scene(loads=PUSH, friction=friction, **RAISED), "--limit-analysis", out=f"wall {seed}",
+                                     drawing=stones.geo(surveyed_wall(seed), 0.15, {"ground": ("slab", 0)}))
+                self.assertEqual(run.outcome, "collapse", run.said)
+                self.assertFalse(run.result["mechanism"]["dilates"])
+                words = run.result["message"].split(" move")[1]
+                self.assertIn("to the right; joints that", words)
+                self.assertNotIn(" up ", words.split(";")[0])
+
+    def test_what_must_lift_in_the_proof_says_so(self):
+        # The second wall of Ferris and Tin-Loi falls at 0.563 where slip does not dilate: the proof is of 0.580.
+        run = self.run_scene(ROOT / "xml" / "ferris-tin-loi-wall.xml", "--limit-analysis", "--set", "mesh/gmsh/geometry/wall=2")
+        self.assertTrue(run.result["mechanism"]["dilates"])
+        self.assertIn("this is the motion of slip that dilates", run.result["message"])
 
     def test_ranks_tell_the_same_motion(self):
         outlines = {"slab": SLAB, "stone": stones.rectangle(-0.5, 0, 0.5, 0.2)}

@@ -26,7 +26,8 @@ void check(const RigidStructure& s, const LimitAnswer& answer, Teuchos::FancyOSt
       lifts = std::max(lifts, w[0] / size);
   }
   TEST_COMPARE(closes, <, close);
-  TEST_EQUALITY(answer.dilates, lifts > close);
+  // By the estimate without dilatancy what slides opens by a thousandth of what it would with it.
+  TEST_ASSERT(answer.dilates ? answer.motion == answer.mechanism : lifts < 1e-3);
 }
 
 TEUCHOS_UNIT_TEST(CoulombMotion, AFlatStoneThatIsPushedSlidesAlongItsBed) {
