@@ -34,6 +34,11 @@ double overlap_of(const std::vector<double>& mechanism, const ContactState& stat
   return largest_over_ranks(*model.structure().comm(), overlap);
 }
 
+void tell(const Attempting& run, const Warnings& warnings) {
+  for (const auto& w : warnings)
+    if (run.recorder.warn(w)) run.narrator.warn(w);
+}
+
 }  // namespace
 
 /// What the static theorem and the estimate without dilatancy say, before anything is tried.
@@ -139,10 +144,11 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
-    for (const auto& w : warnings_of(report, run.model.scene().internals.step, end.when))
-      if (run.recorder.warn(w)) run.narrator.warn(w);
+    tell(run, warnings_of(report, run.model.scene().internals.step, end.when));
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
+    const double jumps = summary.energy.jump;
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
+    tell(run, lost_in_jump(summary.energy.jump - jumps, summary.energy, end.when));
     run.narrator.end(report, run.recorder.status(), seconds, summary);
     run.load = next_load;
     return;

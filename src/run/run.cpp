@@ -168,7 +168,9 @@ bool Run::load_step(const ContactState& before) {
   failure_.reset();
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
   steps_.accept();
+  const double jumps = summary.energy.jump;
   recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
+  for (const auto& w : lost_in_jump(summary.energy.jump - jumps, summary.energy, at_factor(stage, target))) warn(w);
   narrator_->end(report, recorder_->status(), seconds, summary);
   load_ = next_load;
   return true;

@@ -1,9 +1,12 @@
 // What a step that stands leaves open, be it a load step, a time step or an attempt at a load factor.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
+#include "base/energies.hpp"
+#include "base/text.hpp"
 #include "step/joint_strength.hpp"
 #include "step/step.hpp"
 #include "step/step_parameters.hpp"
@@ -14,6 +17,22 @@ namespace voussoir {
 /// Whether cracks grew in a jump within a step.
 inline bool jumped(const StepReport& report, const StepParameters& numbers) {
   return report.newton.lost_on_the_way >= numbers.jump;
+}
+
+/// What a structure that let go within a load step lost, where it is seen in the energies: one warning or none.
+/// @param lost  [J] in the step
+/// @param book  after it
+/// @param when  stage and load factor
+inline Warnings lost_in_jump(double lost, const Energies& book, const std::string& when) {
+  constexpr double seen = 0.01;  // of the energy that went in: less is hidden by the size of steps
+  const double in = std::max(book.external_work, book.elastic);
+  if (!(lost > seen * in)) return {};
+  return {
+      {"lost_in_jump", "the structure", when, lost,
+       "the structure let go faster than it was moved, as a bar that snaps: of the energy in it " + number_text(lost) +
+           " J, where " + number_text(in) +
+           " J went in, were taken by no joint and are lost in motion; where it came to rest is one place of several "
+           "that it may come to"}};
 }
 
 /// @param when  stage and load factor or time

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "step/scene_fit.hpp"
 
 namespace voussoir {
@@ -79,6 +80,8 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
   }
   model.set_initial_gap(state.initial_gap);
   model.set_absent(absent_);
+  for (int k = 0; k < count; ++k)
+    VOUSSOIR_ENSURE(state.initial_gap[k] != apart() || !(model.law()[k].tension > 0 || model.law()[k].cohesion > 0));
 }
 
 template <int dim>

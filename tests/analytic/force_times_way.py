@@ -145,6 +145,7 @@ class ForceTimesWay(program.SceneTest):
             self.assertLess(abs(book["external_work"] - 50), step)
             self.assertLess(abs(book["jump"] - 20), step)
             self.assertLess(abs(book["imbalance"]), 1e-6)
+            self.assertEqual(book["said"].warnings, ["lost_in_jump"])
             for before, row in itertools.pairwise(book["rows"]):
                 self.assertGreater(row["external_work_J"], before["external_work_J"] - 1e-9)
 
@@ -167,6 +168,29 @@ class ForceTimesWay(program.SceneTest):
         for name, moves in (("lowered", [(1, -2e-5, 0), (3, -5e-5, 0)]), ("dragged", [(1, -4e-5, 0), (8, -4e-5, 2e-3)])):
             book = self.book(moved(*moves, joint={"friction coefficient": 0.6}, weight=1.0), name, weight=WEIGHT)
             self.assertLess(abs(book["imbalance"]), 1e-6 * book["external_work"])
+
+    def test_in_time_the_force_is_the_mean_of_the_step(self):
+        for name, joint, way in (("glue", GLUE, (6e-4, 0)), ("dragged", {"friction coefficient": 0.6}, (-5e-5, 1e-3))):
+            stages = {"rest": {"loads": {"weight": 1.0}},
+                      "move": {"duration": 0.05, "time step": 1e-3, "loads": {"up": way[0], "along": way[1]}}}
+            observed = {f"{support} held": {"place": "support", "support": support} for support in SUPPORTS}
+            observed["stones"] = {"place": "mean", "blocks": "all"}
+            run = self.run_scene(stones.scene("stones.geo", SUPPORTS, WAYS, stages, joints={"dry": joint},
+                                              materials={"stone": STONE}, observations=observed),
+                                 drawing=two_stones(), out=name)
+            self.assertEqual(run.outcome, "equilibrium", run.said)
+            first, *rows = run.history
+            work, last = first["external_work_J"] - first["work_within_steps_J"], first
+            most = max(row["external_work_J"] for row in rows)
+            for row in rows:
+                work -= WEIGHT * (row["uy_m of stones"] - last["uy_m of stones"])
+                work += sum(row[f"f{c}_N of {support} held"] * (row[u] - last[u]) for support in SUPPORTS for c in "xy"
+                            for u in [f"u{c}_m of {support} held"])
+                self.assertLess(abs(row["external_work_J"] - row["work_within_steps_J"] - work), 1e-9 * most)
+                self.assertGreaterEqual(row["fracture_J"], last["fracture_J"])
+                last = row
+            print(name, run.result["energy"])
+            self.assertLess(abs(last["work_within_steps_J"]), 1e-2 * most)
 
     def test_what_stands_open_has_no_strength(self):
         gap = 1e-4
