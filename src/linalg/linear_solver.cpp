@@ -3,7 +3,9 @@
 #include <BelosLinearProblem.hpp>
 #include <BelosSolverFactory.hpp>
 #include <BelosTpetraAdapter.hpp>
+#include <BelosTypes.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/check.hpp"
@@ -25,6 +27,14 @@ std::string last_line(const std::string& text) {
   const auto before = text.find_last_of('\n', end);
   const auto start = before == std::string::npos ? 0 : before + 1;
   return text.substr(start, end + 1 - start);
+}
+
+/// Whether an error is a mistake of this program: a broken contract, an index that is none. Such an error may be of one
+/// rank alone, which must not go on while the others wait for it; it ends the program. Errors of the libraries are of the
+/// same standard type, and named by types of their own.
+bool is_our_mistake(const std::exception& error) {
+  return dynamic_cast<const std::logic_error*>(&error) && !dynamic_cast<const Belos::BelosError*>(&error) &&
+         !dynamic_cast<const Teuchos::ExceptionBase*>(&error);
 }
 
 /// A Preconditioner seen as the operator Belos expects.
@@ -102,7 +112,7 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
     result.converged = manager->solve() == Belos::Converged;
   } catch (const std::exception& error) {
     // Anything else is curvature lost to round-off, or a preconditioner that a library fails; x holds what was reached.
-    if (is_out_of_memory(error)) throw;
+    if (is_out_of_memory(error) || is_our_mistake(error)) throw;
     result.failure = method + " stopped: " + last_line(error.what());
   }
   result.iterations = manager->getNumIters();

@@ -4,6 +4,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "linalg/solver_failure.hpp"
 #include "unit/linalg/systems.hpp"
 
@@ -156,6 +157,22 @@ TEUCHOS_UNIT_TEST(LinearSolver, WhatFailsOnOneRankEndsTheIterationOfAllAndLeaves
     TEST_ASSERT(!result.nothing || x->norm2() == 0);
     // The next system is solved.
     TEST_ASSERT(solver.solve(a, nullptr, b, x, 1e-6, symmetry).converged);
+  }
+}
+
+class BreakingAContract final : public Preconditioner {
+ public:
+  void apply(const TpetraVector& r, TpetraVector& z) const override { VOUSSOIR_EXPECT(&r == &z); }
+};
+
+// What is a mistake of the program is no failure of a method. Here on all ranks, so that none is left waiting.
+TEUCHOS_UNIT_TEST(LinearSolver, ABrokenContractIsNoSolveThatStopped) {
+  const auto a = distributed(2 * side * side, coupled_laplacian(side), everyone());
+  const auto b = noise_vector(a->getRowMap());
+  LinearSolver solver({});
+  for (const auto symmetry : {Symmetry::symmetric, Symmetry::none}) {
+    const auto x = Teuchos::rcp(new TpetraVector(a->getRowMap()));
+    TEST_THROW(solver.solve(a, std::make_shared<BreakingAContract>(), b, x, 1e-10, symmetry), std::logic_error);
   }
 }
 
