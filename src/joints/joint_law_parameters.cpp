@@ -55,7 +55,7 @@ void JointLawParameters::declare(ParameterSection& section) {
   const std::string why = "must be <= " + number_text(stiffest) + " or inf (that is a millimetre of stone)";
   const auto check = [&](const char* name, double value) {
     section.check(!too_stiff(value), name, number_text(value) + " Pa/m", why, "Leave it out");
-    constexpr double softest = 1e-30;  // squares of what yields more are beyond the numbers a computer holds
+    constexpr double softest = 1e-130;  // squares of what yields more are beyond the numbers a computer holds
     section.check(value >= softest, name, number_text(value) + " Pa/m",
                   "must be >= " + number_text(softest) + " (mortar without stiffness carries nothing)",
                   "Give it in Pa/m");

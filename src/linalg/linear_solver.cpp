@@ -30,8 +30,8 @@ std::string last_line(const std::string& text) {
 }
 
 /// Whether an error is a mistake of this program: a broken contract, an index that is none. Such an error may be of one
-/// rank alone, which must not go on while the others wait for it; it ends the program. Errors of the libraries are of the
-/// same standard type, and named by types of their own.
+/// rank alone, which must not go on while the others wait for it; it ends the program. Errors of the libraries are of
+/// the same standard type, and named by types of their own.
 bool is_our_mistake(const std::exception& error) {
   return dynamic_cast<const std::logic_error*>(&error) && !dynamic_cast<const Belos::BelosError*>(&error) &&
          !dynamic_cast<const Teuchos::ExceptionBase*>(&error);

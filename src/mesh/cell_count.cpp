@@ -13,8 +13,8 @@ namespace {
 // What a bonded run takes for a cell [bytes], where a stone has a hundred thousand: 3.2 kB measured. Small stones and
 // contact take two to four times as much, but a limit is to refuse only what cannot be.
 constexpr double bytes_per_cell = 3000;
-// gmsh fails on stones whose cells are shorter than 1e-7 of the way to the origin, as measured; cells are rarely shorter
-// than a thousandth of a drawing. Where a drawing that failed is nearer than this, its place is no reason.
+// gmsh fails on stones whose cells are shorter than 1e-7 of the way to the origin, as measured; cells are rarely
+// shorter than a thousandth of a drawing. Where a drawing that failed is nearer than this, its place is no reason.
 constexpr double far = 1e4;
 
 std::string rounded(double x) {

@@ -216,6 +216,25 @@ void check_mortar(const Scene& scene, InputProblems& problems) {
   }
 }
 
+/// Stiffnesses are summed and squared, like forces, which are looked at where they are known (Model::loads).
+void check_stiffness(const Scene& scene, InputProblems& problems) {
+  constexpr double least = 1e-130, most = 1e130;  // [N/m] whose squares a computer holds, down to tolerances of solvers
+  const auto holds = [](double x) { return least <= x && x <= most; };
+  const double thickness = scene.model.thickness;
+  const std::string why = "\n  is beyond the numbers a computer can square (" + number_text(least) + " to " +
+                          number_text(most) + " can be computed).\n  ";
+  if (!holds(thickness) && !problems.concern("scene > model"))
+    problems.add("scene > model > thickness", " = " + number_text(thickness) + " [m]" + why + "Give it in metres.");
+  for (const auto& [name, material] : scene.materials) {
+    const std::string path = "scene > materials > " + name + " > Young modulus";
+    const double stiffness = material.young_modulus * thickness;
+    if (problems.concern(path) || problems.concern("scene > model > thickness")) continue;
+    if (!holds(material.young_modulus) || !holds(stiffness))
+      problems.add(path, " = " + number_text(material.young_modulus) + " [Pa], " + number_text(stiffness) +
+                             " N/m over the thickness," + why + "Give it in Pa.");
+  }
+}
+
 /// Reports a name that is no set of the mesh.
 void check_set(const std::string& path, const std::string& name, const std::string& kind,
                const std::vector<std::string>& sets, InputProblems& problems) {
@@ -251,6 +270,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_velocities(scene);
   check_construction(scene, problems);
   check_mortar(scene, problems);
+  check_stiffness(scene, problems);
   check_rotations(scene, problems);
 }
 
