@@ -52,9 +52,11 @@ def add_deformed(page, results, edges, scale, folder):
                      + (" It is the motion of slip that dilates, which proves the limit: what slides in it rises by friction times its slip, "
                         "and the structure itself moves otherwise." if dilates else ""))
         return
+    course = tables.when_and_rest(results, tables.largest_displacement(results))
+    largest = f" (in the course of the run {length_text(tables.largest_displacement(results))} {course})" if "residual" in course else ""
     page.picture(picture,
                  f"Deformed shape at the end of step {step.number}, stage “{step.stage}”: displacements drawn {factor_text(scale)}, the largest is "
-                 f"{length_text(step.largest_displacement)}. Thin grey: the structure as built. Look for where the shape kinks: "
+                 f"{length_text(step.largest_displacement)}{largest}. Thin grey: the structure as built. Look for where the shape kinks: "
                  "stones turn against each other there. Openings are magnified with the displacements.")
 
 

@@ -68,9 +68,7 @@ def margin_text(value):
 
 def facts_asked_first(results):
     step, tree = results.last, results.result
-    displacement = either(results, "largest_displacement_m", "largest displacement")
-    if displacement is None and step:
-        displacement = step.largest_displacement
+    displacement = largest_displacement(results)
     candidates = number(find(tree, "candidate points")) or (len(results.joints.area) if results.joints else None)
     selected = either(results, "selected_points", "selected points")
     if selected is None and step:
@@ -108,6 +106,12 @@ def facts_asked_first(results):
         ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
         ("Unknowns", count_text(find(tree, "unknowns")), ""),
     ]
+
+
+def largest_displacement(results):
+    """[m] of the whole run, or of its last step where nothing else is known; None without any."""
+    largest = either(results, "largest_displacement_m", "largest displacement")
+    return results.last.largest_displacement if largest is None and results.last else largest
 
 
 def when_and_rest(results, largest):
