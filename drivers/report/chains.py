@@ -158,7 +158,7 @@ def find_chains(mesh, joints, steps):
         # An end stands where its stone is held or hands the force to others; else it is the last stone, and free.
         passes_on = [len(sides[stone]) > 1 and stone not in held for stone in (stones[0], stones[-1])]
         stands = [more or stone in held for more, stone in zip(passes_on, (stones[0], stones[-1]))]
-        own = stones[1:-1] + [s for s, more in zip((stones[0], stones[-1]), passes_on) if not more]
+        own = list(dict.fromkeys(stones[1:-1] + [s for s, more in zip((stones[0], stones[-1]), passes_on) if not more]))
         through = len(stones) - sum(len(sides[stone]) > 1 for stone in (stones[0], stones[-1]))
         alone = all(side.joint in row for stone in own for side in sides[stone])
         kind = kind_of(x, middle[stones[1:-1], 1], stands, alone) if through >= LEAST else ""
