@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -154,7 +156,8 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
     position_[node] = drawn_[node] + motion;
     for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = motion[c];
   }
-  b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_));
+  if (rigid.turn != turn_[block])  // else it is the matrix of this turn, which blocks that have not turned share
+    b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_));
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) b.mesh.position[i] = position_[b.first_local + i];
   return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
 }
@@ -187,11 +190,17 @@ double Structure<dim>::elastic_energy(const std::vector<double>& u) const {
   return total_over_ranks(*comm_, energy);
 }
 
+/// Blocks that are alike and as dense have one matrix here too, so one must not depend on where its block stands, not
+/// in the last bit either: which of them is asked for depends on ranks.
 template <int dim>
 Structure<dim> Structure<dim>::with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const {
   Structure other = *this;
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    other.blocks_[b].stiffness = std::make_shared<const LocalCsr>(matrix_of(static_cast<int>(b)));
+  std::map<std::pair<const LocalCsr*, double>, std::shared_ptr<const LocalCsr>> made;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    auto& matrix = made[{blocks_[b].stiffness.get(), blocks_[b].material.density}];
+    if (!matrix) matrix = std::make_shared<const LocalCsr>(matrix_of(static_cast<int>(b)));
+    other.blocks_[b].stiffness = matrix;
+  }
   return other;
 }
 

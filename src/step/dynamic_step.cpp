@@ -26,7 +26,9 @@ Structure<dim> structure_of_mass(const Model<dim>& model) {
   const auto& s = model.structure();
   return s.with_matrices([&](int b) {
     const auto& block = s.blocks()[b];
-    return block_mass(block.mesh, block.material.density, s.model().thickness, model.scene().time.mass);
+    auto mesh = block.mesh;  // around its first node, so that it is that of all blocks alike, to the last bit
+    for (auto& x : mesh.position) x = x - block.mesh.position.front();
+    return block_mass(mesh, block.material.density, s.model().thickness, model.scene().time.mass);
   });
 }
 

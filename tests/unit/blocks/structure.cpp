@@ -4,6 +4,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <set>
 
+#include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
 #include "unit/blocks/lattice_block.hpp"
 #include "unit/linalg/systems.hpp"
@@ -184,6 +185,31 @@ TEUCHOS_UNIT_TEST(Structure, StonesThatAreFollowedBearNoForcesAndStretchAsBefore
     TEST_COMPARE(std::abs(forces[i + 1] - std::sin(angle) * small[i] - std::cos(angle) * small[i + 1]), <,
                  1e-9 * largest);
   }
+}
+
+// In time a wall keeps two matrices of a stone, and one as it turns: each for all stones that are alike.
+TEUCHOS_UNIT_TEST(Structure, MatricesInTheirPlaceAreSharedByWhatIsAlike) {
+  const auto source = wall();
+  auto s = wall_structure(*source, everyone());
+  const auto shared = [](const Structure<2>& of) {
+    std::set<const LocalCsr*> matrices;
+    for (const auto& b : of.blocks()) matrices.insert(b.stiffness.get());
+    return matrices.size();
+  };
+  TEST_COMPARE(shared(s), <, s.blocks().size());
+  int made = 0;
+  const auto twice = s.with_matrices([&](int b) {
+    ++made;
+    return sum(2.0, *s.blocks()[b].stiffness, 0.0, *s.blocks()[b].stiffness);
+  });
+  TEST_EQUALITY(shared(twice), shared(s));
+  TEST_EQUALITY(std::size_t(made), shared(s));
+  for (std::size_t b = 0; b < s.blocks().size(); ++b)
+    TEST_EQUALITY(twice.blocks()[b].stiffness->value[0], 2 * s.blocks()[b].stiffness->value[0]);
+  // Stones that have moved and not turned are as they were.
+  const auto before = shared(s);
+  s.follow(std::vector<double>(2 * s.nodes(), 0.0));
+  TEST_EQUALITY(shared(s), before);
 }
 
 }  // namespace
