@@ -73,6 +73,20 @@ class Triplet(unittest.TestCase):
             self.assertLess(left[0], shear[-1] - FRICTION * pressure)
             self.assertLess(shear[-1] - FRICTION * pressure, left[1])
 
+    def test_the_work_is_that_of_the_press_and_of_the_pressure_beside(self):
+        _, steps = run("cohesive_sections/work", XML / "triplet.xml", "loads/lateral/pressure=0.5e6")
+        x, y = steps.coordinates.T
+        face = np.where(x > x.max() - 1e-9)[0]
+        face = face[np.argsort(y[face])]
+        # Of the mean way of every edge; the pressure grows from nothing in the first step.
+        ways = np.array([np.trapezoid(u, y[face]) if hasattr(np, "trapezoid") else np.trapz(u, y[face])
+                         for u in steps.displacement[:, face, 0]])
+        beside = -0.5e6 * 0.1 * (ways[0] / 2 + ways[-1] - ways[0])
+        expected = steps.work_of_support("press") + beside
+        print(f"press and pressure do {expected:.6g} J, of which the pressure {beside:.3g} J")
+        self.assertLess(abs(steps.work_of_means() / expected - 1), 1e-8)
+        self.assertLess(abs(float(steps.history[-1]["external_work_J"]) / expected - 1), 1e-2)
+
     def test_strength_stays_where_energy_has_no_end(self):
         _, shear, *_ = triplet("perfect", 0.5e6, *STIFF, "joints/mortar/shear fracture energy=1e12",
                                "joints/mortar/fracture energy=1e12")

@@ -41,6 +41,7 @@ class Steps:
 
     def __init__(self, folder):
         with h5py.File(folder / "fields.h5") as file:
+            self.coordinates = file["mesh/coordinates"][()]
             self.position, self.normal, self.area = (file["joints/" + key][()] for key in ("position", "normal", "area"))
             steps = [file["steps"][name] for name in sorted(file["steps"])]
             self.displacement = np.array([step["displacement"][()] for step in steps])
@@ -50,6 +51,21 @@ class Steps:
         with open(folder / "history.csv", encoding="utf-8", newline="") as file:
             self.history = list(csv.DictReader(file))
         self.pressure, self.shear = normal / self.area, tangential / self.area
+
+    def work_of_support(self, name):
+        """Mean force times way of an observed support, added up [J]."""
+        work, before = 0.0, {}
+        for row in self.history:
+            for axis in "xy":
+                force, way = (f"f{axis}_N of {name}", f"u{axis}_m of {name}")
+                last = [float(before.get(key, 0)) for key in (force, way)]
+                work += (last[0] + float(row[force])) / 2 * (float(row[way]) - last[1])
+            before = row
+        return work
+
+    def work_of_means(self):
+        """What the run says of loads and supports, without what it says that joints made of it within steps [J]."""
+        return float(self.history[-1]["external_work_J"]) - float(self.history[-1]["work_within_steps_J"])
 
     def lost_beyond_states(self, law, strength=1.0):
         """Largest damage of a point beyond what the largest of its openings and its way from slip to slip, in the recorded

@@ -65,6 +65,12 @@ class EindhovenWall(unittest.TestCase):
         np.testing.assert_allclose(push[1:], self.curve.force[1:], rtol=1e-6)
         np.testing.assert_allclose(-weight, self.curve.weight, rtol=1e-6)
 
+    def test_the_work_is_that_of_the_jack(self):
+        steps = self.curve.steps
+        self.assertLess(abs(steps.work_of_means() / steps.work_of_support("jack") - 1), 1e-9)
+        work = float(steps.history[-1]["external_work_J"])
+        self.assertLess(abs(work / steps.work_of_support("jack") - 1), 1e-2)
+
     def test_it_begins_as_stiff_as_a_wall_of_bricks_and_beds(self):
         shear = 5 / 6 * MODULUS / 2 / (1 + POISSON) * AREA / HEIGHT
         bending = 12 / HEIGHT**3 / (1 / MODULUS + BEDS / HEIGHT / NORMAL) * THICK * WIDTH**3 / 12
