@@ -32,11 +32,9 @@ double rubbing(const Model<dim>& model, const ContactState& state, int k) {
 
 void add_work(const WorkOfForces& forces, double beyond_mean, double overshoot, bool jumped, EnergyOfStep& energy) {
   const double either_way = (std::abs(forces.change_of_loads) + std::abs(forces.change_of_reactions)) / 2;
-  if (beyond_mean < (jumped ? 0.0 : -either_way)) {
-    energy.jump = -beyond_mean;
-    beyond_mean = 0;
-  }
-  energy.work_within_steps = std::min(beyond_mean, either_way + overshoot);
+  if (beyond_mean < (jumped ? 0.0 : -either_way - overshoot)) energy.jump = -beyond_mean;
+  const bool is_way = !(energy.jump > 0 || beyond_mean < -either_way);
+  energy.work_within_steps = is_way ? std::min(beyond_mean, either_way + overshoot) : 0.0;
   energy.external_work = forces.of_mean + energy.work_within_steps;
 }
 

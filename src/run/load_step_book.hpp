@@ -9,9 +9,9 @@
 // lesser of the two, and no more than the larger and what joints bore beyond both. So what laws say of a step can be
 // off by no more than its size.
 //
-// A jump. Where the law's own way would have loads do less than that, it is no way of equilibria: the structure let go
-// faster than it was moved, as a bar that snaps. Then loads do the work of their mean, and what joints did not take of
-// the energy let go is lost in the jump.
+// A jump. Where the law's own way would have loads do less than that, by more than can be meant by the latter, it is no
+// way of equilibria: the structure let go faster than it was moved, as a bar that snaps. Then loads do the work of
+// their mean, and what joints did not take of the energy let go is lost in the jump.
 //
 // Friction takes the force at the end of the step times the slip, as the return mapping of the solver has it
 // (joints/friction_work.hpp). What is left is the imbalance: slips under a pressure that changes within the step (the
@@ -34,7 +34,9 @@ struct WorkOfForces {
 
 /// External work of a step, and what was lost in a jump.
 /// @param beyond_mean  [J] work of joints on the law's way beyond that of the mean of their forces
-/// @param overshoot    [J] of that, no more than what they bore beyond their forces at both ends
+/// @param overshoot    [J] of that, no more than what they bore beyond their forces at both ends. Where a law's way
+///                     leaves the range of forces on the other side by less, it may be that it was not straight: no
+///                     jump is told, and what is lacking is imbalance
 /// @param jumped       the solver has seen the step jump
 void add_work(const WorkOfForces&, double beyond_mean, double overshoot, bool jumped, EnergyOfStep&);
 
