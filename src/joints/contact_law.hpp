@@ -140,6 +140,14 @@ T friction_bound(const PointLaw& law, const T& normal) {
   return bound > 0 ? bound : T(0);
 }
 
+/// Round-off of a shear beside its bound. A force that was cut to its bound (the point is released, or slipped in the
+/// step before) is there but for last bits of products, and those of its motion times the stiffness: a difference of
+/// displacements, which may be a thousand times what the force stretches its stones by.
+constexpr double shear_round_off = 1e-12;
+
+/// Whether friction bears a shear, and more. One on its bound it does not, however a processor rounds it.
+inline bool below_bound(double shear, double bound) { return shear < bound * (1 - shear_round_off); }
+
 /// What a point does.
 enum class ContactStatus : char { open, stick, slip };
 
@@ -148,14 +156,15 @@ enum class ContactStatus : char { open, stick, slip };
 ///
 /// Closed is what presses or pulls no more than the tension strength bears. Zero gap and zero force is closed: stones
 /// that touch resist as soon as one of them moves. A closed point sticks where its shear is below the friction bound,
-/// or where it has none although it could rub; where nothing rubs (no friction, no cohesion) it never sticks.
+/// or where it has none although it could rub; where nothing rubs (no friction, no cohesion) it never sticks. One on
+/// its bound slips, also before it has moved: there a force was cut off that was too large, or slip goes on.
 /// @param normal  [N] of the trial force
 /// @param shear   [N] size of its tangential part
 /// @param bound   [N] largest friction, of this force or of another: friction_bound()
 inline ContactStatus judge(const PointLaw& law, double normal, double shear, double bound) {
   if (!(normal >= -law.tension)) return ContactStatus::open;
   const bool rubs = law.friction > 0 || law.cohesion > 0;
-  return shear < bound || (rubs && shear == 0) ? ContactStatus::stick : ContactStatus::slip;
+  return below_bound(shear, bound) || (rubs && shear == 0) ? ContactStatus::stick : ContactStatus::slip;
 }
 
 /// Nearest admissible normal force: not below the tensile strength.

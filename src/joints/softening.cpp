@@ -53,7 +53,7 @@ bool SofteningPoints::wear_by(std::size_t k, double gap, double slip, double nor
   if (!softens(k)) return false;
   const auto now = at(k, gap, slip);
   const auto& law = now.law;
-  const bool opens = normal - stiffness * gap < -law.tension, slips = !(shear < friction_bound(law, normal));
+  const bool opens = normal - stiffness * gap < -law.tension, slips = !below_bound(shear, friction_bound(law, normal));
   const auto& rate = softening_[k];
   const bool loses = law.tension > 0 || law.cohesion > 0;
   if (held_ && loses && ((opens && rate.brittle_opening) || (slips && rate.brittle_slip))) {

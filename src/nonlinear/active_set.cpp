@@ -74,7 +74,7 @@ void ActiveSet::set_status(int point, const PointField& lambda, const PointField
   closed_[point] = closed;
   const double bound = friction_bound(law, closed ? normal : -law.tension);
   // An open point that still has cohesion sticks or slips likewise.
-  if (!closed && bound > 0) status = shear < bound ? ContactStatus::stick : ContactStatus::slip;
+  if (!closed && bound > 0) status = below_bound(shear, bound) ? ContactStatus::stick : ContactStatus::slip;
   if (status == ContactStatus::slip && turns_round(point, shear, before) && bound > 0) status = ContactStatus::stick;
   auto& r = resistance_[point];
   r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened.pull_per_opening;

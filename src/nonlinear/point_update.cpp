@@ -93,7 +93,7 @@ void resistances(const NonlinearProblem& problem, const CurrentLaws& laws, const
     if (judge(laws[k], trial[k * n], shear, bound[k]) != ContactStatus::open)
       resistance[k].normal = stiffness_of(problem, k, 0, augmentation);
     // A bound that is held stays where the pressure goes.
-    if (shear < bound[k]) resistance[k].hold(0, stiffness_of(problem, k, 1, augmentation));
+    if (below_bound(shear, bound[k])) resistance[k].hold(0, stiffness_of(problem, k, 1, augmentation));
   }
 }
 

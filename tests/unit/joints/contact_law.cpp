@@ -51,6 +51,22 @@ TEUCHOS_UNIT_TEST(ProjectNormal, CutsTensionAtTheStrengthAndKeepsTheRest) {
   TEST_EQUALITY(project_normal(glued, -1e300), -1e300);
 }
 
+// What a cut leaves of a shear is its bound but for the last bits of products: the status must not hang on them.
+TEUCHOS_UNIT_TEST(Judge, AForceThatWasCutToItsBoundSlipsHoweverItIsRounded) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(0.1, 1.0);
+  for (const auto& law : {dry, mortar})
+    for (int trial = 0; trial < 1000; ++trial) {
+      const double pressure = 1e5 * any(random);
+      const auto cut = nearest_lawful(law, std::array<double, 2>{pressure, 1e6 * any(random)});
+      for (const double last_bits : {-1e-15, 0.0, 1e-15}) {
+        const double bound = friction_bound(law, cut[0] * (1 + last_bits));
+        TEST_ASSERT(judge(law, cut[0], cut[1], bound) == ContactStatus::slip);
+        TEST_ASSERT(judge(law, cut[0], (1 - 1e-9) * cut[1], bound) == ContactStatus::stick);
+      }
+    }
+}
+
 TEUCHOS_UNIT_TEST(ProjectTangential, KeepsTheDirectionAndCutsTheSize) {
   const std::array<double, 2> q{3, 4};
   TEST_ASSERT(project_tangential(q, 5.0) == q);
