@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace voussoir::test {
@@ -11,10 +12,22 @@ namespace {
 constexpr auto table = VOUSSOIR_SOURCE_DIR "/tests/performance/solve_counts.csv";
 constexpr auto head = "scene,solves,krylov,whole,patches";
 
-std::string difference(const char* name, long long kept, long long counted) {
-  std::string text = std::string(name) + " " + std::to_string(kept);
-  if (counted != kept) text += " -> " + std::to_string(counted);
-  return text;
+std::string difference(const char* name, const Range& kept, long long counted) {
+  const std::string text = std::string(name) + " " + std::to_string(counted);
+  const bool there = kept.least <= counted && counted <= kept.most;
+  return there ? text : text + " (kept: " + kept.text() + ")";
+}
+
+/// "6", "6-8" or "~12-197"; false for any other text.
+bool read(std::string field, Range& range) {
+  range.jumps = !field.empty() && field.front() == '~';
+  if (range.jumps) field.erase(0, 1);
+  std::istringstream numbers(field);
+  char dash = '-';
+  numbers >> range.least;
+  range.most = range.least;
+  if (numbers && numbers.peek() != EOF) numbers >> dash >> range.most;
+  return numbers && numbers.peek() == EOF && dash == '-' && 0 <= range.least && range.least <= range.most;
 }
 
 }  // namespace
@@ -31,38 +44,52 @@ std::string Counts::text() const {
          std::to_string(patches);
 }
 
-Change change_of(long long kept, long long counted) {
-  const long long off = counted - kept, size = off < 0 ? -off : off;
-  if (size <= 1 || 10 * size <= kept) return Change::none;
-  return off > 0 ? Change::more : Change::fewer;
+std::string Range::text() const {
+  const std::string bounds = std::to_string(least) + (most > least ? "-" + std::to_string(most) : "");
+  return (jumps ? "~" : "") + bounds;
 }
 
-Change change_of(const Counts& kept, const Counts& counted) {
+std::string CountRanges::text() const {
+  return solves.text() + "," + krylov.text() + "," + whole.text() + "," + patches.text();
+}
+
+Change change_of(const Range& kept, long long counted) {
+  if (kept.jumps) return counted > 2 * kept.most ? Change::more : Change::none;
+  const auto beyond = [](long long bound, long long off) { return off > 1 && 10 * off > bound; };
+  if (beyond(kept.most, counted - kept.most)) return Change::more;
+  return beyond(kept.least, kept.least - counted) ? Change::fewer : Change::none;
+}
+
+Change change_of(const CountRanges& kept, const Counts& counted) {
+  const Change changes[] = {change_of(kept.solves, counted.solves), change_of(kept.krylov, counted.krylov),
+                            change_of(kept.whole, counted.whole), change_of(kept.patches, counted.patches)};
   bool fewer = false;
-  for (const auto count : {&Counts::solves, &Counts::krylov, &Counts::whole, &Counts::patches}) {
-    const Change change = change_of(kept.*count, counted.*count);
+  for (const Change change : changes) {
     if (change == Change::more) return change;
     fewer = fewer || change == Change::fewer;
   }
   return fewer ? Change::fewer : Change::none;
 }
 
-std::map<std::string, Counts> read_counts(const std::string& csv) {
-  std::map<std::string, Counts> rows;
+std::map<std::string, CountRanges> read_counts(const std::string& csv) {
+  std::map<std::string, CountRanges> rows;
   std::istringstream lines(csv);
   std::string line;
-  if (!std::getline(lines, line) || line != head)
-    throw std::runtime_error(std::string(table) + ": the first line must be " + head);
+  bool headed = false;
   while (std::getline(lines, line)) {
+    if (!line.empty() && line.front() == '#') continue;
+    if (!headed && line != head) break;
+    if (!std::exchange(headed, true)) continue;
     std::istringstream fields(line);
-    std::string scene;
-    Counts c;
-    char comma;
-    std::getline(fields, scene, ',');
-    fields >> c.solves >> comma >> c.krylov >> comma >> c.whole >> comma >> c.patches;
-    if (!fields || fields.peek() != EOF || scene.empty() || !rows.emplace(scene, c).second)
+    std::vector<std::string> field;
+    for (std::string one; std::getline(fields, one, ',');) field.push_back(one);
+    CountRanges c;
+    if (field.size() != 5 || line.back() == ',' || field[0].empty() || !read(field[1], c.solves) ||
+        !read(field[2], c.krylov) || !read(field[3], c.whole) || !read(field[4], c.patches) ||
+        !rows.emplace(field[0], c).second)
       throw std::runtime_error(std::string(table) + ": the line \"" + line + "\" is no new scene with four counts");
   }
+  if (!headed) throw std::runtime_error(std::string(table) + ": the first line must be " + head);
   return rows;
 }
 
@@ -71,19 +98,21 @@ bool as_in_table(const std::string& scene, const Counts& counted, std::ostream& 
   text << std::ifstream(table).rdbuf();
   const auto rows = read_counts(text.str());
   const auto row = rows.find(scene);
-  const Counts kept = row == rows.end() ? Counts() : row->second;
+  const CountRanges kept = row == rows.end() ? CountRanges() : row->second;
   out << scene << ": " << difference("solves", kept.solves, counted.solves) << ", "
       << difference("krylov", kept.krylov, counted.krylov) << ", " << difference("whole", kept.whole, counted.whole)
       << ", " << difference("patches", kept.patches, counted.patches) << "\n";
+  out << "  counted: " << scene << "," << counted.text() << "\n";
   const Change change = change_of(kept, counted);
   if (row != rows.end() && change == Change::none) return true;
-  if (row != rows.end() && change == Change::more)
-    out << "  A count rose by more than a tenth. Where that is the price of something wanted, the line for " << table
-        << " is:\n";
+  out << "  ";
+  if (row == rows.end())
+    out << "The scene is new.";
+  else if (change == Change::more)
+    out << "A count rose beyond what processors differ by. Is that the price of something wanted?";
   else
-    out << "  " << (row == rows.end() ? "The scene is new. " : "A count fell by more than a tenth. ") << "Put into "
-        << table << ":\n";
-  out << "  " << scene << "," << counted.text() << "\n";
+    out << "A count fell below what processors differ by: what is gained is kept.";
+  out << " Then measure " << table << " anew: tests/performance/count_ranges.py\n";
   return false;
 }
 
