@@ -1,5 +1,6 @@
 #include "performance/count_table.hpp"
 
+#include <charconv>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -19,15 +20,19 @@ std::string difference(const char* name, const Range& kept, long long counted) {
 }
 
 /// "6", "6-8" or "~12-197"; false for any other text.
-bool read(std::string field, Range& range) {
-  range.jumps = !field.empty() && field.front() == '~';
-  if (range.jumps) field.erase(0, 1);
-  std::istringstream numbers(field);
-  char dash = '-';
-  numbers >> range.least;
+bool read(const std::string& field, Range& range) {
+  const char *at = field.data(), *const end = at + field.size();
+  range.jumps = at != end && *at == '~';
+  const auto number = [&](long long& n) {
+    const auto parsed = std::from_chars(at, end, n);
+    at = parsed.ptr;
+    return parsed.ec == std::errc();
+  };
+  at += range.jumps;
+  if (!number(range.least)) return false;
   range.most = range.least;
-  if (numbers && numbers.peek() != EOF) numbers >> dash >> range.most;
-  return numbers && numbers.peek() == EOF && dash == '-' && 0 <= range.least && range.least <= range.most;
+  if (at != end && (*at++ != '-' || !number(range.most))) return false;
+  return at == end && 0 <= range.least && range.least <= range.most;
 }
 
 }  // namespace
