@@ -146,12 +146,12 @@ def text(value):
 
 def read_sets(mesh_group, blocks):
     """Sets by name, from a table blocks x sets of 0 and 1."""
-    if "block_set" not in mesh_group or "block_set_names" not in mesh_group:
+    if "block_in_set" not in mesh_group or "block_set_names" not in mesh_group:
         return {}
     names = [text(n) for n in np.atleast_1d(mesh_group["block_set_names"][()])]
-    table = mesh_group["block_set"][()].reshape(blocks, -1)
+    table = mesh_group["block_in_set"][()].reshape(blocks, -1)
     if table.shape != (blocks, len(names)):
-        raise ValueError(f"/mesh/block_set has shape {table.shape}, not [{blocks}, {len(names)}]")
+        raise ValueError(f"/mesh/block_in_set has shape {table.shape}, not [{blocks}, {len(names)}]")
     members = [np.flatnonzero(table[:, k]) for k in range(len(names))]
     return {name: blocks_of for name, blocks_of in zip(names, members) if len(blocks_of)}
 

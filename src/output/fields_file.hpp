@@ -28,6 +28,7 @@ struct MeshRows {
   std::vector<int> block_of_cell;
 
   std::vector<long long> block;              ///< owned blocks
+  std::vector<int> block_set;                ///< per owned block: the first set it is in, -1 for none
   std::vector<int> in_set;                   ///< owned blocks x block_set_names: 1 where the block is in the set
   std::vector<std::string> block_set_names;  ///< the same on every rank
 };

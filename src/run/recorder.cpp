@@ -69,6 +69,7 @@ void Recorder<dim>::write_tables() {
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
     mesh.block.push_back(block.mesh.id);
+    mesh.block_set.push_back(block.mesh.sets.empty() ? -1 : block.mesh.sets.front());
     std::vector<int> in_set(mesh.block_set_names.size(), 0);
     for (const int set : block.mesh.sets) in_set[static_cast<std::size_t>(set)] = 1;
     mesh.in_set.insert(mesh.in_set.end(), in_set.begin(), in_set.end());

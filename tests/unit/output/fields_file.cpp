@@ -44,6 +44,7 @@ MeshRows two_squares() {
     for (const double coordinate : {x, 0.0, x + 1.0, 0.0, x + 1.0, 1.0, x, 1.0}) mesh.coordinates.push_back(coordinate);
     mesh.block_of_node.insert(mesh.block_of_node.end(), 4, block);
     mesh.block.push_back(block);
+    mesh.block_set.push_back(block);
     for (int set = 0; set < 2; ++set) mesh.in_set.push_back(set == block || block == 1);  // block 1 is in both
     mesh.held.insert(mesh.held.end(), 4, block == 0);
     const std::vector<long long> cells = block == 0 ? std::vector<long long>{0} : std::vector<long long>{1, 2};
@@ -111,7 +112,8 @@ TEUCHOS_UNIT_TEST(FieldsFile, HoldsWhatEveryRankGaveInGlobalOrder) {
               (std::vector<long long>{0, 1, 2, 3, 4, 5, 6, 6, 4, 6, 7, 7}));
   TEST_ASSERT(file.read_rows<int>("/mesh/rank_of_block", first(2)) == (std::vector<int>{0, last_rank()}));
   TEST_ASSERT(file.read_texts("/mesh/block_set_names") == mesh.block_set_names);
-  TEST_ASSERT(file.read_rows<int>("/mesh/block_set", first(2)) == (std::vector<int>{1, 0, 1, 1}));
+  TEST_ASSERT(file.read_rows<int>("/mesh/block_set", first(2)) == (std::vector<int>{0, 1}));
+  TEST_ASSERT(file.read_rows<int>("/mesh/block_in_set", first(2)) == (std::vector<int>{1, 0, 1, 1}));
   TEST_ASSERT(file.read_rows<int>("/mesh/held", {3, 4}) == (std::vector<int>{1, 0}));
   TEST_ASSERT(file.read_rows<long long>("/joints/node_j", first(2)) == (std::vector<long long>{4, 7}));
   TEST_EQUALITY(file.table("/joints/area").unit, "m2");
@@ -162,6 +164,7 @@ TEUCHOS_UNIT_TEST(FieldsFile, AStructureWithoutJointsInThreeDimensionsIsWrittenT
     mesh.corners = {0, 1, 2, 3};
     mesh.block_of_cell = {0};
     mesh.block = {0};
+    mesh.block_set = {-1};
     mesh.held = {0, 0, 0, 1};
     step.displacement.assign(12, 0.5);
     step.velocity.assign(12, 2.0);
