@@ -15,8 +15,8 @@ namespace voussoir {
 void PointLoadParameters::declare(ParameterSection& section) {
   section.add("x", x, "m", any_number(), "the point");
   section.add("y", y, "m", any_number(), "the point");
-  section.add("fx", fx, "N", any_number().usually(1, 1e9), "force to the right, on the modelled thickness");
-  section.add("fy", fy, "N", any_number().usually(1, 1e9), "force upwards, on the modelled thickness");
+  section.add("fx", fx, "N", any_number().usually(10, 1e9), "force to the right, on the modelled thickness");
+  section.add("fy", fy, "N", any_number().usually(10, 1e9), "force upwards, on the modelled thickness");
   section.add("tolerance", tolerance, "m", at_least(0.0), "largest distance from the point to the nearest node",
               "a distance", "Half the element size is enough on the outside of the structure.");
   section.add("blocks", blocks, "set of blocks whose nodes are looked at: says which stone bears a load on a joint",

@@ -9,9 +9,9 @@ namespace voussoir {
 
 void TractionParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
-  section.add("tx", tx, "Pa", any_number().usually(1, 1e9), "traction to the right");
-  section.add("ty", ty, "Pa", any_number().usually(1, 1e9), "traction upwards");
-  section.add("pressure", pressure, "Pa", any_number().usually(1, 1e9),
+  section.add("tx", tx, "Pa", any_number().usually(10, 1e9), "traction to the right");
+  section.add("ty", ty, "Pa", any_number().usually(10, 1e9), "traction upwards");
+  section.add("pressure", pressure, "Pa", any_number().usually(10, 1e9),
               "against the outward normal, added to (tx, ty)");
 }
 

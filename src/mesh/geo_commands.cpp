@@ -30,6 +30,7 @@ constexpr Command commands[] = {
     {"Save", files},
     {"Print", files},
     {"CreateDir", files},
+    {"SendToServer", files},
     {"ShapeFromFile", files},
     {"ListFromFile", files},
     {"Plugin", files},

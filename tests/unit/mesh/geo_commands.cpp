@@ -19,6 +19,7 @@ TEUCHOS_UNIT_TEST(GeoCommands, WhatRunsProgramsOrTouchesFilesIsFoundInItsLine) {
                               "Save \"x.msh\";",
                               "Print \"x.png\";",
                               "CreateDir \"x\";",
+                              "SendToServer View[0] \"x\";",
                               "a() = ShapeFromFile(\"x.brep\");",
                               "a() = ListFromFile(\"x\");",
                               "Plugin(Crack).Run;",
