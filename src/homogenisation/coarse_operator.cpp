@@ -122,7 +122,7 @@ bool CoarseOperator<dim>::factor_whole() {
   std::unique_ptr<DistributedLu> whole;
   bool factored = false;
   try {
-    whole = std::make_unique<DistributedLu>(space_.map());
+    whole = std::make_unique<DistributedLu>(space_.map(), factors_are_);
     factored = whole->factor(*h_);
   } catch (const SolverFailure&) {  // the parts are another way
   }

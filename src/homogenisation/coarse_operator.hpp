@@ -44,6 +44,8 @@ class CoarseOperator : public Preconditioner {
   /// Factors H, and every H that update takes over from here on, instead of all parts. Returns false where there was
   /// no room, or MUMPS failed: the parts then stay, and H is not factored whole any more. Collective.
   bool factor_whole();
+  /// From here on H is factored whole on the first rank alone where it is: the same bits in every run.
+  void factor_on_first_rank() { factors_are_ = FactorsAre::on_first_rank; }
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
   int motions() const { return motions_ ? motions_->size() : 0; }
@@ -63,6 +65,7 @@ class CoarseOperator : public Preconditioner {
   const MergedSpace<dim>& space_;
   int factored_up_to_;  ///< unknowns
   bool whole_fails_ = false;
+  FactorsAre factors_are_ = FactorsAre::spread;
   std::unique_ptr<BlockMotions<dim>> motions_;
   std::unique_ptr<BlockSolves<dim>> blocks_;
   std::unique_ptr<ContinuumCorrection<dim>> continuum_;

@@ -157,12 +157,13 @@ enum class ContactStatus : char { open, stick, slip };
 /// Closed is what presses or pulls no more than the tension strength bears. Zero gap and zero force is closed: stones
 /// that touch resist as soon as one of them moves. A closed point sticks where its shear is below the friction bound,
 /// or where it has none although it could rub; where nothing rubs (no friction, no cohesion) it never sticks. One on
-/// its bound slips, also before it has moved: there a force was cut off that was too large, or slip goes on.
+/// its bound slips, also before it has moved: there a force was cut off that was too large, or slip goes on; one that
+/// pulls with its strength is closed likewise.
 /// @param normal  [N] of the trial force
 /// @param shear   [N] size of its tangential part
 /// @param bound   [N] largest friction, of this force or of another: friction_bound()
 inline ContactStatus judge(const PointLaw& law, double normal, double shear, double bound) {
-  if (!(normal >= -law.tension)) return ContactStatus::open;
+  if (!(normal >= -law.tension * (1 + shear_round_off))) return ContactStatus::open;
   const bool rubs = law.friction > 0 || law.cohesion > 0;
   return below_bound(shear, bound) || (rubs && shear == 0) ? ContactStatus::stick : ContactStatus::slip;
 }

@@ -29,7 +29,8 @@ void JointLawParameters::declare(ParameterSection& section) {
               "a crack takes energy", "Lime mortar takes 20 to 150.");
   section.add_choice<SofteningShape>(
       "softening", softening, {{"linear", SofteningShape::linear}, {"exponential", SofteningShape::exponential}},
-      "how strength falls with opening or slip, from the same strength and with the same energy");
+      "how strength falls with opening or slip, from the same strength and with the same energy. Of cracks that could "
+      "open side by side one runs on, as in a structure; where no such state is found a warning says unstable");
   const auto check_energy = [&](const char* name, double energy, const char* strength, double value) {
     section.check(energy == 0 || (value > 0 && value < infinity), name, number_text(energy) + " J/m2",
                   std::string("needs a ") + strength + " that is positive and finite, which is " + number_text(value) +

@@ -30,7 +30,7 @@ enum Control {
   entries_are = 18,
   find_null_pivots = 24
 };
-constexpr int nowhere = -1, distributed = 3;
+constexpr int nowhere = -1, distributed = 3, on_host = 0;
 enum Failure {
   no_room_to_order = -7,
   factors_too_small = -8,
@@ -60,32 +60,48 @@ MPI_Fint handle_of(const Teuchos::Comm<int>& comm) {
 struct DistributedLu::Data {
   Teuchos::RCP<const TpetraMap> map;
   mutable DMUMPS_STRUC_C mumps{};
-  int first = 0;                        ///< number of the first owned row, rank by rank
-  std::vector<int> row, column;         ///< of every owned entry, counted from 1; empty before the pattern is known
+  int first = 0;  ///< number of the first owned row, rank by rank
+  std::vector<int> row,
+      column;  ///< of every entry that is given to MUMPS, counted from 1; empty before the pattern is known
   bool known = false, ordered = false;  ///< the pattern is, on all ranks
+  const bool alone;                     ///< the first rank factors, of several
 
-  explicit Data(const Teuchos::RCP<const TpetraMap>& m) : map(m) {
+  Data(const Teuchos::RCP<const TpetraMap>& m, FactorsAre factors)
+      : map(m), alone(factors == FactorsAre::on_first_rank && m->getComm()->getSize() > 1) {
     mumps.par = 1;
     mumps.sym = 0;
-    mumps.comm_fortran = handle_of(*map->getComm());
+    mumps.comm_fortran = alone ? MPI_Comm_c2f(MPI_COMM_SELF) : handle_of(*map->getComm());
     if (const int status = run(start); status < 0) throw solver_failure("MUMPS", "start", status);
     for (const int out : {errors_to, diagnostics_to, global_to}) control(mumps, out) = nowhere;
     control(mumps, printing) = 0;
-    control(mumps, entries_are) = distributed;
+    control(mumps, entries_are) = alone ? on_host : distributed;
     control(mumps, permute_columns) = 0;  // that would look at values, which change
     control(mumps, find_null_pivots) = 1;
     control(mumps, root_alone) = 1;  // or null pivots there are not found
     control(mumps, more_room_in_percent) = first_guess;
   }
-  ~Data() { run(end); }
+  ~Data() {
+    if (works()) call(end);
+  }
   Data(const Data&) = delete;
   Data& operator=(const Data&) = delete;
 
   /// Returns what MUMPS says of all ranks, the same on each: negative where it failed.
   int run(Job job) const {
+    int status = works() ? call(job) : 0;
+    if (alone) Teuchos::broadcast(*map->getComm(), 0, &status);
+    return status;
+  }
+  bool works() const { return !alone || map->getComm()->getRank() == 0; }
+  int call(Job job) const {
     mumps.job = job;
     dmumps_c(&mumps);
     return mumps.infog[0];
+  }
+  /// Of the owned entries, or of all where one rank factors alone.
+  template <class T>
+  std::vector<T> entries(std::vector<T> mine) const {
+    return alone ? all_gather(mine, *map->getComm()) : std::move(mine);
   }
   void set_pattern(const TpetraMatrix& a);
 };
@@ -112,23 +128,26 @@ void DistributedLu::Data::set_pattern(const TpetraMatrix& a) {
       column.push_back(static_cast<int>(number[entries.colidx(e)]) + 1);
     }
   }
+  row = entries(std::move(row));
+  column = entries(std::move(column));
   mumps.n = static_cast<int>(map->getGlobalNumElements());
-  mumps.nnz_loc = static_cast<MUMPS_INT8>(row.size());
-  mumps.irn_loc = row.data();
-  mumps.jcn_loc = column.data();
+  mumps.nnz = mumps.nnz_loc = static_cast<MUMPS_INT8>(row.size());
+  mumps.irn = mumps.irn_loc = row.data();
+  mumps.jcn = mumps.jcn_loc = column.data();
   known = true;
 }
 
-DistributedLu::DistributedLu(const Teuchos::RCP<const TpetraMap>& map) : data_(std::make_unique<Data>(map)) {}
+DistributedLu::DistributedLu(const Teuchos::RCP<const TpetraMap>& map, FactorsAre factors)
+    : data_(std::make_unique<Data>(map, factors)) {}
 DistributedLu::~DistributedLu() = default;
 
 bool DistributedLu::factor(const TpetraMatrix& a) {
   auto& d = *data_;
   if (!d.known) d.set_pattern(a);
   const auto local = a.getLocalMatrixHost();
-  std::vector<double> value(local.values.data(), local.values.data() + local.values.extent(0));
+  auto value = d.entries(std::vector<double>(local.values.data(), local.values.data() + local.values.extent(0)));
   VOUSSOIR_EXPECT(value.size() == d.row.size());
-  d.mumps.a_loc = value.data();
+  d.mumps.a = d.mumps.a_loc = value.data();
   int status = d.ordered ? 0 : d.run(analyse);
   d.ordered = status >= 0;
   while (status >= 0) {

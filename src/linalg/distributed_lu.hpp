@@ -7,12 +7,16 @@
 
 namespace voussoir {
 
-/// LU factors of a distributed matrix, spread over its ranks. A pattern is ordered once for all matrices that have it.
+/// Where factors are: spread over the ranks, or on the first one alone. MUMPS adds up what ranks send each other in the
+/// order in which it arrives, so spread ones differ by round-off from run to run; those of one rank do not.
+enum class FactorsAre { spread, on_first_rank };
+
+/// LU factors of a distributed matrix. A pattern is ordered once for all matrices that have it.
 class DistributedLu : public Preconditioner {
  public:
   /// Every rank calls this, factor, apply and the destructor. Global numbers may have gaps.
   /// @param map  of rows, as of all matrices to come
-  explicit DistributedLu(const Teuchos::RCP<const TpetraMap>& map);
+  explicit DistributedLu(const Teuchos::RCP<const TpetraMap>& map, FactorsAre = FactorsAre::spread);
   ~DistributedLu() override;
 
   /// Factors a matrix, of the pattern of the first one given. Where it is singular rows that say nothing are left out.

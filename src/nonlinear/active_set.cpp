@@ -11,6 +11,13 @@
 #include "nonlinear/stuck_stones.hpp"
 
 namespace voussoir {
+namespace {
+
+// [-] of a linear solve where stones share the forces by which strength is judged: what Krylov's method leaves depends
+// on ranks, and on it which of two cracks is first.
+constexpr double where_cracks_compete = 1e-8;
+
+}  // namespace
 
 ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodParameters& methods, int patience)
     : problem_(problem),
@@ -222,7 +229,11 @@ double ActiveSet::step_length(const PointField& lambda) const {
 /// more than the resistances of closed points do. At rest such solves are rare; there right sides of stones that flew
 /// are larger than any force, and what a solve leaves of them must not push the others.
 double ActiveSet::accuracy_of_next(const Search& search, const NewtonReport& report) const {
-  if (!in_time()) return numbers_.accuracy * std::min(1.0, search.largest_force / gradient_->normInf());
+  if (!in_time()) {
+    const double wanted =
+        problem_.shares_forces() ? std::min(numbers_.accuracy, where_cracks_compete) : numbers_.accuracy;
+    return wanted * std::min(1.0, search.largest_force / gradient_->normInf());
+  }
   if (!settled_) return numbers_.accuracy;
   const double left = std::max(search.tolerance, report.complementarity / augmentation_) * scale_;
   return std::clamp(left / (2 * gradient_->norm2()), numbers_.finest_accuracy, numbers_.accuracy);
@@ -251,6 +262,7 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
   x.update(length_, *direction_, 1.0);
   for (std::size_t i = 0; i < lambda.size(); ++i)
     lambda[i] = length_ == 1 ? force_[i] : lambda[i] + length_ * (force_[i] - lambda[i]);
+  split_forces(problem_, laws_, {closed_, sliding_, resistance_}, lambda);
   return solved;
 }
 

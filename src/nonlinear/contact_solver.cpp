@@ -7,6 +7,7 @@
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/saved_position.hpp"
+#include "nonlinear/stability.hpp"
 
 namespace voussoir {
 namespace {
@@ -170,6 +171,65 @@ void ContactSolver::forget_the_way(TpetraVector& x, PointField& lambda, double t
   softening.come_back(std::move(worn));
 }
 
+/// Where the state gives way on its own it is followed down to one that does not. What cannot be left stays, and the
+/// report says by how much it gives way.
+void ContactSolver::find_stable_branch(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
+  for (int left = StabilityParameters::most_branches;; --left) {
+    const auto found = find_instability(problem_, x, lambda, report);
+    report.unstable = found.any ? found.excess : 0;
+    report.unstable_at = found.leader;
+    if (!found.any || left == 0 || report.newton_iterations >= parameters_.largest_iterations) return;
+    if (!leave(found, 1, x, lambda, tolerance, report) && !leave(found, -1, x, lambda, tolerance, report)) return;
+  }
+}
+
+/// Goes down along a motion and solves from there: first with the wear of the start of the step, then with that of the
+/// way down, which is given back in the end. False where no other state is found; then all is as before.
+bool ContactSolver::leave(const Instability& found, double sign, TpetraVector& x, PointField& lambda, double tolerance,
+                          NewtonReport& report) {
+  auto& softening = *problem_.softening();
+  const SavedPosition from(problem_, x);
+  const PointField lambda_from = lambda;
+  const auto wear_from = softening.since_start();
+  TpetraVector below(x, Teuchos::Copy);
+  const double way = go_down(problem_, found, sign, below, lambda) * found.motion->normInf();
+  const SavedPosition start(problem_, below);
+  const PointField lambda_start = lambda;
+  const auto is_another = [&] { return from.distance(x) > StabilityParameters::back_again * way; };
+  for (const bool worn : {false, true}) {
+    start.restore(x);
+    lambda = lambda_start;
+    NewtonReport attempt;
+    if (worn) {
+      take_wear(problem_, x, lambda);
+      wear_down(x, lambda, tolerance, nullptr, attempt);
+      if (attempt.outcome == NewtonOutcome::converged) forget_the_way(x, lambda, tolerance, attempt);
+    } else {
+      try_active_set(x, lambda, tolerance, nullptr, methods_.active_set.patience, attempt);
+    }
+    const bool arrived = attempt.outcome == NewtonOutcome::converged && is_another();
+    report.add_work(attempt);
+    if (arrived) {
+      report.lost_on_the_way = attempt.lost_on_the_way;
+      return true;
+    }
+    softening.come_back(wear_from);
+  }
+  from.restore(x);
+  lambda = lambda_from;
+  return false;
+}
+
+/// Forces that nothing tells apart do not depend on the way to this equilibrium.
+void ContactSolver::split_forces(const TpetraVector& x, PointField& lambda, double tolerance) const {
+  if (!problem_.shares_forces()) return;
+  PointField gap;
+  TpetraVector residual(problem_.map());
+  problem_.evaluate(x, residual, gap);
+  voussoir::split_forces(problem_, CurrentLaws(problem_, lambda, gap), gap, tolerance * force_scale(problem_, lambda),
+                         lambda);
+}
+
 void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                               NewtonReport& report) {
   auto& softening = *problem_.softening();
@@ -223,7 +283,11 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
     }
   }
   if (report.outcome == NewtonOutcome::converged) {
-    if (problem_.softening() && !holds_strength_) forget_the_way(x, lambda, tolerance, report);
+    if (problem_.softening() && !holds_strength_) {
+      forget_the_way(x, lambda, tolerance, report);
+      if (!parameters_.has_inertia) find_stable_branch(x, lambda, tolerance, report);
+    }
+    split_forces(x, lambda, tolerance);
     measure(x, lambda, report);
   } else if (report.failed_solves > 0) {
     report.reason += "; " + std::to_string(report.failed_solves) + " of " + std::to_string(report.newton_iterations) +

@@ -17,6 +17,8 @@
 
 namespace voussoir {
 
+struct Instability;
+
 class ContactSolver {
  public:
   ContactSolver(NonlinearProblem&, const NewtonParameters&, const MethodParameters&, FastWay&);
@@ -51,6 +53,9 @@ class ContactSolver {
   /// Without the wear of the states on the way to this equilibrium, where there is one close by that does without. Else
   /// leaves in the report how much more has been lost.
   void forget_the_way(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
+  void find_stable_branch(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
+  bool leave(const Instability&, double sign, TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
+  void split_forces(const TpetraVector& x, PointField& lambda, double tolerance) const;
   void in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int most,
                       NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.

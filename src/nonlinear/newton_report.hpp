@@ -33,6 +33,8 @@ struct NewtonReport {
   double complementarity = 0;  ///< [-] contact law, relative to the largest force
   double penetration = 0;      ///< [m]
   double lost_on_the_way = 0;  ///< [-] largest damage of a point beyond what the state found gives it
+  double unstable = 0;         ///< [-] by how much the state gives way on its own (stability.hpp); 0 where it does not
+  long long unstable_at = -1;  ///< number of the point that softens fastest there
   std::string reason;          ///< why it stopped, when it did not converge
   std::string failure;         ///< what the last of the failed linear solves said
   bool no_way_on = false;      ///< it stopped because a library refused a system
@@ -51,7 +53,8 @@ struct NewtonReport {
     outcome = NewtonOutcome::not_converged;
     reason = why;
   }
-  void add(const NewtonReport& other) {
+  /// What another solve took, whatever it came to.
+  void add_work(const NewtonReport& other) {
     outer_iterations += other.outer_iterations;
     newton_iterations += other.newton_iterations;
     failed_solves += other.failed_solves;
@@ -59,11 +62,16 @@ struct NewtonReport {
     krylov_iterations += other.krylov_iterations;
     largest_krylov = largest_krylov > other.largest_krylov ? largest_krylov : other.largest_krylov;
     local_solves += other.local_solves;
+  }
+  void add(const NewtonReport& other) {
+    add_work(other);
     outcome = other.outcome;
     residual = other.residual;
     complementarity = other.complementarity;
     penetration = other.penetration;
     lost_on_the_way = other.lost_on_the_way;
+    unstable = other.unstable;
+    unstable_at = other.unstable_at;
     reason = other.reason;
     no_way_on = other.no_way_on;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "joints/contact_law.hpp"
+#include "joints/point_freedom.hpp"
 #include "joints/softening.hpp"
 #include "linalg/linear_solve_result.hpp"
 #include "linalg/types.hpp"
@@ -38,6 +39,8 @@ class NonlinearProblem {
   virtual int components() const = 0;
   virtual int points() const = 0;
   virtual int owned_points() const = 0;
+  /// Number of a point, the same for any number of ranks.
+  virtual long long number_of(int point) const { return point; }
   /// 1 where the point is resolved as contact; the others are tied and skipped.
   virtual const std::vector<char>& selected() const = 0;
   /// At the start of the step; of points that soften CurrentLaws tells more.
@@ -74,6 +77,11 @@ class NonlinearProblem {
   [[nodiscard]] virtual LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                                                 const Teuchos::RCP<TpetraVector>& b,
                                                 const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
+  /// Where forces may run round between stones that meet, so that neither equilibrium nor motion tells their split: makes
+  /// it the one that is unique (joints/shared_forces.hpp). Does nothing where springs or the law tell them. Collective.
+  virtual void split_shared_forces(const std::vector<PointFreedom>&, PointField& /*lambda*/) const {}
+  /// Whether it does anything on some rank.
+  virtual bool shares_forces() const { return false; }
   /// From where stuck stones are cut, or null where they cannot be.
   virtual PatchSource* patches() { return nullptr; }
   /// Largest force in play [N]: what residuals are measured against.

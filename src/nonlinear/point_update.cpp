@@ -41,6 +41,37 @@ void CurrentLaws::follow(const PointField& lambda, const PointField& gap) {
   }
 }
 
+void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, const PointStatuses& are,
+                  PointField& lambda) {
+  if (!problem.shares_forces()) return;
+  std::vector<PointFreedom> freedom(problem.points());
+  for (int k = 0; k < problem.points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    auto& f = freedom[k];
+    f.law = laws[k];
+    f.normal = are.closed[k];
+    f.tangential = are.sliding[k] == 0 && are.resistance[k].resists_slip();
+    if (f.normal && std::isfinite(f.law.friction)) f.slope = f.law.friction * are.sliding[k];
+  }
+  problem.split_shared_forces(freedom, lambda);
+}
+
+void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& gap, double left,
+                  PointField& lambda) {
+  if (!problem.shares_forces()) return;
+  std::vector<PointFreedom> freedom(problem.points());
+  for (int k = 0; k < problem.points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    auto& f = freedom[k];
+    f.law = laws[k];
+    const auto pushed = [&](int c) { return stiffness_of(problem, k, c, 1.0) * motion_of(problem, k, c, gap, lambda); };
+    f.normal = pushed(0) <= left;
+    f.tangential = std::abs(pushed(1)) <= left;
+    if (f.normal && std::isfinite(f.law.friction)) f.slope = pushed(1) > 0 ? -f.law.friction : f.law.friction;
+  }
+  problem.split_shared_forces(freedom, lambda);
+}
+
 bool wear_by(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
   auto* const softening = problem.softening();
   const int n = problem.components();

@@ -75,6 +75,20 @@ class CurrentLaws {
 /// Points wear as far as they have opened and slipped in a state.
 bool wear_by(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
 
+/// What points do in a linear solve: closed or not, directions of slip (0 where a point does not), how they resist.
+struct PointStatuses {
+  const std::vector<char>& closed;
+  const PointField& sliding;
+  const std::vector<PointStiffness>& resistance;
+};
+
+/// Splits forces that nothing tells apart in the one way that does not depend on how a solver came here. Collective.
+void split_forces(const NonlinearProblem&, const CurrentLaws&, const PointStatuses&, PointField& lambda);
+
+/// Gives a state that is in equilibrium the split of forces that is unique, where nothing else tells it: of points that
+/// have not moved by more than what is left of one [N]. Collective.
+void split_forces(const NonlinearProblem&, const CurrentLaws&, const PointField& gap, double left, PointField& lambda);
+
 /// Largest tangential force of each point under the normal parts of some forces [N].
 void friction_bounds(const NonlinearProblem&, const CurrentLaws&, const PointField& forces, std::vector<double>& bound);
 

@@ -38,6 +38,11 @@ inline Warnings lost_in_jump(double lost, const Energies& book, const std::strin
 /// @param when  stage and load factor or time
 inline Warnings warnings_of(const StepReport& report, const StepParameters& numbers, const std::string& when) {
   auto all = held_by_ties(report.tied_share, report.tied_block, when);
+  if (report.newton.unstable > 0) {
+    const std::string stones =
+        std::to_string(report.unstable_joint[0]) + " - " + std::to_string(report.unstable_joint[1]);
+    for (auto& warning : unstable(report.newton.unstable, stones, when)) all.push_back(std::move(warning));
+  }
   if (!jumped(report, numbers)) return all;
   for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
   return all;

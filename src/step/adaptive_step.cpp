@@ -23,6 +23,8 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   const auto& gap = model_.initial_gap();
   for (std::size_t k = 0; k < gap.size(); ++k)
     state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
+  for (std::size_t k = 0; k < model_.between_supports().size(); ++k)
+    if (model_.between_supports()[k]) state.selected[k] = 1;
   if (model_.weakens()) state.opened.assign(points, 0.0);
   state.slipped = state.opened;
   state.status.assign(points, static_cast<char>(PointStatus::stick));

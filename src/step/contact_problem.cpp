@@ -36,6 +36,7 @@ template <int dim>
 void ContactProblem<dim>::begin(const Asked& asked) {
   if (!coarse_->begin_step()) make_preconditioner();
   asked_.emplace(asked);
+  if (asked.softening) coarse_->factor_on_first_rank();  // round-off decides which of two cracks runs
   carried_ = Teuchos::null;
   rigid_.clear();
   rigid_gap_.clear();
@@ -44,7 +45,30 @@ void ContactProblem<dim>::begin(const Asked& asked) {
   patches_.reset();
   set_proximal_weights();
   set_movable();
+  find_shared_forces();
   set_scales();
+}
+
+/// Where strength is judged by forces that nothing else tells apart. Mortar that is a spring tells them, and in time
+/// they go on from what they were.
+template <int dim>
+void ContactProblem<dim>::find_shared_forces() {
+  shared_forces_.reset();
+  shares_ = asked_->softening && !parts_.inertia;
+  if (!shares_) return;
+  auto counts = movable_;
+  for (std::size_t k = 0; k < parts_.compliance.size(); ++k)
+    if (parts_.compliance[k].normal > 0 && parts_.compliance[k].tangential > 0) counts[k] = 0;
+  shared_forces_ =
+      std::make_unique<SharedForces>(parts_.structure, parts_.points, space_->cluster(), space_->held(), counts);
+  shares_ = largest_over_ranks(*parts_.structure.comm(), shared_forces_->any()) > 0;
+}
+
+template <int dim>
+void ContactProblem<dim>::split_shared_forces(const std::vector<PointFreedom>& freedom, PointField& lambda) const {
+  if (!shares_) return;
+  shared_forces_->split(freedom, lambda);
+  parts_.points.exchange().update(lambda, dim);
 }
 
 /// The largest load, and the stiffest point.

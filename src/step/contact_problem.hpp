@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "homogenisation/coarse_operator.hpp"
+#include "joints/shared_forces.hpp"
 #include "linalg/linear_solver.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "nonlinear/stuck_stones.hpp"
@@ -62,6 +63,7 @@ class ContactProblem : public NonlinearProblem {
   int components() const override { return dim; }
   int points() const override { return parts_.points.size(); }
   int owned_points() const override { return parts_.points.owned(); }
+  long long number_of(int point) const override { return parts_.points.points()[point].id; }
   /// Without points whose force nothing determines, as supports hold both sides or other joints tie them, and those not
   /// built yet.
   const std::vector<char>& selected() const override { return movable_; }
@@ -80,6 +82,8 @@ class ContactProblem : public NonlinearProblem {
   LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                           const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
                           const SolveRequest&) override;
+  void split_shared_forces(const std::vector<PointFreedom>&, PointField& lambda) const override;
+  bool shares_forces() const override { return shares_; }
   PatchSource* patches() override;
   const SystemMatrix<dim>& system() const { return *matrix_; }
   const CoarseOperator<dim>& preconditioner() const { return *coarse_; }
@@ -98,6 +102,7 @@ class ContactProblem : public NonlinearProblem {
   void set_proximal_weights();
   double stiffest_that_counts(double volume) const;
   void set_movable();
+  void find_shared_forces();
 
   Parts parts_;
   const std::vector<char> selection_;
@@ -112,7 +117,9 @@ class ContactProblem : public NonlinearProblem {
   Teuchos::RCP<TpetraVector> carried_;
   std::vector<double> rigid_, rigid_gap_, deformed_;
   double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
-  std::unique_ptr<PatchSource> patches_;  ///< none as long as nothing was stuck
+  std::unique_ptr<SharedForces> shared_forces_;  ///< none where no joint softens
+  bool shares_ = false;                          ///< some rank has such places
+  std::unique_ptr<PatchSource> patches_;         ///< none as long as nothing was stuck
 };
 
 extern template class ContactProblem<2>;

@@ -257,9 +257,11 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   const double share = at_rest_.scene().internals.step.share_of_violation * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
-  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(),
-                                              velocities_.calm(state, negligible, resting), negligible, selection.rest,
-                                              at_rest_.scene().internals.rest);
+  auto calm = velocities_.calm(state, negligible, resting);
+  for (std::size_t k = 0; k < at_rest_.between_supports().size(); ++k)
+    if (at_rest_.between_supports()[k]) calm[k] = 0;
+  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,
+                                              negligible, selection.rest, at_rest_.scene().internals.rest);
   if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);

@@ -77,6 +77,16 @@ Warnings lost_on_the_way(double damage, const std::string& when) {
            "cracks run matters"}};
 }
 
+Warnings unstable(double excess, const std::string& stones, const std::string& when) {
+  return {{"unstable", "joint " + stones, when, excess,
+           "the equilibrium is one that a structure does not stay in: joints soften faster than the stones beside them "
+           "follow, by " +
+               number_text(excess) +
+               " of both together, most at this joint, and no other equilibrium was found on the way down from it; of "
+               "cracks that open side by side one would run on and the others close, or the structure would move on; "
+               "take more increments, or more fracture energy if that was meant"}};
+}
+
 Warnings passed_in_time(double seconds, const std::string& when) {
   return {{"passed_in_time", "the structure", when, seconds,
            "no equilibrium was found that follows from the last one in statics: let go in time, with inertia and with "

@@ -70,6 +70,10 @@ double held_by_joints(const Model<dim>&, const ContactState&);
 /// none.
 /// @param damage  [-] beyond that of the state, at the point where it is most
 Warnings lost_on_the_way(double damage, const std::string& when);
+/// What is said of an equilibrium that gives way on its own, since joints soften faster than stones follow.
+/// @param excess  [-] of softening over stiffness, relative to their sum
+/// @param stones  names of those at the joint that softens fastest there
+Warnings unstable(double excess, const std::string& stones, const std::string& when);
 /// What is said of a load step that nothing in statics leads through: the structure was let go in time.
 /// @param seconds  until it came to rest
 Warnings passed_in_time(double seconds, const std::string& when);

@@ -50,6 +50,7 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
     Phase phase("joints");
     points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
     hold_supports();
+    find_between_supports();
     set_laws();
   }
   {
@@ -76,6 +77,7 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       source_(at_rest.source_),
       points_(at_rest.points_),
       held_(at_rest.held_),
+      between_supports_(at_rest.between_supports_),
       law_(at_rest.law_),
       initial_gap_(at_rest.initial_gap_),
       softening_(at_rest.softening_),
@@ -234,6 +236,42 @@ void Model<dim>::hold_supports() {
   held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
   for (const auto& [name, support] : scene_.supports)
     hold(*structure_, support, facet_set(source_, {support.on, support.blocks}), held_);
+}
+
+/// All points of a place two copies of which are held along an axis by different supports: a tie between the two may go
+/// by others.
+template <int dim>
+void Model<dim>::find_between_supports() {
+  if (scene_.supports.size() < 2) return;
+  const auto& s = *structure_;
+  constexpr std::size_t one_more = 1000003;  // a prime, so that sets of supports have numbers of their own
+  std::vector<std::size_t> holders(held_.size(), 0);
+  std::size_t number = 0;
+  for (const auto& [name, support] : scene_.supports) {
+    std::vector<char> here(held_.size(), 0);
+    hold(s, support, facet_set(source_, {support.on, support.blocks}), here);
+    ++number;
+    for (std::size_t i = 0; i < here.size(); ++i)
+      if (here[i]) holders[i] = one_more * holders[i] + number;
+  }
+  std::vector<char> apart(s.nodes(), 0);
+  for (std::size_t g = 0; g + 1 < s.copies_start().size(); ++g)
+    for (int c = 0; c < dim; ++c) {
+      std::size_t first = 0;
+      bool differ = false;
+      for (int i = s.copies_start()[g]; i < s.copies_start()[g + 1]; ++i) {
+        const auto of = holders[dim * s.copy()[i] + c];
+        if (first == 0) first = of;
+        differ |= of != 0 && of != first;
+      }
+      for (int i = s.copies_start()[g]; differ && i < s.copies_start()[g + 1]; ++i) apart[s.copy()[i]] = 1;
+    }
+  std::vector<double> flag(points_->size(), 0.0);
+  for (int k = 0; k < points_->owned(); ++k) flag[k] = apart[points_->points()[k].node_i];
+  const bool any = std::find(flag.begin(), flag.end(), 1.0) != flag.end();
+  if (largest_over_ranks(*s.comm(), any) == 0) return;
+  points_->exchange().update(flag, 1);
+  between_supports_.assign(flag.begin(), flag.end());
 }
 
 template <int dim>

@@ -34,6 +34,9 @@ class Model {
   const Continuum<dim>& continuum() const { return *continuum_; }
   /// 1 where a support prescribes the displacement [dim x local node copies].
   const std::vector<char>& held() const { return held_; }
+  /// 1 at points where different supports hold stones, which may part there: such points are never tied, as one unknown
+  /// cannot be where both supports are. Empty without such places.
+  const std::vector<char>& between_supports() const { return between_supports_; }
   /// Stiffness a point sees in the cells beside it [N/m].
   const std::vector<double>& local_stiffness() const { return local_stiffness_; }
   /// Law of each point without damage. What is open as drawn, or beside a stone that is not there, has no strength.
@@ -82,6 +85,7 @@ class Model {
   bool is_bonded(std::size_t point) const;
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   void hold_supports();
+  void find_between_supports();
 
   std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance
   const Scene& scene_;
@@ -89,7 +93,7 @@ class Model {
   std::unique_ptr<Structure<dim>> structure_;
   std::shared_ptr<ContactPoints<dim>> points_;
   std::unique_ptr<Continuum<dim>> continuum_;
-  std::vector<char> held_;
+  std::vector<char> held_, between_supports_;
   std::vector<char> absent_;  ///< per local block; empty where nothing is built
   std::vector<double> local_stiffness_;
   PointLaws law_;

@@ -16,6 +16,19 @@ namespace {
 /// A root of decreases relative to the energy that will be there.
 double beside_what_follows(double root) { return root / std::hypot(1, root); }
 
+/// The stones of the joint that a point is on. Collective.
+template <int dim>
+void stones_of_point(const ContactPoints<dim>& points, const Teuchos::Comm<int>& comm, PointId id, int* stones) {
+  int mine[2] = {-1, -1};
+  for (int k = 0; k < points.owned(); ++k) {
+    if (points.points()[k].id != id) continue;
+    const auto& joint = points.joints()[points.points()[k].joint];
+    mine[0] = joint.block_i;
+    mine[1] = joint.block_j;
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, mine, stones);
+}
+
 bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
 
 /// Error of ties that may stay [-]: what many steps add up to must stay within what a scene asks for.
@@ -183,6 +196,8 @@ bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
     return false;
   }
   if (!looks) keep_wear(problem);
+  if (report_.newton.unstable > 0)
+    stones_of_point(model_.points(), *model_.structure().comm(), report_.newton.unstable_at, report_.unstable_joint);
   seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;

@@ -23,8 +23,8 @@ SEES = {
     "drivers": ["study"],
 }
 
-# Pure functions of numbers, without geometry: the one header of joints that all folders from linalg up may see.
-PURE = {"joints/contact_law.hpp", "joints/softening.hpp"}
+# Pure functions of numbers, without geometry: the headers of joints that all folders from linalg up may see.
+PURE = {"joints/contact_law.hpp", "joints/point_freedom.hpp", "joints/softening.hpp"}
 
 # Libraries with one owner: each is included by at most one source file and by no header.
 ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp"}

@@ -1,0 +1,233 @@
+#include "joints/shared_forces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+
+namespace voussoir {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+// Coefficients of balance are cosines: what elimination leaves of one that vanishes is round-off, far below this.
+constexpr double vanishes = 1e-10;
+// Sweeps over bounds of the law, each of which brings the split nearer to the least lawful one by a share that depends
+// on angles between the bounds alone; where there is none they would go on for ever.
+constexpr int most_sweeps = 1000;
+constexpr double exact = 1e-13;  // [-] of the largest force
+// [-] of the largest force: so far within its law a point is left that bears what it can, or round-off would decide
+// whether it sticks. A hundred times what solvers leave of forces.
+constexpr double within = 1e-6;
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Vectors that span all z with rows z = 0, by elimination with full pivots.
+Rows null_space(Rows rows, int unknowns) {
+  std::vector<int> pivot_of(unknowns, -1);
+  int rank = 0;
+  for (; rank < static_cast<int>(rows.size()); ++rank) {
+    int row = -1, column = -1;
+    double largest = vanishes;
+    for (int i = rank; i < static_cast<int>(rows.size()); ++i)
+      for (int j = 0; j < unknowns; ++j)
+        if (pivot_of[j] < 0 && std::abs(rows[i][j]) > largest) {
+          largest = std::abs(rows[i][j]);
+          row = i;
+          column = j;
+        }
+    if (row < 0) break;
+    std::swap(rows[row], rows[rank]);
+    pivot_of[column] = rank;
+    const double pivot = rows[rank][column];
+    for (auto& value : rows[rank]) value /= pivot;
+    for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+      const double factor = rows[i][column];
+      if (i == rank || factor == 0) continue;
+      for (int j = 0; j < unknowns; ++j) rows[i][j] -= factor * rows[rank][j];
+    }
+  }
+  Rows basis;
+  for (int free = 0; free < unknowns; ++free) {
+    if (pivot_of[free] >= 0) continue;
+    std::vector<double> z(unknowns, 0.0);
+    z[free] = 1;
+    for (int j = 0; j < unknowns; ++j)
+      if (pivot_of[j] >= 0) z[j] = -rows[pivot_of[j]][free];
+    basis.push_back(z);
+  }
+  return basis;
+}
+
+/// A bound of the law: slope . y >= least.
+struct Bound {
+  std::vector<double> slope;
+  double least = 0;
+};
+
+/// The shortest y within all bounds (Hildreth's method); none where there is no such y.
+std::vector<double> shortest(const std::vector<Bound>& bounds, std::size_t size, double round_off) {
+  std::vector<double> y(size, 0.0), multiplier(bounds.size(), 0.0);
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double worst = 0;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      const auto& b = bounds[i];
+      const double square = product(b.slope, b.slope), lacks = b.least - product(b.slope, y);
+      if (square <= vanishes * vanishes) {
+        worst = std::max(worst, lacks > round_off ? lacks : 0.0);  // nothing moves it
+        continue;
+      }
+      const double change = std::max(lacks / square, -multiplier[i]);
+      multiplier[i] += change;
+      for (std::size_t j = 0; j < size; ++j) y[j] += change * b.slope[j];
+      worst = std::max(worst, std::abs(change) * std::sqrt(square));
+    }
+    if (worst <= round_off) return y;
+  }
+  return {};
+}
+
+/// Makes vectors orthonormal.
+void make_orthonormal(Rows& basis) {
+  Rows done;
+  for (auto v : basis) {
+    for (int twice = 0; twice < 2; ++twice)
+      for (const auto& u : done) {
+        const double along = product(u, v);
+        for (std::size_t i = 0; i < v.size(); ++i) v[i] -= along * u[i];
+      }
+    const double length = std::sqrt(product(v, v));
+    for (auto& value : v) value /= length;
+    done.push_back(v);
+  }
+  basis = done;
+}
+
+}  // namespace
+
+SharedForces::SharedForces(const Structure<2>& s, const ContactPoints<2>& points, const std::vector<int>& cluster,
+                           const std::vector<char>& held, const std::vector<char>& counts) {
+  DisjointSets sets(s.nodes());
+  std::vector<int> first(s.nodes(), -1);  // node copy of each cluster
+  const auto node_of = [&](int node) {
+    auto& f = first[cluster[node]];
+    return f < 0 ? f = node : f;
+  };
+  std::vector<char> own(s.nodes(), 0);
+  for (int k = 0; k < points.size(); ++k) {
+    if (!counts[k]) continue;
+    const auto& p = points.points()[k];
+    sets.join(sets.root(node_of(p.node_i)), sets.root(node_of(p.node_j)));
+  }
+  std::map<int, std::vector<int>> points_at;  // by root
+  for (int k = 0; k < points.size(); ++k) {
+    if (!counts[k]) continue;
+    const auto& p = points.points()[k];
+    const int root = sets.root(node_of(p.node_i));
+    points_at[root].push_back(k);
+    if (std::min(p.node_i, p.node_j) < s.owned_nodes()) own[root] = 1;
+  }
+  for (auto& [root, here] : points_at) {
+    if (!own[root]) continue;
+    std::sort(here.begin(), here.end(), [&](int a, int b) { return points.points()[a].id < points.points()[b].id; });
+    Place place;
+    std::map<NodeId, std::array<std::vector<double>, 2>> rows;  // by node, in an order that no rank changes
+    const std::size_t size = 2 * here.size();
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      const auto& p = points.points()[here[i]];
+      place.weight.push_back(p.area);
+      for (const auto& [node, sign] : {std::pair{p.node_i, -1.0}, std::pair{p.node_j, 1.0}}) {
+        auto& row = rows[s.node_id()[node_of(node)]];
+        for (int c = 0; c < 2; ++c) {
+          if (held[2 * cluster[node] + c]) continue;
+          row[c].resize(size, 0.0);
+          for (int a = 0; a < 2; ++a) row[c][2 * i + a] += sign * p.axis[a][c];
+        }
+      }
+    }
+    for (auto& [node, row] : rows)
+      for (auto& r : row)
+        if (!r.empty()) place.balance.push_back(std::move(r));
+    place.points = std::move(here);
+    if (!null_space(place.balance, static_cast<int>(size)).empty()) places_.push_back(std::move(place));
+  }
+}
+
+void SharedForces::split(const std::vector<PointFreedom>& freedom, std::vector<double>& lambda) const {
+  for (const auto& place : places_) split(place, freedom, lambda);
+}
+
+void SharedForces::split(const Place& place, const std::vector<PointFreedom>& freedom,
+                         std::vector<double>& lambda) const {
+  // Directions in which a force may change: its components, or both in proportion.
+  struct Direction {
+    std::size_t at;  // of the point
+    double normal, tangential;
+  };
+  std::vector<Direction> directions;
+  for (std::size_t i = 0; i < place.points.size(); ++i) {
+    const auto& f = freedom[place.points[i]];
+    if (f.normal) directions.push_back({i, 1.0, f.tangential ? 0.0 : f.slope});
+    if (f.tangential) directions.push_back({i, 0.0, 1.0});
+  }
+  Rows balance;
+  for (const auto& row : place.balance) {
+    balance.emplace_back();
+    for (const auto& d : directions)
+      balance.back().push_back(row[2 * d.at] * d.normal + row[2 * d.at + 1] * d.tangential);
+  }
+  // Of every force over the root of its weight.
+  Rows basis;
+  for (const auto& z : null_space(balance, static_cast<int>(directions.size()))) {
+    std::vector<double> force(2 * place.points.size(), 0.0);
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      const double root = std::sqrt(place.weight[directions[j].at]);
+      force[2 * directions[j].at] += z[j] * directions[j].normal / root;
+      force[2 * directions[j].at + 1] += z[j] * directions[j].tangential / root;
+    }
+    basis.push_back(force);
+  }
+  if (basis.empty()) return;
+  make_orthonormal(basis);
+  std::vector<double> force(2 * place.points.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < place.points.size(); ++i)
+    for (int c = 0; c < 2; ++c) {
+      force[2 * i + c] = lambda[2 * place.points[i] + c] / std::sqrt(place.weight[i]);
+      largest = std::max(largest, std::abs(force[2 * i + c]));
+    }
+  for (const auto& z : basis) {
+    const double along = product(z, force);
+    for (std::size_t i = 0; i < z.size(); ++i) force[i] -= along * z[i];
+  }
+  std::vector<Bound> bounds;
+  for (std::size_t i = 0; i < place.points.size(); ++i) {
+    const auto& f = freedom[place.points[i]];
+    const double root = std::sqrt(place.weight[i]);
+    const auto add = [&](double normal, double tangential, double strength) {
+      if (!std::isfinite(strength) || !std::isfinite(normal)) return;
+      Bound b;
+      for (const auto& z : basis) b.slope.push_back(normal * z[2 * i] + tangential * z[2 * i + 1]);
+      b.least = within * largest - strength / root - normal * force[2 * i] - tangential * force[2 * i + 1];
+      bounds.push_back(b);
+    };
+    if (f.normal) add(1, 0, f.law.tension);
+    if (f.tangential)
+      for (const double side : {-1.0, 1.0}) add(f.law.friction, side, f.law.cohesion);
+  }
+  const auto y = shortest(bounds, basis.size(), exact * largest);
+  for (std::size_t i = 0; i < place.points.size(); ++i)
+    for (int c = 0; c < 2; ++c) {
+      for (std::size_t j = 0; j < y.size(); ++j) force[2 * i + c] += y[j] * basis[j][2 * i + c];
+      lambda[2 * place.points[i] + c] = force[2 * i + c] * std::sqrt(place.weight[i]);
+    }
+}
+
+}  // namespace voussoir

@@ -1,0 +1,41 @@
+// Forces that nothing tells apart: where three stones meet, three points see two relative motions, and forces that run
+// round between the stones change neither equilibrium nor motion. Of all splits that the law admits this takes the one
+// with the least sum of force^2 / w, as for tied points (tractions.hpp). It is unique.
+//
+//   minimise  sum |f_k + d_k|^2 / w_k     d in balance at every node that no support holds, and
+//             d_k = 0 where a point is open, along its friction where it slips, free where it sticks
+//             f_k + d_k lawful where it sticks, as far as such splits exist
+#pragma once
+
+#include <vector>
+
+#include "joints/contact_points.hpp"
+#include "joints/point_freedom.hpp"
+
+namespace voussoir {
+
+class SharedForces {
+ public:
+  /// @param cluster  per local node copy, nodes with one number move together
+  /// @param held     per cluster and component: 1 where a support bears what is left
+  /// @param counts   per point: 1 where its force is one of those sought
+  SharedForces(const Structure<2>&, const ContactPoints<2>&, const std::vector<int>& cluster,
+               const std::vector<char>& held, const std::vector<char>& counts);
+
+  bool any() const { return !places_.empty(); }
+  /// Splits the forces [N, points x 2] anew where points of owned nodes meet; the caller updates ghosts.
+  void split(const std::vector<PointFreedom>&, std::vector<double>& lambda) const;
+
+ private:
+  /// Points that meet, and the balance of their nodes.
+  struct Place {
+    std::vector<int> points;
+    std::vector<double> weight;                ///< [m2] per point
+    std::vector<std::vector<double>> balance;  ///< per node and component: coefficients of the forces, 2 per point
+  };
+  void split(const Place&, const std::vector<PointFreedom>&, std::vector<double>& lambda) const;
+
+  std::vector<Place> places_;
+};
+
+}  // namespace voussoir

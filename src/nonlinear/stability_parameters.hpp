@@ -1,0 +1,30 @@
+// How closely a state with joints that soften is looked at (stability.hpp).
+#pragma once
+
+namespace voussoir {
+
+struct StabilityParameters {
+  /// Resistance of closed points, relative to their local stiffness: a thousandth of what the stones beside a point give
+  /// way is far below what decides, and systems stay as well conditioned as those of time steps.
+  static constexpr double augmentation = 1000;
+  /// [-] excess of softening over stiffness, relative to their sum, up to which a state is neutral: what the resistance
+  /// of closed points leaves unsaid, tenfold.
+  static constexpr double neutral = 1e-2;
+  /// [-] error of the largest share of softening, which lies between 0 and 1, where it is told from one half; and of the
+  /// motion that belongs to it, for which the error of the share is squared.
+  static constexpr double share_error = 1e-2, motion_error = 1e-3;
+  /// Linear solves, each of which adds a motion to those that are compared. Where one crack softens 3 to 10 tell; the
+  /// largest of many that are nearly alike is told by no fewer than there are cracks.
+  static constexpr int most_motions = 60;
+  /// [-] of these solves: motions, and with them the branch that is taken, do not depend on what one leaves.
+  static constexpr double solve_accuracy = 1e-10;
+  /// Share of the largest motion from which on a point counts where the direction of one that has two is chosen:
+  /// motions of equal cracks are equal but for round-off.
+  static constexpr double leads = 0.5;
+  /// Branches that are left one after the other within a step. Of n cracks that run side by side n - 1 have to stop.
+  static constexpr int most_branches = 40;
+  /// [-] way back, relative to the way down the branch, within which a state is the one that was left.
+  static constexpr double back_again = 0.05;
+};
+
+}  // namespace voussoir

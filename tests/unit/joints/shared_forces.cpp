@@ -1,0 +1,135 @@
+// Forces that run round where three stones meet: the split is one, whatever the forces it is made from.
+#include "joints/shared_forces.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <numeric>
+
+#include "joints/tractions.hpp"
+#include "unit/blocks/lattice_block.hpp"
+#include "unit/linalg/systems.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two stones side by side on one as wide as both: in the middle of its top three points meet.
+struct Three {
+  std::unique_ptr<BlockSource<2>> source;
+  Structure<2> structure;
+  ContactPoints<2> points;
+  std::vector<int> cluster;
+  std::vector<int> middle;  // points that meet, where they are local
+  SharedForces shared;
+  std::vector<PointFreedom> freedom;
+  std::vector<double> lambda;  // N
+
+  explicit Three(const Comm& comm)
+      : source(stones()),
+        structure(structure_of(*source, comm)),
+        points(*source, structure),
+        cluster(structure.nodes()),
+        shared(structure, points, numbered(cluster), std::vector<char>(2 * structure.nodes(), 0),
+               std::vector<char>(points.size(), 1)),
+        freedom(points.size(), {true, true, 0.0, {0.0, infinity, infinity}}),
+        lambda(2 * points.size()) {
+    for (int k = 0; k < points.size(); ++k) {
+      const auto& at = structure.position()[points.points()[k].node_i];
+      if (at[0] == 1 && at[1] == 1) middle.push_back(k);
+      for (int c = 0; c < 2; ++c) lambda[2 * k + c] = 10.0 + 3.0 * static_cast<double>(points.points()[k].id) - 7.0 * c;
+    }
+  }
+  static std::unique_ptr<BlockSource<2>> stones() {
+    BlockList<2> list;
+    list.blocks = {block_of_cells(0, rectangle(0, 0, 2, 1)), block_of_cells(1, rectangle(0, 1, 1, 1)),
+                   block_of_cells(2, rectangle(1, 1, 1, 1))};
+    return make_source<2>(list);
+  }
+  static const std::vector<int>& numbered(std::vector<int>& list) {
+    std::iota(list.begin(), list.end(), 0);
+    return list;
+  }
+  /// Adds a force that runs round: from stone 0 to 1, from 1 to 2 and back.
+  void turn(const Vector<2>& force) {
+    for (int k : middle) {
+      const auto& p = points.points()[k];
+      const auto& joint = points.joints()[p.joint];
+      const double sign = joint.block_i == 0 && joint.block_j == 2 ? -1 : 1;
+      for (int c = 0; c < 2; ++c)
+        lambda[2 * k + c] += sign * (force[0] * p.axis[c][0] + force[1] * p.axis[c][1]);
+    }
+  }
+  std::vector<double> split() {
+    shared.split(freedom, lambda);
+    points.exchange().update(lambda, 2);
+    return lambda;
+  }
+  std::vector<double> on_nodes() const {
+    std::vector<double> nodal(2 * structure.nodes(), 0.0);
+    add_contact_forces(points, {}, lambda, 1.0, nodal);
+    return nodal;
+  }
+};
+
+// Forces are some tens of newtons; what elimination and some sweeps leave of them is round-off.
+constexpr double round_off = 1e-11;
+
+TEUCHOS_UNIT_TEST(SharedForces, AreSplitInOneWay) {
+  const auto comm = world();
+  Three three(comm);
+  TEST_ASSERT(!three.shared.any() || three.middle.size() == 3);
+  const auto before = three.on_nodes();
+  const auto once = three.split();
+  TEST_COMPARE_FLOATING_ARRAYS(before, three.on_nodes(), round_off);
+  three.turn({17, -5});
+  const auto again = three.split();
+  for (std::size_t i = 0; i < once.size(); ++i) TEST_COMPARE(std::abs(again[i] - once[i]), <=, 100 * round_off);
+  // The least sum of force^2 / w does not change, to first order, along what runs round.
+  for (int axis = 0; axis < 2 && three.middle.size() == 3 && three.shared.any(); ++axis) {
+    const auto at = three.lambda;
+    Vector<2> unit{};
+    unit[axis] = 1;
+    three.turn(unit);
+    double slope = 0;
+    for (int k : three.middle)
+      for (int c = 0; c < 2; ++c)
+        slope += at[2 * k + c] * (three.lambda[2 * k + c] - at[2 * k + c]) / three.points.points()[k].area;
+    TEST_COMPARE(std::abs(slope), <=, 100 * round_off);
+    three.lambda = at;
+  }
+}
+
+TEUCHOS_UNIT_TEST(SharedForces, StayWithinTheLawWhereThatCanBe) {
+  const auto comm = world();
+  Three three(comm);
+  three.split();
+  // The joint between the two upper stones bears a little less in tension than the split that nothing bounds asks for.
+  for (int k : three.middle) {
+    const auto& joint = three.points.joints()[three.points.points()[k].joint];
+    if (joint.block_i == 1) three.freedom[k].law.tension = -three.lambda[2 * k] - 1;
+  }
+  const auto before = three.on_nodes();
+  const auto once = three.split();
+  TEST_COMPARE_FLOATING_ARRAYS(before, three.on_nodes(), round_off);
+  for (int k : three.middle) {
+    if (three.shared.any()) TEST_COMPARE(once[2 * k], >=, -three.freedom[k].law.tension);
+  }
+  three.turn({-3, 8});
+  const auto again = three.split();
+  for (std::size_t i = 0; i < once.size(); ++i) TEST_COMPARE(std::abs(again[i] - once[i]), <=, 100 * round_off);
+}
+
+TEUCHOS_UNIT_TEST(SharedForces, AreToldByAPointThatIsOpenOrTwoThatSlip) {
+  const auto comm = world();
+  Three three(comm);
+  const auto given = three.lambda;
+  for (int k : three.middle)
+    if (three.points.joints()[three.points.points()[k].joint].block_i == 1) three.freedom[k] = {};
+  TEST_COMPARE_ARRAYS(three.split(), given);
+  for (int k : three.middle) three.freedom[k] = {true, false, 0.6, {0.6, 0.0, 0.0}};
+  TEST_COMPARE_ARRAYS(three.split(), given);
+}
+
+}  // namespace
