@@ -57,8 +57,7 @@ struct Three {
       const auto& p = points.points()[k];
       const auto& joint = points.joints()[p.joint];
       const double sign = joint.block_i == 0 && joint.block_j == 2 ? -1 : 1;
-      for (int c = 0; c < 2; ++c)
-        lambda[2 * k + c] += sign * (force[0] * p.axis[c][0] + force[1] * p.axis[c][1]);
+      for (int c = 0; c < 2; ++c) lambda[2 * k + c] += sign * (force[0] * p.axis[c][0] + force[1] * p.axis[c][1]);
     }
   }
   std::vector<double> split() {
@@ -77,7 +76,7 @@ struct Three {
 constexpr double round_off = 1e-11;
 
 TEUCHOS_UNIT_TEST(SharedForces, AreSplitInOneWay) {
-  const auto comm = world();
+  const auto comm = everyone();
   Three three(comm);
   TEST_ASSERT(!three.shared.any() || three.middle.size() == 3);
   const auto before = three.on_nodes();
@@ -102,7 +101,7 @@ TEUCHOS_UNIT_TEST(SharedForces, AreSplitInOneWay) {
 }
 
 TEUCHOS_UNIT_TEST(SharedForces, StayWithinTheLawWhereThatCanBe) {
-  const auto comm = world();
+  const auto comm = everyone();
   Three three(comm);
   three.split();
   // The joint between the two upper stones bears a little less in tension than the split that nothing bounds asks for.
@@ -122,7 +121,7 @@ TEUCHOS_UNIT_TEST(SharedForces, StayWithinTheLawWhereThatCanBe) {
 }
 
 TEUCHOS_UNIT_TEST(SharedForces, AreToldByAPointThatIsOpenOrTwoThatSlip) {
-  const auto comm = world();
+  const auto comm = everyone();
   Three three(comm);
   const auto given = three.lambda;
   for (int k : three.middle)
