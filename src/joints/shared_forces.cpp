@@ -197,16 +197,14 @@ void SharedForces::split(const Place& place, const std::vector<PointFreedom>& fr
   if (basis.empty()) return;
   make_orthonormal(basis);
   std::vector<double> force(2 * place.points.size());
-  double largest = 0;
   for (std::size_t i = 0; i < place.points.size(); ++i)
-    for (int c = 0; c < 2; ++c) {
-      force[2 * i + c] = lambda[2 * place.points[i] + c] / std::sqrt(place.weight[i]);
-      largest = std::max(largest, std::abs(force[2 * i + c]));
-    }
+    for (int c = 0; c < 2; ++c) force[2 * i + c] = lambda[2 * place.points[i] + c] / std::sqrt(place.weight[i]);
   for (const auto& z : basis) {
     const double along = product(z, force);
     for (std::size_t i = 0; i < z.size(); ++i) force[i] -= along * z[i];
   }
+  double largest = 0;  // of what nothing bounds, which does not depend on how large the forces were that run round
+  for (const double f : force) largest = std::max(largest, std::abs(f));
   std::vector<Bound> bounds;
   for (std::size_t i = 0; i < place.points.size(); ++i) {
     const auto& f = freedom[place.points[i]];

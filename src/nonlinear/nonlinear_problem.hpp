@@ -77,8 +77,8 @@ class NonlinearProblem {
   [[nodiscard]] virtual LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                                                 const Teuchos::RCP<TpetraVector>& b,
                                                 const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
-  /// Where forces may run round between stones that meet, so that neither equilibrium nor motion tells their split: makes
-  /// it the one that is unique (joints/shared_forces.hpp). Does nothing where springs or the law tell them. Collective.
+  /// Where forces may run round between stones that meet, so that neither equilibrium nor motion tells their split:
+  /// makes it the one that is unique (joints/shared_forces.hpp), where springs and the law do not. Collective.
   virtual void split_shared_forces(const std::vector<PointFreedom>&, PointField& /*lambda*/) const {}
   /// Whether it does anything on some rank.
   virtual bool shares_forces() const { return false; }

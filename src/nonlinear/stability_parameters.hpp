@@ -4,14 +4,14 @@
 namespace voussoir {
 
 struct StabilityParameters {
-  /// Resistance of closed points, relative to their local stiffness: a thousandth of what the stones beside a point give
-  /// way is far below what decides, and systems stay as well conditioned as those of time steps.
+  /// Resistance of closed points, relative to their local stiffness: a thousandth of what the stones beside a point
+  /// give way is far below what decides, and systems stay as well conditioned as those of time steps.
   static constexpr double augmentation = 1000;
   /// [-] excess of softening over stiffness, relative to their sum, up to which a state is neutral: what the resistance
   /// of closed points leaves unsaid, tenfold.
   static constexpr double neutral = 1e-2;
-  /// [-] error of the largest share of softening, which lies between 0 and 1, where it is told from one half; and of the
-  /// motion that belongs to it, for which the error of the share is squared.
+  /// [-] error of the largest share of softening, which lies between 0 and 1, where it is told from one half; and where
+  /// the motion that belongs to it is wanted, whose error is the root of it.
   static constexpr double share_error = 1e-2, motion_error = 1e-3;
   /// Linear solves, each of which adds a motion to those that are compared. Where one crack softens 3 to 10 tell; the
   /// largest of many that are nearly alike is told by no fewer than there are cracks.
