@@ -9,8 +9,8 @@ Set-up    The arch of xml/three-hinge-arch.xml in lime mortar, whose springing m
           way from one state to the next.
 Expected  The arch comes to rest after it has been let go, goes on in statics to the end, and says so. What it stores there is
           what it stores where statics found the way, in 16 steps, less or more by what it cracked beyond that as it moved.
-          The wall takes smaller steps where that helps, and no damage is left that only the way explains. Which bricks lift is
-          another matter: cracks compete there, and a last bit may decide; so the test asks what holds on every branch.
+          The wall takes smaller steps where its cracks jump, so that no damage is left that only the way explains. Which bricks
+          lift, and whether cracks jump, a last bit may decide, for they compete: the test asks what holds on every branch.
 Tolerance Energy stored by the arch: 15 %. Measured: 4 % more; vibrations take some of the fracture energy.
 """
 
@@ -47,7 +47,7 @@ class Snaps(unittest.TestCase):
         print(f"{len(steps.history) - 1} steps, {result['linear_solves']} solves")
         self.assertEqual(result["outcome"], "equilibrium")
         self.assertFalse({"lost_on_the_way", "passed_in_time"} & {w["what"] for w in result["warnings"]}, result["warnings"])
-        self.assertGreater(len(steps.history), 1 + 8)
+        self.assertGreaterEqual(len(steps.history), 1 + 8)
         self.assertEqual(float(steps.history[-1]["load_factor"]), 1)
 
 
