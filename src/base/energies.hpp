@@ -10,6 +10,7 @@ struct Energies {
   double external_work = 0;  ///< of loads and moved supports
   double friction = 0, fracture = 0, damping = 0;
   double jump = 0;               ///< lost in load steps within which equilibrium is lost
+  double removed = 0;            ///< left with stones that were taken away and with velocities that load steps drop
   double work_within_steps = 0;  ///< of external work, what mean forces of steps on their ways leave out
 };
 
@@ -34,6 +35,7 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"fracture_J", &Energies::fracture, EnergyKind::lost},
     {"damping_J", &Energies::damping, EnergyKind::lost},
     {"jump_J", &Energies::jump, EnergyKind::lost},
+    {"removed_J", &Energies::removed, EnergyKind::lost},
     {"work_within_steps_J", &Energies::work_within_steps, EnergyKind::part},
 };
 

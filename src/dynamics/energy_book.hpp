@@ -1,6 +1,9 @@
 // The energy book: what went in, what is stored, what was lost, and what the book cannot explain.
 //
-//   imbalance = elastic + kinetic + friction + fracture + damping + jump - external work        [J]
+//   imbalance = elastic + kinetic + friction + fracture + damping + jump + removed - external work        [J]
+//
+// Removed is what left with stones that were taken away, and with velocities where load steps, which know none, follow
+// time steps.
 //
 // External work is forces times ways of loads and moved supports, losses are what the laws of joints take on their way:
 // neither is made of the other. In load steps the imbalance tells what the rules for work and loss leave
@@ -22,6 +25,7 @@ class EnergyBook {
   /// @param in_time  true for a time step, false for a load step
   void advance(const EnergyOfStep& step, bool in_time = false) {
     const double before = imbalance();
+    if (!in_time) sum_.removed += sum_.kinetic - step.kinetic;
     for (const auto& term : energy_terms)
       sum_.*term.value = step.*term.value + (term.kind == EnergyKind::stored ? 0.0 : sum_.*term.value);
     if (in_time) imbalance_in_time_ += imbalance() - before;
@@ -53,6 +57,8 @@ class EnergyBook {
     sum_.external_work += kinetic;
     sum_.work_within_steps += kinetic;
   }
+  /// What stones that are taken away take along.
+  void remove(double energy) { sum_.removed += energy; }
 
  private:
   Energies sum_;

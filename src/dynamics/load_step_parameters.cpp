@@ -12,14 +12,14 @@ void StageParameters::declare(ParameterSection& section) {
               "time this stage takes, in time steps with mass; 0 = load steps without mass", "time goes forward",
               "Give 0 for load steps.");
   section.add("time step", time_step, "s", at_least(0.0).usually(1e-9, 1),
-              "time step of a stage with duration; 0 = automatic", "time goes forward",
-              "Give 0 to let the program choose.");
+              "time step of a stage with duration, which takes the mean of the loads over it; 0 = automatic",
+              "time goes forward", "Give 0 to let the program choose.");
   section.check(time_step == 0 || time_step <= duration, "time step", number_text(time_step) + " s",
                 "must be <= duration = " + number_text(duration) + " s (a stage needs one step)",
                 "Give 0 to let the program choose, or a duration");
   section.add("at once", at_once,
               "true: in a stage with duration the loads have their factors from its first moment on, instead of going "
-              "there linearly");
+              "there linearly; not for what moves a support");
   section.add_numbers("loads", factors, "-", any_number(),
                       "factor of each load at the end of the stage; a load not named keeps its factor (0 at first)");
 }

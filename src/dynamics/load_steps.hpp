@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -45,6 +46,17 @@ class LoadSteps {
       factors[load] = start + part * (end - start);
     }
     return factors;
+  }
+  /// Factors at the end of this stage of the loads that act in it.
+  std::map<std::string, double> acting() const {
+    auto all = factors(1);
+    const auto first = factors(0);
+    for (auto it = all.begin(); it != all.end();) {
+      const auto start = first.find(it->first);
+      const bool acts = it->second != 0 || (start != first.end() && start->second != 0);
+      it = acts ? std::next(it) : all.erase(it);
+    }
+    return all;
   }
   /// Factors of the loads at the end of the next step.
   std::map<std::string, double> factors() const { return factors(target()); }

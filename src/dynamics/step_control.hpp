@@ -1,7 +1,8 @@
 // Which time step next: base / 2^level, where the base divides the stage equally.
 //
-// An automatic step grows while its error stays small and shrinks when it does not. A step that fails is halved,
-// whoever chose it. Steps grow only where the larger step still ends on its own raster, so a stage ends exactly.
+// An automatic step grows while its error stays small and shrinks when it does not, or when a load is about to vary
+// faster. A step that fails is halved, whoever chose it. Steps grow only where the larger step still ends on its own
+// raster, so a stage ends exactly.
 #pragma once
 
 #include <algorithm>
@@ -46,6 +47,18 @@ class StepControl {
     if (now_.level < 0) now_ = {finest_, 0, 0};
   }
 
+  /// Before a step: an automatic one is no longer than what loads ask for that vary within it, nor shorter than the
+  /// shortest.
+  /// @param reached     [s] of the stage
+  /// @param resolution  (from, to): [s] a time step that sees how loads vary between two times of the stage
+  template <class Resolution>
+  void look_ahead(double reached, const Resolution& resolution) {
+    for (; automatic_ && now_.level < finest_; ++now_.level, now_.calm = 0) {
+      const double step = time_step(), off = round_off * step;
+      if (step <= resolution(reached + off, reached + step - off) * (1 + uneven)) return;
+    }
+  }
+
   double time_step() const { return base() / static_cast<double>(1LL << now_.level); }
   bool automatic() const { return automatic_; }
 
@@ -77,7 +90,9 @@ class StepControl {
  private:
   // Errors fall with the square of the step: one twice as long has four times the error, kept below half the tolerance.
   static constexpr double growing = 0.125;
-  static constexpr int patience = 8;  // steps between two changes, since each builds a preconditioner anew
+  static constexpr int patience = 8;         // steps between two changes, since each builds a preconditioner anew
+  static constexpr double uneven = 0.1;      // rows of a record whose times are rounded
+  static constexpr double round_off = 1e-6;  // of a step: what its end is beyond its raster
 
   double base() const { return duration_ / static_cast<double>(base_steps_); }
   bool may_grow(double error) const {
@@ -86,7 +101,7 @@ class StepControl {
   }
   bool on_raster(double reached, int level) const {
     const double steps = reached / base() * static_cast<double>(1LL << level);
-    return std::abs(steps - std::round(steps)) < 1e-6;
+    return std::abs(steps - std::round(steps)) < round_off;
   }
 
   TimeStepLevel& now_;

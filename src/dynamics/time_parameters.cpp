@@ -21,7 +21,8 @@ void TimeParameters::declare(ParameterSection& section) {
               "1e-11 keeps energy over ten thousand steps; 1e-8 is for hundreds of points at their friction bound.");
   section.add("largest Courant number", largest_courant, "-", at_least(1.0),
               "an automatic time step lasts no longer than so many passages of a wave through the smallest cell, than "
-              "half the interval of a record and than a twentieth of the period of a load",
+              "half the interval of a record, a table or a ramp where it changes, than a twentieth of the period of a "
+              "load, and than half the time that an axle stands on a stone; nor, for these, shorter than one passage",
               "one passage is what a cell resolves");
   section.add("largest halvings", largest_halvings, "-", between(0, 30),
               "how often a time step that does not converge may be halved",
@@ -29,8 +30,9 @@ void TimeParameters::declare(ParameterSection& section) {
 }
 
 void InitialVelocityParameters::declare(ParameterSection& section) {
-  section.add("blocks", blocks, "set of blocks; a later velocity goes before an earlier one", Presence::optional,
-              "Give \"all\" or a set of the mesh.");
+  section.add("blocks", blocks,
+              "set of blocks, when the first stage with a duration begins; a later velocity goes before an earlier one",
+              Presence::optional, "Give \"all\" or a set of the mesh.");
   section.add("vx", vx, "m/s", any_number().usually(1e-9, 1000), "to the right");
   section.add("vy", vy, "m/s", any_number().usually(1e-9, 1000), "upwards");
   section.add("rotation", rotation, "rad/s", any_number().usually(1e-9, 1000), "counter-clockwise, added to (vx, vy)");

@@ -111,9 +111,10 @@ class GroundMotion final : public Load<2> {
         mass_.push_back(b.material.density * volume);
   }
 
-  void add(double factor, double time, std::vector<double>& force, std::vector<double>&) const override {
+  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
     for (int c = 0; c < 2; ++c) {
-      const double a = factor * (steady_[c] + recorded(c, time));
+      double a = 0;
+      for (const auto& [time, factor] : moments) a += factor * (steady_[c] + recorded(c, time));
       if (a == 0) continue;
       for (std::size_t i = 0; i < mass_.size(); ++i) force[2 * i + c] -= mass_[i] * a;
     }
@@ -124,8 +125,20 @@ class GroundMotion final : public Load<2> {
            record_[1].acceleration.bytes();
   }
 
+  bool moves() const override {
+    return !record_[0].acceleration.time().empty() || !record_[1].acceleration.time().empty();
+  }
+
+  void add_corners(double from, double to, std::vector<double>& times) const override {
+    for (const auto& record : record_) record.acceleration.add_corners(from, to, times);
+  }
+
   double resolution() const override {
     return std::min(record_[0].acceleration.resolution(), record_[1].acceleration.resolution());
+  }
+
+  double resolution(double from, double to) const override {
+    return std::min(record_[0].acceleration.resolution(from, to), record_[1].acceleration.resolution(from, to));
   }
 
   std::string remark() const override { return record_[0].remark + record_[1].remark; }

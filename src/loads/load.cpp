@@ -15,6 +15,12 @@ bool LoadSite<dim>::in_block_set(const Block<dim>& block, const std::string& nam
   return std::any_of(block.sets.begin(), block.sets.end(), [&](int set) { return source.block_sets()[set] == name; });
 }
 
+double sum_of_factors(const std::vector<LoadMoment>& moments) {
+  double sum = 0;
+  for (const auto& moment : moments) sum += moment.factor;
+  return sum;
+}
+
 template <int dim>
 std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<dim>& site) {
   return std::visit([&](const auto& kind) { return make_load_of<dim>(kind, site); }, load.kind);
@@ -34,7 +40,9 @@ PatternLoad<dim>::PatternLoad(const std::vector<double>& unit, Of of) : of_(of) 
 }
 
 template <int dim>
-void PatternLoad<dim>::add(double factor, double, std::vector<double>& force, std::vector<double>& prescribed) const {
+void PatternLoad<dim>::add(const std::vector<LoadMoment>& moments, std::vector<double>& force,
+                           std::vector<double>& prescribed) const {
+  const double factor = sum_of_factors(moments);
   auto& to = of_ == Of::forces ? force : prescribed;
   for (std::size_t k = 0; k < index_.size(); ++k) to[index_[k]] += factor * value_[k];
 }

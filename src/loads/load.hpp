@@ -28,19 +28,32 @@ struct LoadSite {
   bool in_block_set(const Block<dim>&, const std::string& name) const;
 };
 
+/// What a load is multiplied by at a time.
+struct LoadMoment {
+  double time = 0;    ///< [s]
+  double factor = 0;  ///< [-]
+};
+
 template <int dim>
 class Load {
  public:
   virtual ~Load() = default;
-  /// Adds what the load is at a time, times a factor. No communication.
+  /// Adds what the load is at some times, each times its factor. No communication.
   /// @param force       [N, dim x local node copies]
   /// @param prescribed  [m, the same shape]
-  virtual void add(double factor, double time, std::vector<double>& force, std::vector<double>& prescribed) const = 0;
+  virtual void add(const std::vector<LoadMoment>&, std::vector<double>& force,
+                   std::vector<double>& prescribed) const = 0;
+  /// The load moves by itself, so that it is not the same at all times.
+  virtual bool moves() const { return false; }
+  /// Adds the times between two times at which it does not move smoothly [s]; between them it moves linearly.
+  virtual void add_corners(double, double, std::vector<double>&) const {}
   /// Adds factor times the strain that a block would take freely, in every direction of the plane [-, per local block].
   virtual void add_free_strain(double, std::vector<double>&) const {}
   virtual bool strains() const { return false; }
   /// [s] A time step that sees how the load varies; infinite when it does not vary by itself. The same on every rank.
   virtual double resolution() const { return std::numeric_limits<double>::infinity(); }
+  /// [s] The same for steps between two times.
+  virtual double resolution(double, double) const { return std::numeric_limits<double>::infinity(); }
   /// [bytes] held on this rank.
   virtual std::size_t bytes() const = 0;
   /// What a user should know of the load before the run; "" for nothing. The same on every rank.
@@ -48,6 +61,9 @@ class Load {
   /// What the result will not vouch for because of this load. The same on every rank.
   virtual Warnings warnings() const { return {}; }
 };
+
+/// The sum of the factors: what a load that does not move is multiplied by.
+double sum_of_factors(const std::vector<LoadMoment>&);
 
 /// Makes a load of any type. Collective; throws InputError on every rank alike.
 template <int dim>
@@ -64,7 +80,7 @@ class PatternLoad : public Load<dim> {
   enum class Of { forces, displacements };
   /// @param unit  [N or m, dim x local node copies] for factor 1
   explicit PatternLoad(const std::vector<double>& unit, Of = Of::forces);
-  void add(double factor, double time, std::vector<double>& force, std::vector<double>& prescribed) const override;
+  void add(const std::vector<LoadMoment>&, std::vector<double>& force, std::vector<double>& prescribed) const override;
   std::size_t bytes() const override;
 
  private:

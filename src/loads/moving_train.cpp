@@ -50,7 +50,16 @@ class MovingTrain final : public Load<2> {
     std::sort(edges.begin(), edges.end(), [](const EdgeOfStone& a, const EdgeOfStone& b) {
       return std::make_pair(a.edge.x[0], a.edge.id[0]) < std::make_pair(b.edge.x[0], b.edge.id[0]);
     });
-    for (const auto& [edge, stone] : edges) deck_.push_back(edge);
+    std::map<BlockId, std::pair<double, double>> reach;  // of each stone along the deck [m]
+    for (const auto& [edge, stone] : edges) {
+      deck_.push_back(edge);
+      ends_.insert(ends_.end(), {edge.x[0], edge.x[1]});
+      const auto& [whole, first] = reach.try_emplace(stone, edge.x[0], edge.x[1]);
+      if (!first) whole->second.second = std::max(whole->second.second, edge.x[1]);
+    }
+    std::sort(ends_.begin(), ends_.end());
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    for (const auto& [stone, x] : reach) shortest_stone_ = std::min(shortest_stone_, x.second - x.first);
     look_for_several_stones(edges, site);
     std::map<long long, int> local;
     for (int i = 0; i < s.nodes(); ++i) local[s.node_id()[i]] = i;
@@ -59,28 +68,53 @@ class MovingTrain final : public Load<2> {
         if (const auto it = local.find(e.id[i]); it != local.end()) e.local[i] = it->second;
   }
 
-  void add(double factor, double time, std::vector<double>& force, std::vector<double>&) const override {
-    const double front = position_ + speed_ * time, forwards = speed_ < 0 ? -1 : 1;
-    for (std::size_t k = 0; k < axle_load_.size(); ++k) {
-      const double x = front - forwards * behind_[k];
-      const int below = edge_below(x);
-      if (below < 0) continue;
-      const DeckEdge& e = deck_[below];
-      const double s = (x - e.x[0]) / (e.x[1] - e.x[0]);
-      const double share[2] = {1 - s, s};
-      for (int i = 0; i < 2; ++i)
-        if (e.local[i] >= 0) force[2 * e.local[i] + 1] -= factor * axle_load_[k] * share[i];
+  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
+    for (const auto& [time, factor] : moments)
+      for (std::size_t k = 0; k < axle_load_.size(); ++k) {
+        const double x = place(k, time);
+        const int below = edge_below(x);
+        if (below < 0) continue;
+        const DeckEdge& e = deck_[below];
+        const double s = (x - e.x[0]) / (e.x[1] - e.x[0]);
+        const double share[2] = {1 - s, s};
+        for (int i = 0; i < 2; ++i)
+          if (e.local[i] >= 0) force[2 * e.local[i] + 1] -= factor * axle_load_[k] * share[i];
+      }
+  }
+
+  bool moves() const override { return speed_ != 0; }
+
+  /// When an axle comes from one edge of the deck to the next, on to the deck or off it.
+  void add_corners(double from, double to, std::vector<double>& times) const override {
+    for (std::size_t k = 0; k < axle_load_.size() && moves(); ++k) {
+      const auto [low, high] = std::minmax({place(k, from), place(k, to)});
+      const auto begin = std::upper_bound(ends_.begin(), ends_.end(), low);
+      for (auto x = begin; x != ends_.end() && *x < high; ++x) times.push_back(from + (*x - place(k, from)) / speed_);
     }
+  }
+
+  /// Half the time that an axle stands on the shortest stone, while one is on the deck.
+  double resolution(double from, double to) const override {
+    for (std::size_t k = 0; k < axle_load_.size() && moves() && !ends_.empty(); ++k) {
+      const auto [low, high] = std::minmax({place(k, from), place(k, to)});
+      if (low < ends_.back() && high > ends_.front()) return shortest_stone_ / std::abs(speed_) / 2;
+    }
+    return std::numeric_limits<double>::infinity();
   }
 
   std::size_t bytes() const override {
     return sizeof(*this) + (axle_load_.capacity() + behind_.capacity()) * sizeof(double) +
-           deck_.capacity() * sizeof(DeckEdge);
+           deck_.capacity() * sizeof(DeckEdge) + ends_.capacity() * sizeof(double);
   }
 
   Warnings warnings() const override { return warnings_; }
 
  private:
+  /// Where an axle is [m].
+  double place(std::size_t axle, double time) const {
+    return position_ + speed_ * time - (speed_ < 0 ? -1 : 1) * behind_[axle];
+  }
+
   /// The edge an axle stands on, -1 beside the deck.
   int edge_below(double x) const {
     const auto after =
@@ -123,6 +157,8 @@ class MovingTrain final : public Load<2> {
   double position_, speed_;
   std::vector<double> axle_load_, behind_;
   std::vector<DeckEdge> deck_;
+  std::vector<double> ends_;                                         ///< [m] of edges of the deck, rising
+  double shortest_stone_ = std::numeric_limits<double>::infinity();  ///< [m] along the deck
   Warnings warnings_;
 };
 

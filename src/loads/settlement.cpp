@@ -79,7 +79,9 @@ class TurningSupport : public Load<2> {
       arm_.push_back(s.drawn_position()[i / 2] - Vector<2>{p.about_x, p.about_y});
     }
   }
-  void add(double factor, double, std::vector<double>&, std::vector<double>& prescribed) const override {
+  void add(const std::vector<LoadMoment>& moments, std::vector<double>&,
+           std::vector<double>& prescribed) const override {
+    const double factor = sum_of_factors(moments);
     const Rotation rotation(factor * rotation_);
     for (std::size_t k = 0; k < index_.size(); ++k) {
       const auto& r = arm_[k];

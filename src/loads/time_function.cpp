@@ -12,6 +12,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 constexpr double steps_of_a_period = 20;  // the midpoint rule then lags behind by less than a hundredth of a period
+constexpr double pieces_of_a_period = 8;  // a polynomial of seventh degree is a sine there to 1e-9
 
 }  // namespace
 
@@ -32,6 +33,19 @@ double PiecewiseLinear::operator()(double t) const {
 double PiecewiseLinear::resolution() const {
   if (time_.size() < 2) return std::numeric_limits<double>::infinity();
   return (time_.back() - time_.front()) / static_cast<double>(time_.size() - 1) / 2;
+}
+
+double PiecewiseLinear::resolution(double from, double to) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto after = std::upper_bound(time_.begin(), time_.end(), from) - time_.begin();
+  for (auto k = std::max<std::size_t>(1, static_cast<std::size_t>(after)); k < time_.size() && time_[k - 1] < to; ++k)
+    if (value_[k] != value_[k - 1]) shortest = std::min(shortest, (time_[k] - time_[k - 1]) / 2);
+  return shortest;
+}
+
+void PiecewiseLinear::add_corners(double from, double to, std::vector<double>& times) const {
+  const auto begin = std::upper_bound(time_.begin(), time_.end(), from);
+  times.insert(times.end(), begin, std::lower_bound(begin, time_.end(), to));
 }
 
 TimeFunction::TimeFunction(const TimeFunctionParameters& p, const std::string& where, const Teuchos::Comm<int>& comm)
@@ -78,6 +92,30 @@ double TimeFunction::resolution() const {
     default:
       return none;
   }
+}
+
+double TimeFunction::resolution(double from, double to) const {
+  if (!line_.time().empty()) return line_.resolution(from, to);
+  return start_ < to && from < end_ ? resolution() : std::numeric_limits<double>::infinity();
+}
+
+void TimeFunction::add_corners(double from, double to, std::vector<double>& times) const {
+  line_.add_corners(from, to, times);
+  if (constant() || !line_.time().empty()) return;
+  for (const double end : {start_, end_})
+    if (from < end && end < to) times.push_back(end);
+}
+
+bool TimeFunction::jumps(double from, double to) const {
+  if (constant() || !line_.time().empty()) return false;
+  const auto is_within = [&](double end) { return from <= end && end < to; };
+  const auto is_some = [&](double end) { return std::abs((*this)(end)) > 1e-9 * std::abs(amplitude_); };
+  return (is_within(start_) && is_some(start_)) || (is_within(end_) && is_some(end_));
+}
+
+double TimeFunction::smooth() const {
+  return line_.time().empty() ? resolution() * steps_of_a_period / pieces_of_a_period
+                              : std::numeric_limits<double>::infinity();
 }
 
 double TimeFunction::operator()(double t) const {

@@ -20,6 +20,10 @@ class PiecewiseLinear {
   const std::vector<double>& value() const { return value_; }
   /// [s] Half the mean interval of its points; infinite for fewer than two.
   double resolution() const;
+  /// [s] Half the shortest of the intervals in which it changes between two times; infinite where it does not change.
+  double resolution(double from, double to) const;
+  /// Adds the times of its points between two times [s].
+  void add_corners(double from, double to, std::vector<double>& times) const;
   std::size_t bytes() const { return (time_.capacity() + value_.capacity()) * sizeof(double); }
 
  private:
@@ -37,8 +41,17 @@ class TimeFunction {
   /// [-] at a time [s]
   double operator()(double t) const;
   /// [s] A time step that sees how the factor varies: half the mean interval of a record, a twentieth of the shortest
-  /// period of a sine, a sweep or a pulse; infinite for lines, whose corners the error of a step finds.
+  /// period of a sine, a sweep or a pulse; infinite for lines, which ask for short steps only where they change.
   double resolution() const;
+  /// [s] The same for steps between two times: half of the shortest interval of its points in which it changes then.
+  double resolution(double from, double to) const;
+  bool constant() const { return type_ == TimeFunctionType::constant; }
+  /// Adds the times between two times at which it is not smooth [s].
+  void add_corners(double from, double to, std::vector<double>& times) const;
+  /// Whether it jumps between two times, the first one included.
+  bool jumps(double from, double to) const;
+  /// [s] Between its corners it is smooth over so long a time: as a polynomial is.
+  double smooth() const;
   std::size_t bytes() const { return line_.bytes(); }
 
  private:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "run/absent_stones.hpp"
 #include "run/idle_loads.hpp"
 #include "run/joint_sides.hpp"
 #include "run/support_warnings.hpp"
@@ -211,6 +212,7 @@ Warnings input_warnings(const Model<2>& model) {
   append(all, model.loads().warnings());
   append(all, warnings_of_idle_loads(model));
   append(all, support_warnings(model));
+  append(all, warnings_of_absent_stones(model));
   return all;
 }
 

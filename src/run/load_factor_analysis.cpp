@@ -89,6 +89,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
   run.narrator.say("  Undecided by statics (" + found.report.newton.reason + "): let go in time.");
   auto settled = settle_in_time(run.model, run.step, before, increment, all);
   found.solves = settled.solves;
+  found.counts = settled.counts;
   const auto seconds = six_digits(settled.time) + " s";
   if (settled.verdict == Verdict::undecided) {
     run.narrator.say("  Not decided in " + seconds + " of time, " + std::to_string(settled.solves) + " linear solves.");
@@ -98,8 +99,8 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
   run.narrator.say((stands ? "  Came to rest within " : "  Moves on with growing speed after ") + seconds + ".");
   run.state = std::move(settled.state);
   if (stands) {
-    found.solves -= settled.report.newton.newton_iterations;
-    settled.report.newton.newton_iterations += found.report.newton.newton_iterations;
+    found.counts.add(found.report);
+    found.solves += found.report.newton.newton_iterations - settled.report.newton.newton_iterations;
     found.report = settled.report;
     found.report.passed_in_time = true;
   } else {
@@ -132,10 +133,12 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const double seconds = clock.totalElapsedTime(true);
   const int solves = report.newton.newton_iterations + report.estimate_solves + found.solves;
   const bool stands = report.newton.outcome == NewtonOutcome::converged;
+  run.recorder.spend(found.counts);
   const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
   const auto beyond = stands ? run.range.beyond(end) : "";
   if (stands && !beyond.empty()) {  // neither an equilibrium nor a mechanism: it cannot be told
     run.narrator.say("  Out of range at load factor " + six_digits(factor) + ": " + beyond + ".");
+    run.recorder.spend(report);
     if (factor < beyond_at_) beyond_at_ = factor, beyond_ = beyond;
     run.state = before;
     go_back(run.model, before);
@@ -153,6 +156,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
     run.load = next_load;
     return;
   }
+  run.recorder.spend(report);
   run.narrator.failed(report, stage, factor);
   const auto failed = std::exchange(run.state, before);
   const bool collapse = report.newton.outcome == NewtonOutcome::collapse, first = !search_.has_mechanism();

@@ -85,6 +85,7 @@ class LoadFactorAnalysis {
     StepReport report;
     std::vector<double> mechanism;
     int solves = 0;
+    StepCounts counts;  ///< beside those of the report
   };
   Found decide(const Attempting&, const ContactState& before, const LoadIncrement&);
   void certify(const Attempting&);

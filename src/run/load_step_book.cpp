@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
 #include "joints/friction_work.hpp"
@@ -40,11 +41,12 @@ void add_work(const WorkOfForces& forces, double beyond_mean, double overshoot, 
 
 template <int dim>
 LoadStepBook<dim>::LoadStepBook(const Model<dim>& model, const AdaptiveStep<dim>& step, const ContactState& before,
-                                const std::vector<double>& load_before)
+                                const std::vector<double>& load_before, std::vector<double> let_go)
     : model_(model),
       step_(step),
       before_(before),
       load_before_(load_before),
+      let_go_(std::move(let_go)),
       reaction_before_(step.residual(before, load_before)),
       gap_before_(step.stone_gaps(before)) {}
 
@@ -97,7 +99,7 @@ typename LoadStepBook<dim>::OfPoints LoadStepBook<dim>::of_points(const ContactS
   OfPoints sum;
   const auto gap = step_.stone_gaps(after);
   for (int k = 0; k < model_.points().owned(); ++k) {
-    if (!after.selected[k]) continue;
+    if (!after.selected[k] || !model_.joined(k)) continue;
     const bool softens = !model_.softening().empty() && model_.softening()[k].any();
     const auto crack = softens ? add_fracture(after, gap, k, sum) : CrackWork{};
     add_friction(after, gap, crack, k, sum);
@@ -115,11 +117,12 @@ EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vect
   EnergyOfStep energy;
   WorkOfForces work;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
-    energy.elastic += deformation[i] * ku[i] / 2;
+    const auto& absent = model_.absent();
+    if (absent.empty() || !absent[s.block_of_node()[i / dim]]) energy.elastic += deformation[i] * ku[i] / 2;
     const double moved = after.displacement[i] - before_.displacement[i];
     work.of_mean += moved * (load_before_[i] + load[i]) / 2;
     if (!model_.held()[i]) {
-      work.change_of_loads += moved * (load[i] - load_before_[i]);
+      work.change_of_loads += moved * (load[i] - load_before_[i] - (let_go_.empty() ? 0.0 : let_go_[i]));
       continue;
     }
     work.of_mean += moved * (reaction_before_[i] + reaction[i]) / 2;

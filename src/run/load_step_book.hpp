@@ -45,8 +45,9 @@ template <int dim>
 class LoadStepBook {
  public:
   /// @param before, load_before  state and nodal loads [N] at the start; both must outlive the book
+  /// @param let_go  forces of stones that are gone, none at the end [N]; what they do is removed, and no work of loads
   LoadStepBook(const Model<dim>&, const AdaptiveStep<dim>&, const ContactState& before,
-               const std::vector<double>& load_before);
+               const std::vector<double>& load_before, std::vector<double> let_go = {});
 
   /// Collective.
   /// @param after, load  state and nodal loads [N] at the end, where stones stand now
@@ -69,6 +70,7 @@ class LoadStepBook {
   const AdaptiveStep<dim>& step_;
   const ContactState& before_;
   const std::vector<double>& load_before_;
+  const std::vector<double> let_go_;
   std::vector<double> reaction_before_;  ///< [N]
   PointField gap_before_;                ///< [m] of stones, gap and slip along the axes of the start
 };

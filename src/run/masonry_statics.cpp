@@ -63,10 +63,12 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
   const auto gap = step.stone_gaps(state);
   std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
   std::vector<double> area(of_joint.size(), 0.0), lost(of_joint.size(), 0.0);  // [m2]
+  std::vector<char> joined(of_joint.size(), 1);                                // both stones are there
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
     const auto law = law_left(model, state, k);
     area[p.joint] += p.area;
+    joined[p.joint] = model.joined(k);
     lost[p.joint] += p.area * damage_of(model, state, k);
     of_joint[p.joint].push_back({model.structure().position()[p.node_i], p.axis[0], state.lambda[2 * k],
                                  state.lambda[2 * k + 1], gap[2 * k], law});
@@ -82,6 +84,7 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
                     s.place[1],        s.eccentricity,   s.edge_margin,    s.edge[0],   s.edge[1],
                     s.friction_margin, s.least_shear[0], s.least_shear[1], s.opening,   lost[k] / area[k],
                     s.pressing,        s.sides,          s.hinge,          s.slides});
+    if (!joined[k]) rows.back().opening = rows.back().damage = std::numeric_limits<double>::quiet_NaN();
   }
   return rows;
 }

@@ -83,7 +83,7 @@ std::vector<std::pair<int, double>> motion_of(const Scene& scene, const std::str
 
 template <int dim>
 Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& s)
-    : comm_(s.comm()) {
+    : structure_(s), comm_(s.comm()) {
   if (scene.observations.empty()) return;
   bool in_time = false;
   for (const auto& stage : scene.stages) in_time |= stage.dynamic();
@@ -125,14 +125,28 @@ std::vector<double> Observations<dim>::values(const Observed& observed) const {
            : f == Field::velocity   ? observed.velocity
                                     : observed.reaction;
   };
-  std::vector<double> mine(columns_.size(), 0.0), all(columns_.size());
-  if (columns_.empty()) return all;
-  for (std::size_t k = 0; k < sums_.size(); ++k)
+  const std::size_t columns = columns_.size();
+  std::vector<double> mine(2 * columns, 0.0), all(2 * columns);  // sums, and their weights that are not there
+  if (columns == 0) return {};
+  const auto gone = [&](int at) {
+    return !observed.absent.empty() && observed.absent[structure_.block_of_node()[at / dim]];
+  };
+  for (std::size_t k = 0; k < columns; ++k)
     if (const auto& field = of(sums_[k].field); !field.empty())
-      for (const auto& [at, weight] : sums_[k].weights) mine[k] += weight * field[at];
+      for (const auto& [at, weight] : sums_[k].weights)
+        (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  for (std::size_t k = 0; k < sums_.size(); ++k)
-    if (of(sums_[k].field).empty()) all[k] = std::numeric_limits<double>::quiet_NaN();
+  constexpr double round_off = 1e-9;  // of weights, which add up to 1
+  for (std::size_t k = 0; k < columns; ++k) {
+    const bool is_mean = sums_[k].field != Field::reaction;
+    const double there = is_mean ? 1 - all[columns + k] : 1.0;
+    const bool none = of(sums_[k].field).empty() || there < round_off;
+    if (none)
+      all[k] = std::numeric_limits<double>::quiet_NaN();
+    else if (there < 1)
+      all[k] /= there;
+  }
+  all.resize(columns);
   return all;
 }
 

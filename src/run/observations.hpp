@@ -15,6 +15,7 @@ struct Observed {
   const std::vector<double>& displacement;  ///< [m, dim x local node copies]
   const std::vector<double>& velocity;      ///< [m/s, likewise]; nothing in load steps
   const std::vector<double>& reaction;      ///< [N, likewise] of supports at held nodes; nothing where none is observed
+  const std::vector<char>& absent;          ///< 1 for local blocks that are not there; empty where all are
 };
 
 /// Weights of owned nodes whose sum is the motion of each place: one node, the volumes of a set of blocks, or the edges
@@ -30,7 +31,8 @@ class Observations {
   const std::vector<std::string>& columns() const { return columns_; }
   /// Whether a support is observed.
   bool ask_reactions() const { return ask_reactions_; }
-  /// A value per column, the same on every rank; velocities are not numbers in load steps. Collective unless empty.
+  /// A value per column, the same on every rank: of the stones that are there, and no number where none is. Velocities
+  /// are no numbers in load steps. Collective unless empty.
   std::vector<double> values(const Observed&) const;
 
  private:
@@ -44,6 +46,7 @@ class Observations {
     std::vector<Weight> weights;
   };
 
+  const Structure<dim>& structure_;
   std::vector<Sum> sums_;  ///< by column
   std::vector<std::string> columns_;
   bool ask_reactions_ = false;

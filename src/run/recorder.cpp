@@ -3,6 +3,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "blocks/stresses.hpp"
 #include "linalg/reduce.hpp"
@@ -20,11 +22,28 @@ constexpr double seen = 1e-3;
 constexpr int open = static_cast<int>(PointStatus::open), stick = static_cast<int>(PointStatus::stick),
               slip = static_cast<int>(PointStatus::slip), bonded = static_cast<int>(PointStatus::bonded);
 
+constexpr int stresses_of_cell = 3;
+
+// Of stones that are not there, and of their joints.
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
 double tangential(const PointField& f, int k, int dim) {
   if (dim == 2) return f[2 * k + 1];  // signed: along the one tangent
   double sum = 0;
   for (int c = 1; c < dim; ++c) sum += f[dim * k + c] * f[dim * k + c];
   return std::sqrt(sum);
+}
+
+void add_counts(const StepCounts& counts, RunSummary& sum) {
+  sum.selection_rounds += counts.selection_rounds;
+  sum.newton_iterations += counts.newton_iterations;
+  sum.linear_solves += counts.linear_solves;
+  sum.failed_linear_solves += counts.failed_linear_solves;
+  sum.krylov_iterations += counts.krylov_iterations;
+  sum.patch_solves += counts.patch_solves;
+  sum.factorised += counts.factorised;
+  sum.factorised_whole += counts.factorised_whole;
+  sum.factors_reused += counts.factors_reused;
 }
 
 }  // namespace
@@ -121,18 +140,26 @@ void Recorder<dim>::write_step(const ContactState& state, const std::vector<doub
   if (time) rows.velocity.assign(state.velocity.begin(), state.velocity.begin() + owned);
   rows.displacement.assign(displacement.begin(), displacement.begin() + owned);
   rows.stress = cell_stresses(s, deformation, free_strain_);
+  auto of_cell = rows.stress.begin();
+  for (int b = 0; b < s.owned_blocks(); ++b) {  // stones that are not there have none
+    const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * stresses_of_cell;
+    if (!model_.absent().empty() && model_.absent()[b]) std::fill_n(of_cell, values, nothing);
+    of_cell += values;
+  }
   const auto gap = step_.gaps(displacement);
   for (int k = 0; k < model_.points().owned(); ++k) {
-    rows.gap.push_back(gap[dim * k]);
-    rows.slip.push_back(tangential(gap, k, dim));
+    const bool joined = model_.joined(k);
+    rows.gap.push_back(joined ? gap[dim * k] : nothing);
+    rows.slip.push_back(joined ? tangential(gap, k, dim) : nothing);
     rows.normal_force.push_back(state.lambda[dim * k]);
     rows.tangential_force.push_back(tangential(state.lambda, k, dim));
-    rows.selected.push_back(state.selected[k]);
+    rows.selected.push_back(joined ? state.selected[k] : 0);
   }
   rows.status = status;
   if (model_.weakens()) {
     rows.damage.emplace();
-    for (int k = 0; k < model_.points().owned(); ++k) rows.damage->push_back(damage_of(model_, state, k));
+    for (int k = 0; k < model_.points().owned(); ++k)
+      rows.damage->push_back(model_.joined(k) ? damage_of(model_, state, k) : nothing);
   }
   fields_->write_step(rows);
 }
@@ -178,7 +205,9 @@ void Recorder<dim>::count(const std::vector<int>& status) {
 template <int dim>
 double Recorder<dim>::largest_displacement(const std::vector<double>& displacement) const {
   double largest = 0;
+  const auto& absent = model_.absent();
   for (int i = 0; i < model_.structure().owned_nodes(); ++i) {
+    if (!absent.empty() && absent[model_.structure().block_of_node()[i]]) continue;
     double square = 0;
     for (int c = 0; c < dim; ++c) square += displacement[dim * i + c] * displacement[dim * i + c];
     largest = std::max(largest, std::sqrt(square));
@@ -187,7 +216,7 @@ double Recorder<dim>::largest_displacement(const std::vector<double>& displaceme
 }
 
 template <int dim>
-HistoryRow Recorder<dim>::row_of(const StepReport& report) const {
+HistoryRow Recorder<dim>::row_of(const StepReport& report, const StepCounts& counts) const {
   const auto& energy = record_.energy;
   const auto& count = record_.count;
   HistoryRow row;
@@ -195,12 +224,12 @@ HistoryRow Recorder<dim>::row_of(const StepReport& report) const {
   row.open_points = count.open;
   row.stick_points = count.stick;
   row.slip_points = count.slip;
-  row.selection_rounds = report.selection_rounds;
-  row.newton_iterations = report.newton.newton_iterations;
-  row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
-  row.failed_linear_solves = report.newton.failed_solves;
-  row.krylov_iterations = static_cast<int>(report.newton.krylov_iterations);
-  row.patch_solves = report.newton.local_solves;
+  row.selection_rounds = static_cast<int>(counts.selection_rounds);
+  row.newton_iterations = static_cast<int>(counts.newton_iterations);
+  row.linear_solves = static_cast<int>(counts.linear_solves);
+  row.failed_linear_solves = static_cast<int>(counts.failed_linear_solves);
+  row.krylov_iterations = static_cast<int>(counts.krylov_iterations);
+  row.patch_solves = static_cast<int>(counts.patch_solves);
   row.complementarity_residual = report.newton.complementarity;
   row.largest_penetration = report.newton.penetration;
   row.error_estimate = report.error_estimate;
@@ -210,9 +239,17 @@ HistoryRow Recorder<dim>::row_of(const StepReport& report) const {
   return row;
 }
 
+template <int dim>
+RunSummary Recorder<dim>::result() const {
+  auto sum = record_.summary;
+  add_counts(record_.in_vain, sum);
+  return sum;
+}
+
 /// The sums of the run.
 template <int dim>
-void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, double largest_displacement) {
+void Recorder<dim>::add_to_sums(const StepReport& report, const StepCounts& counts, double load_factor,
+                                double largest_displacement) {
   const auto& energy = record_.energy;
   const auto& count = record_.count;
   auto& sum = record_.summary;
@@ -220,15 +257,7 @@ void Recorder<dim>::add_to_sums(const StepReport& report, double load_factor, do
   sum.open_points = count.open;
   sum.stick_points = count.stick;
   sum.slip_points = count.slip;
-  sum.selection_rounds += report.selection_rounds;
-  sum.newton_iterations += report.newton.newton_iterations;
-  sum.linear_solves += report.newton.newton_iterations + report.estimate_solves;
-  sum.failed_linear_solves += report.newton.failed_solves;
-  sum.krylov_iterations += report.newton.krylov_iterations;
-  sum.patch_solves += report.newton.local_solves;
-  sum.factorised += report.cost.factorised;
-  sum.factorised_whole += report.cost.whole;
-  sum.factors_reused += report.cost.reused;
+  add_counts(counts, sum);
   sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
   sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
   sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);
@@ -247,20 +276,23 @@ void Recorder<dim>::finish(const ContactState& after, const StepReport& report, 
                            double load_factor, std::optional<double> time, const std::vector<double>& reaction,
                            bool write_fields, double seconds) {
   std::vector<int> status;
-  for (int k = 0; k < model_.points().owned(); ++k) status.push_back(static_cast<int>(status_of(after, k)));
+  for (int k = 0; k < model_.points().owned(); ++k)
+    status.push_back(model_.joined(k) ? static_cast<int>(status_of(after, k)) : bonded);
   count(status);
   const auto& u = after.displacement;
   const double largest = largest_displacement(u);
-  auto row = row_of(report);
+  auto counts = std::exchange(record_.in_vain, {});
+  counts.add(report);
+  auto row = row_of(report, counts);
   row.step = ++record_.summary.steps;
   row.stage = stage;
   row.load_factor = load_factor;
   if (time) row.time = *time;
   row.largest_displacement = largest;
   row.seconds = seconds;
-  row.observed = observations_.values({u, after.velocity, reaction});
+  row.observed = observations_.values({u, after.velocity, reaction, model_.absent()});
   history_->append(row);
-  add_to_sums(report, load_factor, largest);
+  add_to_sums(report, counts, load_factor, largest);
   if (write_fields) write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);
 }
 
@@ -270,6 +302,7 @@ std::vector<int> Recorder<dim>::statuses_of_motion(const PointField& opening) co
   for (int k = 0; k < model_.points().owned(); ++k) {
     if (std::abs(tangential(opening, k, dim)) > seen) status[k] = slip;
     if (opening[dim * k] > seen) status[k] = open;
+    if (!model_.joined(k)) status[k] = bonded;
   }
   return status;
 }

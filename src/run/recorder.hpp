@@ -12,6 +12,7 @@
 #include "run/load_step_book.hpp"
 #include "run/observations.hpp"
 #include "step/dynamic_step.hpp"
+#include "step/step_counts.hpp"
 
 namespace voussoir {
 
@@ -25,7 +26,8 @@ struct Record {
   EnergyBook energy;
   RunSummary summary;
   StatusCount count;
-  int written = 0;  ///< steps in fields.h5
+  StepCounts in_vain;  ///< of attempts since the last step that stands, which takes them on
+  int written = 0;     ///< steps in fields.h5
 
   template <class Archive>
   void keep(Archive& archive);
@@ -50,6 +52,15 @@ class Recorder {
               double time, bool write_fields, double seconds);
   /// Books the energy of the velocities that a structure is given. [J]
   void give(double kinetic) { record_.energy.give(kinetic); }
+  /// Counts what an attempt took that does not stand, to the next step that does, or to the end of the run.
+  template <class Counts>
+  void spend(const Counts& in_vain) {
+    record_.in_vain.add(in_vain);
+  }
+  /// The sums of the run with attempts that no step has followed.
+  RunSummary result() const;
+  /// Books what stones that are taken away take along. [J]
+  void remove(double energy) { record_.energy.remove(energy); }
   /// Writes forces that balance loads, of stones that do not move, as a step.
   void record_forces(const PointField& force, const std::string& stage, double load_factor);
   /// Writes the motion a collapse begins with as a last step. Its points open, slip or stick as the motion has them.
@@ -75,8 +86,8 @@ class Recorder {
                   std::optional<double> time);
   void count(const std::vector<int>& status);
   double largest_displacement(const std::vector<double>& displacement) const;
-  HistoryRow row_of(const StepReport&) const;
-  void add_to_sums(const StepReport&, double load_factor, double largest_displacement);
+  HistoryRow row_of(const StepReport&, const StepCounts&) const;
+  void add_to_sums(const StepReport&, const StepCounts&, double load_factor, double largest_displacement);
   void finish(const ContactState& after, const StepReport&, const std::string& stage, double load_factor,
               std::optional<double> time, const std::vector<double>& reaction, bool write_fields, double seconds);
 
@@ -94,6 +105,7 @@ template <class Archive>
 void Record::keep(Archive& archive) {
   constexpr double most_steps = 2e9, largest_count = 1e15;  // numbers that can be added to
   energy.keep(archive);
+  in_vain.keep(archive);
   archive.within("steps", summary.steps, 0, most_steps);
   archive.value("time_s", summary.time);
   archive.within("selection_rounds", summary.selection_rounds, 0, largest_count);

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "run/coarse_joints.hpp"
+#include "run/events_of_loads.hpp"
 #include "run/input_warnings.hpp"
 #include "run/masonry_statics.hpp"
 #include "run/mechanism_words.hpp"
@@ -52,6 +53,7 @@ Run::Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branc
   if (options.restart || branched) restore(so_far);
   nothing_left_ = options.restart && finished() && holds_result(options.folder, *model.structure().comm());
   if (nothing_left_) return;
+  refuse_jumps_of_supports(model);
   if (branched) branched->copy_records(model.scene().output.fields);
   // What is looked up by place is looked up where the structure was drawn, then it goes to where it has moved to.
   recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
@@ -90,9 +92,9 @@ const RunSummary& Run::all_steps() {
 bool Run::one_step() {
   const bool in_time = !steps_.finished() && steps_.dynamic();
   const auto stage = steps_.finished() ? model_.scene().stages.back().name : steps_.stage();
-  construction_.begin(stage, model_, state_);
   if (in_time) begin_time();  // initial velocities belong to the state a failed step goes back to
   const auto before = state_;
+  construction_.begin(stage, model_, state_);
   try {
     if (steps_.finished())
       load_factor_->attempt(attempting());
@@ -110,6 +112,10 @@ bool Run::one_step() {
 
 void Run::write_joints(const std::string& folder) {
   auto& summary = recorder_->summary();
+  // The last equilibrium may be of the stage before the one that failed, with other stones.
+  const auto passed = steps_.passed();
+  if (passed > 0 && (steps_.finished() || steps_.reached() == 0))
+    construction_.begin(model_.scene().stages[passed - 1].name, model_, state_);
   if (!in_motion(*model_.structure().comm(), state_) && summary.steps > 0)
     summary.statics = write_statics(model_, step_, state_, load_, folder);
 }
@@ -135,28 +141,33 @@ std::map<std::string, double> Run::seconds() const {
 
 bool Run::load_step(const ContactState& before) {
   const auto& summary = recorder_->summary();
+  const std::string stage = steps_.stage();
+  const double target = steps_.target();
+  const auto dropped = motion_dropped(recorder_->so_far().energy, at_factor(stage, target));
   dynamics_.reset();
   if (!state_.velocity.empty()) untie_what_moved(model_, state_);
   state_.velocity.clear();
   std::vector<double> next_load, prescribed;
   model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);
   construction_.restrict(state_, next_load, prescribed);
-  narrator_->begin(summary.steps + 1, steps_.stage(), steps_.target(), steps_.progress());
+  narrator_->begin(summary.steps + 1, stage, target, steps_.progress());
   Teuchos::Time clock("step", true);
-  const LoadStepBook<2> book(model_, step_, before, load_);
-  theorem_.begin(construction_.absent(), before, load_, next_load, steps_.target() == 1);
+  const ContactState start = state_;  // with the stones of this stage
+  const LoadStepBook<2> book(model_, step_, start, load_, construction_.let_go());
+  theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
-  const std::string stage = steps_.stage();
-  const double target = steps_.target();
   if (report.newton.outcome != NewtonOutcome::converged) {
+    recorder_->spend(report);
     narrator_->failed(report, stage, target);
     const auto failed = std::exchange(state_, before);
     if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target, r->dilates}, target);
     if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
       failure_ = Failure{failed, report, step_.mechanism(), target, false};
-    if (halve_step(before, next_load, prescribed)) return true;
-    if (!pass_in_time({load_, next_load, prescribed}, at_factor(stage, target), report)) return fail(*failure_, target);
-  } else if (jumped(report, model_.scene().internals.step) && halve_step(before, next_load, prescribed)) {
+    if (halve_step(start, next_load, prescribed)) return true;
+    if (!pass_in_time(start, {load_, next_load, prescribed}, at_factor(stage, target), report))
+      return fail(*failure_, target);
+  } else if (jumped(report, model_.scene().internals.step) && halve_step(start, next_load, prescribed)) {
+    recorder_->spend(report);
     narrator_->say("  Cracks grow in a jump: tried again with half the step.");
     state_ = before;
     go_back(model_, before);
@@ -165,7 +176,9 @@ bool Run::load_step(const ContactState& before) {
   const double seconds = clock.totalElapsedTime(true);
   if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
   for (const auto& w : warnings_of(report, model_.scene().internals.step, at_factor(stage, target))) warn(w);
+  for (const auto& w : dropped) warn(w);
   failure_.reset();
+  recorder_->remove(construction_.taken(start, state_));
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
   steps_.accept();
   const double jumps = summary.energy.jump;
@@ -181,10 +194,12 @@ bool Run::halve_step(const ContactState& before, const std::vector<double>& load
   return !half_asks_the_same(model_, construction_, steps_, before, load, prescribed) && steps_.halve();
 }
 
-bool Run::pass_in_time(const LoadIncrement& increment, const std::string& when, StepReport& report) {
+bool Run::pass_in_time(const ContactState& start, const LoadIncrement& increment, const std::string& when,
+                       StepReport& report) {
   if (!model_.weakens() || failure_->collapse() || !can_settle_in_time(model_)) return false;
   narrator_->say("  Statics leads nowhere: let go in time.");
-  auto settled = settle_in_time(model_, step_, state_, increment, std::numeric_limits<int>::max());
+  auto settled = settle_in_time(model_, step_, start, increment, std::numeric_limits<int>::max());
+  recorder_->spend(settled.counts);
   if (settled.verdict == Verdict::undecided) return false;
   if (settled.verdict == Verdict::collapse) {
     report.newton.outcome = NewtonOutcome::collapse;
@@ -195,13 +210,13 @@ bool Run::pass_in_time(const LoadIncrement& increment, const std::string& when, 
   }
   state_ = std::move(settled.state);
   report = settled.report;
-  report.newton.newton_iterations = settled.solves;
   report.passed_in_time = true;
   for (const auto& w : passed_in_time(settled.time, when)) warn(w);
   return true;
 }
 
 bool Run::time_step(const ContactState& before) {
+  look_ahead(*control_, model_, steps_);
   const double time_step = control_->time_step();
   steps_.set_time_step(time_step);
   dynamics_->set_time_step(time_step);
@@ -214,6 +229,7 @@ bool Run::time_step(const ContactState& before) {
   const auto report = advance(*dynamics_, state_, {load, prescribed});
   const double seconds = clock.totalElapsedTime(true);
   if (report.step.newton.outcome != NewtonOutcome::converged) {
+    recorder_->spend(report.step);
     narrator_->failed(report.step, stage, time);
     const auto failed = std::exchange(state_, before);
     if (control_->halve()) {
@@ -243,9 +259,10 @@ bool Run::time_step(const ContactState& before) {
 void Run::begin_time() {
   if (!dynamics_) {
     dynamics_ = std::make_unique<DynamicStep<2>>(model_, step_.progress());
-    recorder_->give(dynamics_->begin(state_));
+    recorder_->give(dynamics_->begin(state_, steps_.time() == 0));
   }
   if (control_) return;
+  for (const auto& w : warnings_of_time_step(model_, steps_)) warn(w);
   const auto& stage = steps_.stage_parameters();
   const auto& time = model_.scene().time;
   const double courant_time = dynamics_->courant_time();

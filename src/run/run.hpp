@@ -41,6 +41,8 @@ class Run {
   void warn(const Warning& warning);
 
   const RunSummary& all_steps();
+  /// What there is to tell at the end, but for what its parts add.
+  RunSummary result() const { return recorder_->result(); }
 
   /// What joints and supports carry in the last equilibrium; nothing of a run that ends in time, or found none.
   void write_joints(const std::string& folder);
@@ -73,7 +75,8 @@ class Run {
 
   /// A load step that nothing in statics leads through: let go in time, joints that lose strength may come to rest
   /// elsewhere. Where they do, state and report are those of the equilibrium there.
-  bool pass_in_time(const LoadIncrement&, const std::string& when, StepReport&);
+  /// @param start  of the step
+  bool pass_in_time(const ContactState& start, const LoadIncrement&, const std::string& when, StepReport&);
 
   /// False when the run ends here.
   bool time_step(const ContactState& before);

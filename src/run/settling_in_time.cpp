@@ -56,10 +56,14 @@ bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increm
     settled.report = solve_load_step(model, step, state, increment.load, increment.prescribed);
   } catch (const OutOfSolves&) {
     settled.solves += budget.solves();
+    settled.counts.add_solves(budget.solves());
     return false;
   }
   settled.solves += budget.solves();
-  if (settled.report.newton.outcome != NewtonOutcome::converged) return false;
+  if (settled.report.newton.outcome != NewtonOutcome::converged) {
+    settled.counts.add(settled.report);
+    return false;
+  }
   settled.state = state;
   settled.verdict = Verdict::equilibrium;
   return true;
@@ -71,7 +75,7 @@ bool can_settle_in_time(const Model<2>& model) {
   double lightest = INFINITY;
   for (const auto& block : model.structure().blocks()) lightest = std::min(lightest, block.material.density);
   const bool heavy = largest_over_ranks(*model.structure().comm(), -lightest) < 0;
-  return heavy && model.scene().velocities.empty() && model.scene().model.rotations == Rotations::small &&
+  return heavy && model.scene().model.rotations == Rotations::small &&
          model.scene().selection.mode != SelectionMode::bonded;
 }
 
@@ -85,7 +89,7 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
   DynamicStep<2> dynamics(model, step.progress());
   const double crossing = dynamics.crossing_time(), period = passages_in_period * crossing;
   dynamics.set_stiffness_damping(period / pi);  // critical at that period
-  dynamics.begin(state);
+  dynamics.begin(state, false);
   const double acceleration = size_of(s, increment.load) / dynamics.total_mass();
   const double deforms = acceleration * std::pow(period / (2 * pi), 2);
   double time_step = period / steps_in_period, energy_before = 0, rests_below = near_rest;
@@ -107,8 +111,10 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
         report = advance(dynamics, state, {load, held});
       } catch (const OutOfSolves&) {
         report.step.newton.outcome = NewtonOutcome::not_converged;
+        report.step.newton.newton_iterations = budget.solves();
       }
       settled.solves += budget.solves();
+      settled.counts.add(report.step);
       if (report.step.newton.outcome != NewtonOutcome::converged) return settled;
       settled.time += time_step;
       elastic = report.elastic, kinetic = report.kinetic;

@@ -2,13 +2,15 @@
 // last equilibrium, with inertia and damping, it comes to rest or moves on and on.
 //
 // Loads grow and supports move slowly, over several periods of the structure, and stay. Damping is in proportion to the
-// stiffness of the stones: it takes vibrations away and leaves motions as wholes, mechanisms, alone. Time steps grow as
+// stiffness of the stones: it takes vibrations away and leaves motions as wholes, mechanisms, alone. Mortar is a spring
+// as in load steps, and stones that are not there have no mass. Time steps grow as
 // time goes by, so that a slow mechanism shows as well as a fast one. What has come to rest is shown to be an
 // equilibrium by a load step that begins there.
 #pragma once
 
 #include "dynamics/factor_search.hpp"
 #include "step/adaptive_step.hpp"
+#include "step/step_counts.hpp"
 
 namespace voussoir {
 
@@ -24,11 +26,12 @@ struct Settled {
   ContactState state;             ///< at rest, or moving
   StepReport report;              ///< of the load step that shows the equilibrium, or of none
   std::vector<double> mechanism;  ///< velocities [1] on local nodes, the largest 1
-  int solves = 0;                 ///< linear solves of it all
+  int solves = 0;                 ///< linear solves of it all, each correction by patches counted as one
+  StepCounts counts;              ///< of it all but that load step
   double time = 0;                ///< [s] it took the structure
 };
 
-/// Whether a scene can be told so: stones have mass, turn by small angles and are given no velocities.
+/// Whether a scene can be told so: stones have mass and turn by small angles.
 bool can_settle_in_time(const Model<2>&);
 
 /// Collective.

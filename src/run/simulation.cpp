@@ -41,7 +41,7 @@ void say_sizes(const Model<2>& model, std::ostream& say) {
 RunSummary run_to_the_end(Run& run, const Model<2>& model, const std::string& folder) {
   if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
   run.write_joints(folder);
-  auto summary = run.summary();
+  auto summary = run.result();
   summary.seconds = run.seconds();
   summary.effects = effect_costs(model);
   summary.partition = run.partition();

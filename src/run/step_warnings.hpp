@@ -7,6 +7,7 @@
 
 #include "base/energies.hpp"
 #include "base/text.hpp"
+#include "dynamics/energy_book.hpp"
 #include "step/joint_strength.hpp"
 #include "step/step.hpp"
 #include "step/step_parameters.hpp"
@@ -46,6 +47,17 @@ inline Warnings warnings_of(const StepReport& report, const StepParameters& numb
   if (!jumped(report, numbers)) return all;
   for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
   return all;
+}
+
+/// What is said of load steps that begin while a structure moves.
+inline Warnings motion_dropped(const EnergyBook& energy, const std::string& when) {
+  constexpr double stands = 1e-2;  // of the elastic energy: vibrates by a tenth of what loads do
+  if (!(energy.kinetic() > stands * energy.elastic())) return {};
+  return {{"velocity_dropped", "the structure", when, energy.kinetic(),
+           "load steps begin while the structure moves, and know no velocity: its kinetic energy of " +
+               number_text(energy.kinetic()) +
+               " J leaves it, as removed_J of the energy book tells; let it come to rest in the stage before, or go on "
+               "in time"}};
 }
 
 }  // namespace voussoir

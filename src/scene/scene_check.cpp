@@ -63,7 +63,12 @@ void check_stages(Scene& scene, InputProblems& problems) {
   const std::vector<std::string> loads = names_of(scene.loads);
   std::set<std::string> used;
   for (const StageParameters& stage : scene.stages) {
-    if (stage.factors.empty() && !stage.dynamic())
+    const bool builds = std::any_of(scene.construction.begin(), scene.construction.end(), [&](const auto& c) {
+      return c.parameters.appears == stage.name || c.parameters.disappears == stage.name;
+    });
+    if (stage.at_once && !stage.dynamic())
+      scene.warnings.push_back("stage " + in_quotes(stage.name) + " has no duration, so at once has no effect in it.");
+    if (stage.factors.empty() && !stage.dynamic() && !builds)
       scene.warnings.push_back("stage " + in_quotes(stage.name) + " names no load, so nothing changes in it.");
     for (const auto& [load, factor] : stage.factors) {
       used.insert(load);
@@ -207,7 +212,7 @@ void check_mortar(const Scene& scene, InputProblems& problems) {
     for (const StageParameters& stage : scene.stages)
       if (stage.dynamic())
         problems.add(path, value + "  does not go with stage " + in_quotes(stage.name) +
-                               ", which has a duration (time steps do not know of mortar).\n"
+                               ", which has a duration (the energy book of time steps knows no springs in joints).\n"
                                "  Leave the stiffness or the duration out.");
     if (scene.selection.mode == SelectionMode::bonded)
       problems.add(path, value +

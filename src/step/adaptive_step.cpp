@@ -25,6 +25,10 @@ ContactState AdaptiveStep<dim>::initial_state() const {
     state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
   for (std::size_t k = 0; k < model_.between_supports().size(); ++k)
     if (model_.between_supports()[k]) state.selected[k] = 1;
+  if (!model_.scene().construction.empty()) {
+    state.initial_gap = gap;
+    state.initial_gap.resize(points, 0.0);
+  }
   if (model_.weakens()) state.opened.assign(points, 0.0);
   state.slipped = state.opened;
   state.status.assign(points, static_cast<char>(PointStatus::stick));
@@ -35,6 +39,9 @@ template <int dim>
 std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const std::vector<double>& load) const {
   auto r = borne_by_joints(model_.structure(), state.displacement, load);
   add_contact_forces(model_.points(), {}, state.lambda, -1.0, r);
+  const auto& absent = model_.absent();
+  for (std::size_t i = 0; i < r.size() && !absent.empty(); ++i)
+    if (absent[model_.structure().block_of_node()[i / dim]]) r[i] = 0;
   return r;
 }
 

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
+#include "step/joint_strength.hpp"
 #include "step/scene_fit.hpp"
 
 namespace voussoir {
@@ -16,18 +20,44 @@ Construction<dim>::Construction(const Model<dim>& model)
 }
 
 template <int dim>
-bool Construction<dim>::present(const Block<dim>& block, std::size_t stage) const {
-  const auto number = [this](const std::string& name) {
-    std::size_t k = 0;
-    while (scene_.stages[k].name != name) ++k;
-    return k;
-  };
-  for (const auto& [name, c] : scene_.construction) {
-    if (!in_set(source_, block, c.blocks)) continue;
-    if (!c.appears.empty() && stage < number(c.appears)) return false;
-    if (!c.disappears.empty() && stage >= number(c.disappears)) return false;
+bool Construction<dim>::joined(const Model<dim>& model, int k) const {
+  const auto& p = model.points().points()[k];
+  return !absent_[structure_.block_of_node()[p.node_i]] && !absent_[structure_.block_of_node()[p.node_j]];
+}
+
+/// Blocks that go take their energy along, and their forces on the others are let go. They stay where they were.
+template <int dim>
+void Construction<dim>::take(const Model<dim>& model, const ContactState& state) {
+  std::vector<double> gone(state.displacement.size(), 0.0), force;
+  const auto gaps = model.gaps(state.displacement, state.lambda);
+  std::vector<char> goes(absent_.size(), 0);  // absent from now on: some joint of it is not apart yet
+  for (int k = 0; k < model.points().size(); ++k)
+    for (const int node : {model.points().points()[k].node_i, model.points().points()[k].node_j})
+      if (state.initial_gap[k] != apart() && absent_[structure_.block_of_node()[node]])
+        goes[structure_.block_of_node()[node]] = 1;
+  for (std::size_t i = 0; i < gone.size(); ++i)
+    if (goes[structure_.block_of_node()[i / dim]]) gone[i] = state.displacement[i];
+  structure_.apply_stiffness(gone, force);
+  energy_gone_ = 0;
+  for (int i = 0; i < dim * structure_.owned_nodes(); ++i) energy_gone_ += gone[i] * force[i] / 2;
+  PointField lambda(state.lambda.size(), 0.0);
+  for (int k = 0; k < model.points().size(); ++k) {
+    if (joined(model, k) || state.initial_gap[k] == apart()) continue;
+    for (int c = 0; c < dim; ++c) lambda[dim * k + c] = state.lambda[dim * k + c];
+    if (k < model.points().owned()) energy_gone_ += held_by_joint(model, state, gaps[dim * k], k);
   }
-  return true;
+  energy_gone_ += model.mortar_energy(lambda);
+  let_go_.assign(gone.size(), 0.0);
+  add_contact_forces(model.points(), {}, lambda, 1.0, let_go_);
+}
+
+template <int dim>
+double Construction<dim>::taken(const ContactState& start, const ContactState& after) const {
+  if (absent_.empty()) return 0;
+  double work = 0;
+  for (int i = 0; i < dim * structure_.owned_nodes(); ++i)
+    work += let_go_[i] * (after.displacement[i] - start.displacement[i]) / 2;
+  return total_over_ranks(*structure_.comm(), energy_gone_ - work);
 }
 
 /// A side of the point is not there: it stands as far open as the structure is large, and bears nothing.
@@ -63,15 +93,17 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
   if (absent_.empty()) return;
   std::size_t number = 0;
   while (scene_.stages[number].name != stage) ++number;
-  for (std::size_t b = 0; b < absent_.size(); ++b) absent_[b] = !present(structure_.blocks()[b].mesh, number);
+  for (std::size_t b = 0; b < absent_.size(); ++b)
+    absent_[b] = !is_there(scene_, source_, structure_.blocks()[b].mesh, number);
+  model.set_initial_gap(state.initial_gap);
+  take(model, state);
+  model.set_absent(absent_);
 
   const auto& points = model.points().points();
   const int count = static_cast<int>(points.size());
-  for (int k = static_cast<int>(state.initial_gap.size()); k < count; ++k) state.initial_gap.push_back(drawn(k));
   for (int k = 0; k < count; ++k) {
-    const auto& p = points[k];
-    const auto between = relative_motion(p, state.displacement);
-    if (absent_[structure_.block_of_node()[p.node_i]] || absent_[structure_.block_of_node()[p.node_j]])
+    const auto between = relative_motion(points[k], state.displacement);
+    if (!joined(model, k))
       part(k, state);
     else if (state.initial_gap[k] == apart())
       give_birth(k, between, state);
@@ -79,7 +111,6 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
       close(k, between, state);
   }
   model.set_initial_gap(state.initial_gap);
-  model.set_absent(absent_);
   for (int k = 0; k < count; ++k)
     VOUSSOIR_ENSURE(state.initial_gap[k] != apart() || !(model.law()[k].tension > 0 || model.law()[k].cohesion > 0));
 }

@@ -12,6 +12,7 @@
 #include "linalg/solver_failure.hpp"
 #include "step/error_estimate.hpp"
 #include "step/joint_strength.hpp"
+#include "step/mortar.hpp"
 #include "step/phase.hpp"
 #include "step/point_status.hpp"
 #include "step/release.hpp"
@@ -32,29 +33,6 @@ Structure<dim> structure_of_mass(const Model<dim>& model) {
   });
 }
 
-/// The place about which a set of blocks turns when time begins [m]: given, or its mass centre. Collective.
-template <int dim>
-Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityParameters& given) {
-  const auto& s = model.structure();
-  Vector<dim> centre{given.about_x, given.about_y};
-  if (given.rotation == 0) return s.middle();
-  std::array<double, dim + 1> mine{}, all{};  // mass, and its moments about the middle of the structure
-  for (int n = 0; n < s.owned_blocks(); ++n) {
-    const auto& b = s.blocks()[n];
-    if (!in_set(model.source(), b.mesh, given.blocks)) continue;
-    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
-    for (std::size_t i = 0; i < volume.size(); ++i) {
-      const double mass = b.material.density * volume[i];
-      mine[dim] += mass;
-      for (int c = 0; c < dim; ++c) mine[c] += mass * (b.mesh.position[i][c] - s.middle()[c]);
-    }
-  }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
-  for (int c = 0; c < dim; ++c)
-    if (std::isinf(centre[c])) centre[c] = s.middle()[c] + all[c] / all[dim];
-  return centre;
-}
-
 /// [m/s]
 double wave_speed(const Material& material, const ModelParameters& model) {
   return std::sqrt(plane_elasticity(material, model.plane)[0][0] / material.density);
@@ -71,7 +49,9 @@ DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progres
   rule_.mass_damping = at_rest.scene().time.mass_damping;
   rule_.stiffness_damping = at_rest.scene().time.stiffness_damping;
   std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
-  for (std::size_t i = 0; i < along_x.size(); i += dim) along_x[i] = 1;
+  const auto& absent = at_rest.absent();
+  for (std::size_t i = 0; i < along_x.size(); i += dim)
+    along_x[i] = absent.empty() || !absent[mass_.block_of_node()[i / dim]];
   total_mass_ = 2 * velocities_.kinetic_energy(along_x);
 }
 
@@ -105,41 +85,6 @@ double DynamicStep<dim>::courant_time() const {
 }
 
 template <int dim>
-double DynamicStep<dim>::begin(ContactState& state) {
-  if (in_motion(*mass_.comm(), state)) return 0;
-  const auto& s = at_rest_.structure();
-  auto& v = state.velocity;
-  v.assign(state.displacement.size(), 0.0);
-  state.acceleration.clear();
-  state.acceleration_before.clear();
-  for (const auto& [name, given] : at_rest_.scene().velocities) {
-    const auto centre = centre_of_rotation(at_rest_, given);
-    for (const auto& b : s.blocks()) {
-      if (!in_set(at_rest_.source(), b.mesh, given.blocks)) continue;
-      for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
-        const auto arm = b.mesh.position[i] - centre;
-        v[dim * (b.first_local + i)] = given.vx - given.rotation * arm[1];
-        v[dim * (b.first_local + i) + 1] = given.vy + given.rotation * arm[0];
-      }
-    }
-  }
-  for (std::size_t i = 0; i < v.size(); ++i)
-    if (at_rest_.held()[i]) v[i] = 0;
-  const auto& points = at_rest_.points();
-  for (int k = 0; k < points.size(); ++k)
-    for (int c = 0; c < dim; ++c)
-      if (v[dim * points.points()[k].node_i + c] != v[dim * points.points()[k].node_j + c]) state.selected[k] = 1;
-  const double given = velocities_.kinetic_energy(v);
-  if (given == 0) {  // what has stood so far has rested
-    const auto gap = at_rest_.gaps(state.displacement);
-    state.rest = rested(gap, points.size(), at_rest_.scene().selection.rest);
-    bond_what_rests(state, gap, 0.0, 0.0);
-    state.rest.bonded.assign(points.size(), 0.0);  // those that soon let go need not rest longer for that
-  }
-  return given;
-}
-
-template <int dim>
 void DynamicStep<dim>::set_time_step(double time_step) {
   if (model_ && rule_.time_step == time_step) return;
   rule_.time_step = time_step;
@@ -151,7 +96,8 @@ void DynamicStep<dim>::set_time_step(double time_step) {
 }
 
 /// The gaps that the points of the time step have at w = 0: none where points are closed, which is so up to round-off,
-/// or up to what load steps leave between points that press.
+/// or up to what load steps leave between points that press. Mortar is a spring, whose force is that of the middle: its
+/// gap counts whole, so that there it is what the displacements make it. So does one beside a stone that is not there.
 template <int dim>
 void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
@@ -160,10 +106,26 @@ void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lamb
   std::vector<double> offset(at_rest_.points().size());
   for (std::size_t k = 0; k < offset.size(); ++k) {
     const double g = gap[dim * k], force = at_rest_.local_stiffness()[k] * g;
+    if (yields(at_rest_, static_cast<int>(k)) || !at_rest_.joined(static_cast<int>(k))) {
+      offset[k] = g;
+      continue;
+    }
     const bool presses = g > 0 && force <= left && force < lambda[dim * k];
     offset[k] = std::abs(g) > round_off && !presses ? g / 2 : 0.0;
   }
   model_->set_initial_gap(std::move(offset));
+}
+
+/// The slips that points of the time step have at w = 0: mortar has given way from the slip where it stands.
+template <int dim>
+PointField DynamicStep<dim>::offset_slips(const ContactState& before, const PointField& gap) const {
+  const auto& mortar = at_rest_.compliance();
+  if (mortar.empty() || before.slip_origin.empty()) return {};
+  PointField offset(gap.size(), 0.0);
+  for (std::size_t k = 0; k < mortar.size(); ++k)
+    for (int c = 1; c < dim && yields(at_rest_, static_cast<int>(k), c); ++c)
+      offset[dim * k + c] = before.slip_origin[dim * k + c] - gap[dim * k + c];
+  return offset;
 }
 
 /// Gives held components the velocity of their support over the step; what that takes is work of the support.
@@ -202,7 +164,7 @@ double DynamicStep<dim>::book(const ContactState& mid, const ContactState& befor
   const double none = at_rest_.scene().internals.step.least_noise * largest_force(at_rest_, mid);
   double lost = 0;
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
-    if (!mid.selected[k]) continue;
+    if (!mid.selected[k] || yields(at_rest_, k)) continue;  // springs give all back
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
     if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
       lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
@@ -260,29 +222,13 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   auto calm = velocities_.calm(state, negligible, resting);
   for (std::size_t k = 0; k < at_rest_.between_supports().size(); ++k)
     if (at_rest_.between_supports()[k]) calm[k] = 0;
+  for (std::size_t k = 0; k < calm.size(); ++k)
+    if (!at_rest_.joined(static_cast<int>(k))) calm[k] = 0;  // a tie would hold a stone by one that is not there
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,
                                               negligible, selection.rest, at_rest_.scene().internals.rest);
   if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);
-}
-
-template <int dim>
-void loads_of_time_step(const Model<dim>& model, const LoadSteps& steps, std::vector<double>& load,
-                        std::vector<double>& prescribed) {
-  const double end = steps.target(), middle = (steps.reached() + end) / 2;
-  std::vector<double> unused;
-  model.loads(steps.factors(middle), steps.time(middle), load, unused);
-  model.loads(steps.factors(end), steps.time(end), unused, prescribed);
-}
-
-template <int dim>
-void untie_what_moved(const Model<dim>& model, ContactState& state) {
-  const auto gap = model.gaps(state.displacement);
-  for (std::size_t k = 0; k < state.selected.size(); ++k)
-    for (int c = 0; c < dim; ++c)
-      if (std::abs(gap[dim * k + c]) > closed_gap * model.structure().size()) state.selected[k] = 1;
-  state.rest = {};
 }
 
 template <int dim>
@@ -310,8 +256,9 @@ typename DynamicStep<dim>::Midpoint DynamicStep<dim>::midpoint(const ContactStat
 /// The state at the end of a step, but for what joints that closed do to velocities. All that is no motion is as the
 /// middle of the step has left it.
 template <int dim>
-ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState mid) const {
+ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState mid, const PointField& slips) const {
   auto after = std::move(mid);
+  const auto slipped = model_->gaps(after.displacement, after.lambda);  // of the stones, with what mortar gives way
   for (std::size_t i = 0; i < after.displacement.size(); ++i) {
     const double w = after.displacement[i];
     after.displacement[i] = rule_.displacement_at_end(before.displacement[i], w);
@@ -320,8 +267,11 @@ ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState m
   after.slip_origin = before.slip_origin;
   if (after.slip_origin.empty()) return after;
   const auto gap = at_rest_.gaps(after.displacement);
-  for (std::size_t i = 0; i < gap.size(); ++i)
-    if (i % dim != 0) after.slip_origin[i] = gap[i];
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (i % dim == 0) continue;
+    const bool springs = yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim));
+    after.slip_origin[i] = springs ? before.slip_origin[i] + 2 * (slipped[i] - slips[i]) : gap[i];
+  }
   return after;
 }
 
@@ -334,7 +284,7 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
   s.apply_stiffness(after.displacement, ku);
   double elastic = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += after.displacement[i] * ku[i] / 2;
-  report.elastic = total(elastic + held_by_joints(at_rest_, after));
+  report.elastic = total(elastic + held_by_joints(at_rest_, after) + at_rest_.mortar_energy(after.lambda));
   const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
   const double resting = resting_speed(after, energy);
   try {
@@ -354,12 +304,13 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
 
 template <int dim>
 TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInput& input) {
-  offset_gaps(at_rest_.gaps(before.displacement), before.lambda);
+  const auto gap = at_rest_.gaps(before.displacement);
+  offset_gaps(gap, before.lambda);
   const auto midpoint = this->midpoint(before, input);
   const InTime in_time{midpoint.energy, input.load};
   ContactState start = before;  // of the load step: w = 0, and slips count from there
   start.displacement.assign(start.displacement.size(), 0.0);
-  start.slip_origin.clear();
+  start.slip_origin = offset_slips(before, gap);
   auto [mid, step] = step_->take(start, {midpoint.load, midpoint.half, &in_time});
   TimeStepResult result;
   auto& [after, report] = result;
@@ -370,12 +321,16 @@ TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInpu
     return result;
   }
   if (at_rest_.weakens()) {
-    auto at_end = model_->gaps(mid.displacement);
-    for (double& gap : at_end) gap *= 2;
+    auto at_end = model_->gaps(mid.displacement), middle = model_->gaps(mid.displacement, mid.lambda);
+    for (std::size_t i = 0; i < at_end.size(); ++i) {
+      at_end[i] *= 2;
+      if (!yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim))) continue;
+      at_end[i] = i % dim == 0 || start.slip_origin.empty() ? middle[i] : 2 * (middle[i] - start.slip_origin[i]);
+    }
     wear(at_rest_, before, mid, at_end, at_end);
   }
   const double closing = std::max(0.0, book(mid, before, input.load, midpoint.load, report));
-  after = at_end(before, std::move(mid));
+  after = at_end(before, std::move(mid), start.slip_origin);
   move_supports(after, midpoint.half, report);
   if (!update_velocities(after, before.velocity, closing, report)) return result;
   after.status = point_statuses(at_rest_, after, at_rest_.gaps(after.displacement, after.lambda), before.slip_origin);
@@ -384,8 +339,6 @@ TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInpu
   return result;
 }
 
-template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&, std::vector<double>&);
-template void untie_what_moved<2>(const Model<2>&, ContactState&);
 template class DynamicStep<2>;
 
 }  // namespace voussoir

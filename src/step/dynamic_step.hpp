@@ -47,13 +47,13 @@ class DynamicStep {
   double total_mass() const { return total_mass_; }  ///< [kg]
   /// Another factor of Rayleigh damping than the scene's [s], before the time step is set.
   void set_stiffness_damping(double beta) { rule_.stiffness_damping = beta; }
-  /// Gives a state at rest the initial velocities of the scene; joints whose sides differ in velocity are selected.
-  /// Returns the kinetic energy given [J]. Collective.
-  double begin(ContactState&);
+  /// Gives a state at rest velocities: those of the scene as time begins, or none where it goes on; joints whose sides
+  /// differ in velocity are selected. Returns the kinetic energy given [J]. Collective.
+  double begin(ContactState&, bool initial = true);
   /// Builds what depends on the time step, when it changed. Collective.
   void set_time_step(double);
 
-  /// One time step, with the loads at its middle and the displacements of held components at its end. Collective.
+  /// One time step, with the mean of the loads over it and the displacements of held components at its end. Collective.
   TimeStepResult take(const ContactState& before, const StepInput&);
 
   const std::vector<double>& mechanism() const { return step_->mechanism(); }
@@ -68,8 +68,10 @@ class DynamicStep {
   };
 
   void offset_gaps(const PointField& gap, const PointField& lambda);
+  PointField offset_slips(const ContactState& before, const PointField& gap) const;
   Midpoint midpoint(const ContactState& before, const StepInput&) const;
-  ContactState at_end(const ContactState& before, ContactState mid) const;
+  /// @param slips  that points of the step had at w = 0 [m]
+  ContactState at_end(const ContactState& before, ContactState mid, const PointField& slips) const;
   bool update_velocities(ContactState&, const std::vector<double>& velocity_before, double closing, TimeStepReport&);
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
   double book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
@@ -89,7 +91,8 @@ class DynamicStep {
   std::unique_ptr<AdaptiveStep<dim>> step_;
 };
 
-/// What a time step takes, for the next step of a stage with a duration.
+/// What a time step takes, for the next step of a stage with a duration: the mean of the loads, whose impulse is theirs
+/// however long the step is.
 template <int dim>
 void loads_of_time_step(const Model<dim>&, const LoadSteps&, std::vector<double>& load,
                         std::vector<double>& prescribed);
@@ -101,6 +104,7 @@ void untie_what_moved(const Model<dim>&, ContactState&);
 extern template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&,
                                            std::vector<double>&);
 extern template void untie_what_moved<2>(const Model<2>&, ContactState&);
+extern template double DynamicStep<2>::begin(ContactState&, bool);
 extern template class DynamicStep<2>;
 
 }  // namespace voussoir

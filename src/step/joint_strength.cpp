@@ -63,8 +63,7 @@ double held_by_joints(const Model<dim>& model, const ContactState& state) {
   if (model.softening().empty()) return 0;
   const auto gap = model.gaps(state.displacement);
   double energy = 0;
-  for (int k = 0; k < model.points().owned(); ++k)
-    energy += held_energy(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap[dim * k]);
+  for (int k = 0; k < model.points().owned(); ++k) energy += held_by_joint(model, state, gap[dim * k], k);
   return energy;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/warning.hpp"
 #include "dynamics/energy_book.hpp"
+#include "joints/crack_work.hpp"
 #include "joints/softening.hpp"
 #include "step/contact_state.hpp"
 #include "step/model.hpp"
@@ -61,6 +62,14 @@ void wear(const Model<dim>&, const ContactState& before, ContactState& after, co
 template <int dim>
 EnergyOfStep loss_in_time(const Model<dim>&, const ContactState& before, const ContactState& mid, int k, double opening,
                           const PointField& gap);
+
+/// Energy that a point would give back if it closed [J].
+/// @param gap  [m] of the stones
+template <int dim>
+double held_by_joint(const Model<dim>& model, const ContactState& state, double gap, int k) {
+  if (model.softening().empty()) return 0;
+  return held_energy(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap);
+}
 
 /// Energy that open joints would give back [J], of this rank's points.
 template <int dim>

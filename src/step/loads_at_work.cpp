@@ -3,9 +3,28 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace voussoir {
+namespace {
+
+/// Points and weights of Gauss on (0, 1), exact to the seventh degree: of a factor that goes linearly times a piece of
+/// a sine, of a load that moves linearly, or of both.
+constexpr std::array<std::array<double, 2>, 4> gauss{{{0.069431844202973712, 0.17392742256872693},
+                                                      {0.33000947820757187, 0.32607257743127307},
+                                                      {0.66999052179242813, 0.32607257743127307},
+                                                      {0.93056815579702629, 0.17392742256872693}}};
+// In a step with more pieces of sines than this they cancel to less than a ten thousandth: the rest is not looked at.
+constexpr double most_pieces = 65536;
+
+double factor_of(const std::map<std::string, double>& factors, const std::string& load) {
+  const auto it = factors.find(load);
+  return it == factors.end() ? 0.0 : it->second;
+}
+
+}  // namespace
 
 template <int dim>
 LoadsAtWork<dim>::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure)
@@ -32,7 +51,48 @@ void LoadsAtWork<dim>::add(const std::map<std::string, double>& factors, double 
     if (it == factors.end() || it->second == 0) continue;
     const Teuchos::Time clock("load", true);
     const double factor = it->second * n.time_function(time);
-    if (factor != 0) n.load->add(factor, time, force, prescribed);
+    if (factor != 0) n.load->add({{time, factor}}, force, prescribed);
+    ++n.calls;
+    n.seconds += clock.totalElapsedTime(true);
+  }
+}
+
+/// The moments whose weighted sum is the mean of a load over a step: Gauss's points between the corners of its time
+/// function and of its own motion.
+template <int dim>
+std::vector<LoadMoment> LoadsAtWork<dim>::moments_of(const Named& n, double begin, double end, double from,
+                                                     double to) const {
+  const double middle = (from + to) / 2;
+  if (n.time_function.constant() && !n.load->moves()) return {{middle, (begin + end) / 2}};
+  std::vector<double> corners{from, to};
+  n.time_function.add_corners(from, to, corners);
+  n.load->add_corners(from, to, corners);
+  std::sort(corners.begin(), corners.end());
+  std::vector<LoadMoment> moments;
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const double whole = corners[k] - corners[k - 1];
+    const double count = std::clamp(std::ceil(whole / n.time_function.smooth()), 1.0, most_pieces),
+                 piece = whole / count;
+    for (int i = 0; i < static_cast<int>(count) && piece > 0; ++i)
+      for (const auto& [at, weight] : gauss) {
+        const double time = corners[k - 1] + (i + at) * piece, share = (time - from) / (to - from);
+        const double factor = (begin + share * (end - begin)) * n.time_function(time) * weight * piece / (to - from);
+        if (factor != 0) moments.push_back({time, factor});
+      }
+  }
+  return moments;
+}
+
+template <int dim>
+void LoadsAtWork<dim>::add_mean(const StepInTime& step, std::vector<double>& force) const {
+  std::fill(force.begin(), force.end(), 0.0);
+  std::vector<double> unused(force.size(), 0.0);  // supports go to where they are at the end of the step
+  for (const auto& n : loads_) {
+    const double begin = factor_of(step.begin, n.name), end = factor_of(step.end, n.name);
+    if (begin == 0 && end == 0) continue;
+    const Teuchos::Time clock("load", true);
+    const auto moments = moments_of(n, begin, end, step.from, step.to);
+    if (!moments.empty()) n.load->add(moments, force, unused);
     ++n.calls;
     n.seconds += clock.totalElapsedTime(true);
   }
@@ -55,6 +115,24 @@ double LoadsAtWork<dim>::resolution() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& n : loads_) shortest = std::min({shortest, n.load->resolution(), n.time_function.resolution()});
   return shortest;
+}
+
+template <int dim>
+typename LoadsAtWork<dim>::Shortest LoadsAtWork<dim>::resolution(const std::map<std::string, double>& factors,
+                                                                 double from, double to) const {
+  Shortest shortest;
+  for (const auto& n : loads_) {
+    if (factors.count(n.name) == 0) continue;
+    const double own = std::min(n.load->resolution(from, to), n.time_function.resolution(from, to));
+    if (own < shortest.time) shortest = {own, n.name};
+  }
+  return shortest;
+}
+
+template <int dim>
+bool LoadsAtWork<dim>::jumps(const std::string& load, double from, double to) const {
+  return std::any_of(loads_.begin(), loads_.end(),
+                     [&](const Named& n) { return n.name == load && n.time_function.jumps(from, to); });
 }
 
 template <int dim>

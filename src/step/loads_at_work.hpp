@@ -3,6 +3,7 @@
 // A type of load that a scene does not name is not here at all: it has no bytes and is never called.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,6 +16,12 @@
 
 namespace voussoir {
 
+/// A step from one time to another, along which load factors go linearly.
+struct StepInTime {
+  double from, to;                           ///< [s]
+  std::map<std::string, double> begin, end;  ///< factors by name
+};
+
 template <int dim>
 class LoadsAtWork {
  public:
@@ -24,11 +31,23 @@ class LoadsAtWork {
   /// Nodal forces [N] and prescribed displacements [m] under load factors by name, written over.
   void add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
            std::vector<double>& prescribed) const;
+  /// Mean nodal forces [N] over a step of time, written over: their impulse is exact however long the step is.
+  void add_mean(const StepInTime&, std::vector<double>& force) const;
   /// Strain that blocks would take freely [-, per local block]; empty when no load strains blocks.
   std::vector<double> free_strain(const std::map<std::string, double>& factors, double time) const;
 
   /// [s] A time step that sees how all loads vary; infinite when none does.
   double resolution() const;
+  /// [s] The shortest time in which a load that acts varies between two times, halved, and which it is.
+  struct Shortest {
+    double time = std::numeric_limits<double>::infinity();
+    std::string load;
+  };
+  /// @param factors  loads that act, by name
+  Shortest resolution(const std::map<std::string, double>& factors, double from, double to) const;
+
+  /// Whether the time function of a load jumps between two times.
+  bool jumps(const std::string& load, double from, double to) const;
 
   /// Costs so far by type of load: calls and bytes of all ranks, seconds of the slowest. Collective.
   std::map<std::string, EffectSummary> costs(const Teuchos::Comm<int>&) const;
@@ -45,6 +64,8 @@ class LoadsAtWork {
     mutable long long calls = 0;
     mutable double seconds = 0;
   };
+
+  std::vector<LoadMoment> moments_of(const Named&, double begin, double end, double from, double to) const;
 
   std::size_t blocks_;  ///< on this rank
   std::vector<Named> loads_;

@@ -78,7 +78,10 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       points_(at_rest.points_),
       held_(at_rest.held_),
       between_supports_(at_rest.between_supports_),
+      absent_(at_rest.absent_),
       law_(at_rest.law_),
+      compliance_(at_rest.compliance_),
+      softest_mortar_(at_rest.softest_mortar_),
       initial_gap_(at_rest.initial_gap_),
       softening_(at_rest.softening_),
       weakens_(at_rest.weakens_),
@@ -132,10 +135,7 @@ const JointLawParameters& Model<dim>::joint_law(std::size_t point) const {
 /// What stands open as drawn, or beside a stone that is not there, is not bonded: it can rub, no more.
 template <int dim>
 bool Model<dim>::is_bonded(std::size_t point) const {
-  const auto& p = points_->points()[point];
-  const auto& block = structure_->block_of_node();
-  const bool there = absent_.empty() || !(absent_[block[p.node_i]] || absent_[block[p.node_j]]);
-  return there && joint_law(point).initial_gap == 0;
+  return joined(static_cast<int>(point)) && joint_law(point).initial_gap == 0;
 }
 
 template <int dim>
@@ -286,6 +286,13 @@ void Model<dim>::set_absent(const std::vector<char>& absent) {
 }
 
 template <int dim>
+bool Model<dim>::joined(int point) const {
+  if (absent_.empty()) return true;
+  const auto& p = points_->points()[point];
+  return !absent_[structure_->block_of_node()[p.node_i]] && !absent_[structure_->block_of_node()[p.node_j]];
+}
+
+template <int dim>
 double Model<dim>::follow(const std::vector<double>& displacement) {
   Phase phase("blocks");
   ++arrangement_;
@@ -300,6 +307,19 @@ void Model<dim>::loads(const std::map<std::string, double>& factors, double time
   force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
   prescribed.resize(force.size());
   loads_->add(factors, time, force, prescribed);
+  check_size(force);
+}
+
+template <int dim>
+void Model<dim>::mean_loads(const StepInTime& step, std::vector<double>& force) const {
+  force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
+  loads_->add_mean(step, force);
+  check_size(force);
+}
+
+/// Throws InputError on every rank alike.
+template <int dim>
+void Model<dim>::check_size(const std::vector<double>& force) const {
   double largest = 0;
   for (const double f : force) largest = std::isfinite(f) ? std::max(largest, std::abs(f)) : largest_force;
   largest = largest_over_ranks(*structure_->comm(), largest);

@@ -66,6 +66,10 @@ class Model {
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
   /// Holds all of the blocks that are not there [per local block], and what supports hold; no joint bonds with them.
   void set_absent(const std::vector<char>& absent);
+  /// 1 for local blocks that are not there; empty as long as all are.
+  const std::vector<char>& absent() const { return absent_; }
+  /// Whether both stones of a point are there.
+  bool joined(int point) const;
   /// Another number wherever places or supports may have changed: what is made of them is to be made again.
   int arrangement() const { return arrangement_; }
 
@@ -73,6 +77,8 @@ class Model {
   /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
   void loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
              std::vector<double>& prescribed) const;
+  /// Mean nodal forces [N] over a step of time.
+  void mean_loads(const StepInTime&, std::vector<double>& force) const;
   const LoadsAtWork<dim>& loads() const { return *loads_; }
   /// Factor of the mass in the matrices of a time step [1/s2]; 0 of the model at rest.
   double inertia() const { return inertia_; }
@@ -86,6 +92,7 @@ class Model {
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   void hold_supports();
   void find_between_supports();
+  void check_size(const std::vector<double>& force) const;
 
   std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance
   const Scene& scene_;

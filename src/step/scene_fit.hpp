@@ -6,7 +6,8 @@
 
 namespace voussoir {
 
-/// Throws InputError for sets that do not exist, a block without material, a joint without law.
+/// Throws InputError for sets that do not exist, a block without material, a joint without law, a block with two times
+/// of being there, a stage without blocks.
 /// Local, and the same on every rank.
 template <int dim>
 void check_fit(const Scene&, const BlockSource<dim>&);
@@ -19,6 +20,10 @@ bool in_set(const BlockSource<dim>& source, const Block<dim>& block, const std::
     if (source.block_sets()[set] == name) return true;
   return false;
 }
+
+/// Whether a block is there in a stage of a scene, counted from 0.
+template <int dim>
+bool is_there(const Scene&, const BlockSource<dim>&, const Block<dim>&, std::size_t stage);
 
 /// Whether a law names the joint between two blocks.
 template <int dim>
@@ -38,5 +43,6 @@ int family_of(const Scene& scene, const BlockSource<dim>& source, const Block<di
 }
 
 extern template void check_fit<2>(const Scene&, const BlockSource<2>&);
+extern template bool is_there<2>(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
 
 }  // namespace voussoir

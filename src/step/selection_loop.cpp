@@ -7,6 +7,7 @@
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
 #include "step/joint_strength.hpp"
+#include "step/mortar.hpp"
 #include "step/phase.hpp"
 #include "step/release.hpp"
 
@@ -100,7 +101,7 @@ SofteningPoints* SelectionLoop<dim>::softening() {
   if (!model_.weakens()) return nullptr;
   if (softening_ && !in_time()) return &*softening_;
   softening_.emplace(model_.law(), model_.softening(), before_.opened, before_.slipped,
-                     in_time() ? model_.initial_gap() : std::vector<double>());
+                     in_time() ? gaps_to_middle(model_) : std::vector<double>());
   return &*softening_;
 }
 

@@ -11,6 +11,7 @@
 #include "linalg/solver_failure.hpp"
 #include "step/free_bodies.hpp"
 #include "step/joint_strength.hpp"
+#include "step/mortar.hpp"
 
 namespace voussoir {
 namespace {
@@ -47,7 +48,7 @@ Held closed_points(const Model<dim>& model, const ContactState& state, const std
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool between = state.selected[k] && carries[points[k].node_i] && carries[points[k].node_j];
     const bool rests = std::abs(gap[dim * k]) < round_off && std::abs(speed[dim * k]) <= resting;
-    closed[dim * k] = loaded[k] || (between && rests);
+    closed[dim * k] = (loaded[k] || (between && rests)) && !yields(model, static_cast<int>(k));  // springs stop nothing
   }
   return closed;
 }
@@ -70,7 +71,8 @@ std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& stat
   const auto closed = closed_points(model, state, loaded, speed, resting);
   auto sticking = closed;
   for (std::size_t k = 0; k < loaded.size(); ++k)
-    for (int c = 1; c < dim && loaded[k]; ++c) sticking[dim * k + c] = sticks(model, state, k);
+    for (int c = 1; c < dim && loaded[k]; ++c)
+      sticking[dim * k + c] = !yields(model, static_cast<int>(k), c) && sticks(model, state, k);
   return {closed, sticking};
 }
 

@@ -118,8 +118,9 @@ TEUCHOS_UNIT_TEST(LoadSteps, HalvedMoreOftenThanIsAllowedNowAreHalvedNoMore) {
 
 TEUCHOS_UNIT_TEST(EnergyBook, IsKeptWhole) {
   EnergyBook book, back;
-  book.advance({1.0, 2.0, 4.5, 0.25, 0.125, 0.0, 0.0, 0.5});
-  book.advance({1.5, 2.5, 0.5, 0.25, 0.125, 0.0, 0.125, 0.5});
+  book.advance({1.0, 2.0, 4.5, 0.25, 0.125, 0.0, 0.0, 0.0, 0.5}, true);
+  book.advance({1.5, 2.5, 0.5, 0.25, 0.125, 0.0, 0.125, 0.0, 0.5}, true);
+  book.remove(0.125);
   Memory memory;
   book.keep(memory);
   memory.restoring = true;
@@ -130,7 +131,16 @@ TEUCHOS_UNIT_TEST(EnergyBook, IsKeptWhole) {
   TEST_EQUALITY_CONST(back.sums().friction, 0.5);
   TEST_EQUALITY_CONST(back.sums().fracture, 0.25);
   TEST_EQUALITY_CONST(back.sums().jump, 0.125);
-  TEST_EQUALITY_CONST(back.imbalance(), -0.125);  // a part counts no second time
+  TEST_EQUALITY_CONST(back.sums().removed, 0.125);
+  TEST_EQUALITY_CONST(back.imbalance(), 0.0);  // a part counts no second time
+}
+
+TEUCHOS_UNIT_TEST(EnergyBook, LoadStepsRemoveWhatMoves) {
+  EnergyBook book;
+  book.advance({1.0, 2.0, 3.0, 0.0, 0.0, 0.0}, true);
+  book.advance({1.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  TEST_EQUALITY_CONST(book.sums().removed, 2.0);
+  TEST_EQUALITY_CONST(book.imbalance(), 0.0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "dynamics/step_control.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
 
 namespace {
 
@@ -55,6 +56,29 @@ TEUCHOS_UNIT_TEST(StepControl, GrowsFromTheCourantTimeAndShrinksToIt) {
   }
   TEST_COMPARE(control.time_step(), <=, courant * (1 + 1e-12));
   TEST_COMPARE(control.time_step(), >, courant / 2);
+}
+
+// A load varies within 4 ms from 0.3 s on: steps are long before it, and see it in it.
+TEUCHOS_UNIT_TEST(StepControl, LooksAheadToWhatLoadsDo) {
+  TimeStepLevel now;
+  StepControl control(now, 1.0, 0, courant, 100 * courant, tolerance, 3);
+  const auto resolution = [](double from, double to) { return from < 0.304 && to > 0.3 ? 2e-3 : 1.0; };
+  double reached = 0, within = 0, before = 0;
+  while (reached < 0.304) {
+    control.look_ahead(reached, resolution);
+    const double step = control.time_step();
+    if (reached + step > 0.3 + 1e-9) within = std::max(within, step);
+    if (reached + step < 0.3) before = std::max(before, step);
+    reached += step;
+    control.accept(0, reached);
+  }
+  TEST_COMPARE(within, <=, 2e-3);
+  TEST_COMPARE(within, >, courant / 2);
+  TEST_COMPARE(before, >, 10e-3);
+  TimeStepLevel given;
+  StepControl fixed(given, 1.0, 0.1, courant, 100 * courant, tolerance, 3);
+  fixed.look_ahead(0.25, resolution);
+  TEST_FLOATING_EQUALITY(fixed.time_step(), 0.1, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(StepControl, GoesOnWithTheTimeStepItHadWhenItWasLeft) {

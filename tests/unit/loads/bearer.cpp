@@ -43,7 +43,7 @@ TEUCHOS_UNIT_TEST(PointLoad, IsBornByAStoneOfTheSetThatIsNamed) {
   const auto load = wall.made(p);
   TEST_ASSERT(load->warnings().empty());
   std::vector<double> force(2 * wall.s().nodes(), 0.0), prescribed(force.size(), 0.0);
-  load->add(1, 0, force, prescribed);
+  load->add({{0, 1}}, force, prescribed);
   double borne = 0;
   for (int i = 0; i < wall.s().owned_nodes(); ++i) {
     const BlockId stone = wall.s().blocks()[wall.s().block_of_node()[i]].mesh.id;

@@ -130,6 +130,33 @@ std::string said_of(const std::string& file, const std::string& text) {
   return "";
 }
 
+TEUCHOS_UNIT_TEST(TimeFunction, TellsWhereItVariesAndWhereItJumps) {
+  TimeFunctionParameters p;
+  p.type = TimeFunctionType::table;
+  p.time = {0, 1, 1.5, 3, 3.2};
+  p.value = {0, 0, 1, 1, 0};
+  const TimeFunction table = made(p);
+  std::vector<double> corners;
+  table.add_corners(1.0, 3.2, corners);  // within, without the ends
+  TEST_COMPARE_ARRAYS(corners, (std::vector<double>{1.5, 3}));
+  TEST_ASSERT(std::isinf(table.resolution(0, 1)));
+  TEST_FLOATING_EQUALITY(table.resolution(0.9, 1.1), 0.25, round_off);
+  TEST_ASSERT(std::isinf(table.resolution(1.5, 3)));
+  TEST_FLOATING_EQUALITY(table.resolution(0, 10), 0.1, 10 * round_off);
+  TEST_ASSERT(std::isinf(table.resolution(3.2, 10)));
+
+  auto sine = parameters(TimeFunctionType::sine, 1, 0, 1);
+  sine.end = 1.75;
+  const TimeFunction f = made(sine);
+  corners.clear();
+  f.add_corners(0, 2, corners);
+  TEST_COMPARE_ARRAYS(corners, (std::vector<double>{1, 1.75}));
+  TEST_ASSERT(std::isinf(f.resolution(0, 1)));
+  TEST_FLOATING_EQUALITY(f.resolution(0, 1.1), 0.05, round_off);
+  TEST_ASSERT(!f.jumps(0, 1.5));  // it begins at 0
+  TEST_ASSERT(f.jumps(1.5, 2));
+}
+
 TEUCHOS_UNIT_TEST(TimeFunction, SaysWhatIsWrongWithARecord) {
   const auto names = [&](const std::string& message, const std::string& piece) {
     return message.find("scene > loads > push > time function > file = ") == 0 &&
