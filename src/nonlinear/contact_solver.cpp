@@ -174,11 +174,14 @@ void ContactSolver::forget_the_way(TpetraVector& x, PointField& lambda, double t
 /// Where the state gives way on its own it is followed down to one that does not. What cannot be left stays, and the
 /// report says by how much it gives way.
 void ContactSolver::find_stable_branch(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
-  for (int left = StabilityParameters::most_branches;; --left) {
+  const int before = report.newton_iterations;
+  const int most = before + std::max(static_cast<int>(StabilityParameters::solves_of_step * before),
+                                     StabilityParameters::most_motions);
+  while (true) {
     const auto found = find_instability(problem_, x, lambda, report);
     report.unstable = found.any ? found.excess : 0;
     report.unstable_at = found.leader;
-    if (!found.any || left == 0 || report.newton_iterations >= parameters_.largest_iterations) return;
+    if (!found.any || report.newton_iterations >= std::min(most, parameters_.largest_iterations)) return;
     if (!leave(found, 1, x, lambda, tolerance, report) && !leave(found, -1, x, lambda, tolerance, report)) return;
   }
 }

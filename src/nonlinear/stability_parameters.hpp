@@ -21,8 +21,10 @@ struct StabilityParameters {
   /// Share of the largest motion from which on a point counts where the direction of one that has two is chosen:
   /// motions of equal cracks are equal but for round-off.
   static constexpr double leads = 0.5;
-  /// Branches that are left one after the other within a step. Of n cracks that run side by side n - 1 have to stop.
-  static constexpr int most_branches = 40;
+  /// Linear solves after which no further branch is left, relative to those that found the state: looking for a better
+  /// one may not be dearer than finding one was, however many cracks run side by side. But those of one look at least
+  /// (most_motions).
+  static constexpr double solves_of_step = 1;
   /// [-] way back, relative to the way down the branch, within which a state is the one that was left.
   static constexpr double back_again = 0.05;
 };

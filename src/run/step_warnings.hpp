@@ -30,8 +30,8 @@ inline Warnings lost_in_jump(double lost, const Energies& book, const std::strin
   if (!(lost > seen * in)) return {};
   return {
       {"lost_in_jump", "the structure", when, lost,
-       "the structure let go faster than it was moved, as a bar that snaps: of the energy in it " + number_text(lost) +
-           " J, where " + number_text(in) +
+       "the structure let go faster than it was moved, as a bar that snaps: of the energy in it " + six_digits(lost) +
+           " J, where " + six_digits(in) +
            " J went in, were taken by no joint and are lost in motion; where it came to rest is one place of several "
            "that it may come to"}};
 }

@@ -80,8 +80,9 @@ Warnings unstable(double excess, const std::string& stones, const std::string& w
   return {{"unstable", "joint " + stones, when, excess,
            "the equilibrium is one that a structure does not stay in: joints soften faster than the stones beside them "
            "follow, by " +
-               number_text(excess) +
-               " of both together, most at this joint, and no other equilibrium was found on the way down from it; of "
+               six_digits(excess) +
+               " of both together, most at this joint, and no other one was found on the way down from it within the "
+               "solves that finding it took; of "
                "cracks that open side by side one would run on and the others close, or the structure would move on; "
                "take more increments, or more fracture energy if that was meant"}};
 }
