@@ -38,7 +38,7 @@ TEUCHOS_UNIT_TEST(Observations, HoldNothingAndSayNothingWhereASceneObservesNothi
   const Experiment wall(wall_scene(3));
   const auto none = observations(wall);
   TEST_ASSERT(none.columns().empty());
-  TEST_ASSERT(none.values({{}, {}, {}}).empty());
+  TEST_ASSERT(none.values({{}, {}, {}, {}}).empty());
 }
 
 TEUCHOS_UNIT_TEST(Observations, TheNearestNodeMovesAsTheFieldThere) {
@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(Observations, TheNearestNodeMovesAsTheFieldThere) {
   TEST_EQUALITY(at.columns().size(), 2);
   TEST_EQUALITY(at.columns()[0], "ux_m of corner");
   TEST_EQUALITY(at.columns()[1], "uy_m of corner");
-  const auto u = at.values({linear_field(wall, 0.5, 0.25, 2.0), {}, {}});
+  const auto u = at.values({linear_field(wall, 0.5, 0.25, 2.0), {}, {}, {}});
   TEST_EQUALITY(u[0], 0.5);  // one node with weight 1: the very number
   TEST_EQUALITY(u[1], 0.0);
 }
@@ -64,7 +64,7 @@ TEUCHOS_UNIT_TEST(Observations, TheMeanOfALinearFieldIsItsValueAtTheMassCentre) 
     width = std::max(width, x[0]);
     height = std::max(height, x[1]);
   }
-  const auto u = observations(wall).values({linear_field(wall, 0.5, 0.25, 2.0), {}, {}});
+  const auto u = observations(wall).values({linear_field(wall, 0.5, 0.25, 2.0), {}, {}, {}});
   // Sums of some hundred products: 1e-12 is far above their round-off and the order in which ranks add them up.
   TEST_FLOATING_EQUALITY(u[0], 0.5 + 0.25 * width / 2, 1e-12);
   TEST_FLOATING_EQUALITY(u[1], 2.0 * height / 2, 1e-12);
@@ -79,10 +79,10 @@ TEUCHOS_UNIT_TEST(Observations, VelocitiesAreColumnsOfScenesInTimeAndNoNumbersIn
   TEST_EQUALITY(at.columns().size(), 4);
   TEST_EQUALITY(at.columns()[2], "vx_m_per_s of corner");
   const auto field = linear_field(wall, 0.5, 0, 0);
-  auto values = at.values({field, linear_field(wall, -3.0, 0, 0), {}});
+  auto values = at.values({field, linear_field(wall, -3.0, 0, 0), {}, {}});
   TEST_EQUALITY(values[0], 0.5);
   TEST_EQUALITY(values[2], -3.0);
-  values = at.values({field, {}, {}});
+  values = at.values({field, {}, {}, {}});
   TEST_EQUALITY(values[0], 0.5);
   TEST_ASSERT(std::isnan(values[2]) && std::isnan(values[3]));
 }
@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(Observations, ASupportShowsItsMotionAndTheForceItBears) {
   TEST_EQUALITY(at.columns().size(), 4);
   TEST_EQUALITY(at.columns()[2], "fx_N of ground");
   const auto forces = linear_field(wall, 3.0, 0, 0);  // 3 N along x at every node copy
-  const auto values = at.values({linear_field(wall, 0.25, 0, 1.0), {}, forces});
+  const auto values = at.values({linear_field(wall, 0.25, 0, 1.0), {}, forces, {}});
   TEST_FLOATING_EQUALITY(values[0], 0.25, 1e-12);
   const auto nodes = held_nodes(wall.scene(), wall.model().source(), wall.model().structure());
   const double mine = static_cast<double>(nodes.front().size());
