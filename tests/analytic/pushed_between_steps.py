@@ -5,10 +5,14 @@ mean over itself, and an automatic one is short where a load varies fast. Veloci
 acceleration; a fixed step has the velocity to round-off, and its way to the length of a step.
 """
 
+import pathlib
+import sys
+
 import numpy as np
 
-import program
-import stones
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import program  # noqa: E402
+import stones  # noqa: E402
 
 PUSH = 30.0  # m/s2
 BED = stones.rectangle(0.0, -0.25, 2.0, 0.0)

@@ -5,12 +5,14 @@ Every cell of the table in src/dynamics/seams.md is right, refused or warned of;
 
 import math
 import pathlib
+import sys
 
 import h5py
 import numpy as np
 
-import program
-import stones
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import program  # noqa: E402
+import stones  # noqa: E402
 
 SEAMS = pathlib.Path(__file__).resolve().parents[2] / "src" / "dynamics" / "seams.md"
 KEEP = {"output": {"checkpoint at end": True}}
