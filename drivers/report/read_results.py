@@ -145,14 +145,14 @@ def text(value):
 
 
 def read_sets(mesh_group, blocks):
-    """Sets by name, from a table blocks x sets of 0 and 1."""
-    if "block_in_set" not in mesh_group or "block_set_names" not in mesh_group:
+    """Sets by name, from the list of the sets of every block."""
+    if "block_sets" not in mesh_group or "block_set_names" not in mesh_group:
         return {}
     names = [text(n) for n in np.atleast_1d(mesh_group["block_set_names"][()])]
-    table = mesh_group["block_in_set"][()].reshape(blocks, -1)
-    if table.shape != (blocks, len(names)):
-        raise ValueError(f"/mesh/block_in_set has shape {table.shape}, not [{blocks}, {len(names)}]")
-    members = [np.flatnonzero(table[:, k]) for k in range(len(names))]
+    table = mesh_group["block_sets"][()].reshape(blocks, -1)
+    if table.max(initial=-1) >= len(names):
+        raise ValueError(f"/mesh/block_sets names set {table.max()}, and there are {len(names)}")
+    members = [np.flatnonzero((table == k).any(axis=1)) for k in range(len(names))]
     return {name: blocks_of for name, blocks_of in zip(names, members) if len(blocks_of)}
 
 

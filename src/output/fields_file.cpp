@@ -118,9 +118,9 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   const Rows blocks = counted(mesh.block);
   write("/mesh/rank_of_block", blocks, std::vector<int>(mesh.block.size(), comm_->getRank()), 1, "-");
   write("/mesh/block_set", blocks, mesh.block_set, 1, "-", "the first set, an index into block_set_names, -1 for none");
-  const int sets = static_cast<int>(mesh.block_set_names.size());
-  if (sets > 0)
-    write("/mesh/block_in_set", blocks, mesh.in_set, sets, "-", "1 where a block is in a set of block_set_names");
+  if (mesh.sets_of_a_block > 0)
+    write("/mesh/block_sets", blocks, mesh.block_sets, mesh.sets_of_a_block, "-",
+          "all sets of a block, indices into block_set_names, -1 for no more");
   if (!file_.has("/mesh/block_set_names")) file_.write_texts("/mesh/block_set_names", mesh.block_set_names);
   xdmf_.nodes = nodes_.total;
   xdmf_.cells = cells_.total;

@@ -78,6 +78,9 @@ void Recorder<dim>::write_tables() {
   const auto& s = model_.structure();
   MeshRows mesh;
   mesh.block_set_names = model_.source().block_sets();
+  std::size_t most = 0;
+  for (int b = 0; b < s.owned_blocks(); ++b) most = std::max(most, s.blocks()[b].mesh.sets.size());
+  mesh.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<double>(most)));
   // Cells are numbered block by block, like nodes.
   std::vector<long long> mine(s.owner_of_block().size(), 0), cells(mine.size(), 0);
   for (int b = 0; b < s.owned_blocks(); ++b)
@@ -89,9 +92,8 @@ void Recorder<dim>::write_tables() {
     const auto& block = s.blocks()[b];
     mesh.block.push_back(block.mesh.id);
     mesh.block_set.push_back(block.mesh.sets.empty() ? -1 : block.mesh.sets.front());
-    std::vector<int> in_set(mesh.block_set_names.size(), 0);
-    for (const int set : block.mesh.sets) in_set[static_cast<std::size_t>(set)] = 1;
-    mesh.in_set.insert(mesh.in_set.end(), in_set.begin(), in_set.end());
+    for (int k = 0; k < mesh.sets_of_a_block; ++k)
+      mesh.block_sets.push_back(k < static_cast<int>(block.mesh.sets.size()) ? block.mesh.sets[k] : -1);
     for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
       mesh.node.push_back(block.first_node + static_cast<NodeId>(i));
       mesh.block_of_node.push_back(block.mesh.id);

@@ -21,10 +21,12 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   state.selected.assign(points, 0);
   // Open joints cannot begin bonded.
   const auto& gap = model_.initial_gap();
-  for (std::size_t k = 0; k < gap.size(); ++k)
-    state.selected[k] = gap[k] > 0 || model_.scene().selection.mode == SelectionMode::all;
-  for (std::size_t k = 0; k < model_.between_supports().size(); ++k)
-    if (model_.between_supports()[k]) state.selected[k] = 1;
+  // Nor those between supports that may part. Where some points are selected, mode all begins with all of them.
+  const auto& apart = model_.between_supports();
+  const bool all = model_.scene().selection.mode == SelectionMode::all;
+  for (std::size_t k = 0; k < gap.size(); ++k) state.selected[k] = gap[k] > 0 || all;
+  for (std::size_t k = 0; k < apart.size(); ++k)
+    if (apart[k] || all) state.selected[k] = 1;
   if (!model_.scene().construction.empty()) {
     state.initial_gap = gap;
     state.initial_gap.resize(points, 0.0);

@@ -40,9 +40,10 @@ class Run:
         return [w for w in self.result["warnings"] if kind in (None, w["what"])]
 
     def first_told(self):
-        """Load factor or time of the first warning: before, there was nothing to tell."""
-        line = next(line for line in self.text.splitlines() if line.lstrip().startswith("WARNING"))
-        return float(re.search(r"load factor ([0-9.e-]+)|, ([0-9.e-]+) s:", line).expand(r"\1\2").rstrip(":"))
+        """Load factor or time of the first warning of a step: before, there was nothing to tell."""
+        lines = [line for line in self.text.splitlines() if line.lstrip().startswith("WARNING")]
+        found = filter(None, (re.search(r"load factor ([0-9.e-]+)|, ([0-9.e-]+) s:", line) for line in lines))
+        return float(next(found).expand(r"\1\2").rstrip(":"))
 
 
 def pose(name, stones, size, edges, *arguments, **sections):

@@ -37,6 +37,7 @@ std::vector<long long> first(long long count) {
 MeshRows two_squares() {
   MeshRows mesh;
   mesh.block_set_names = {"left", "right side"};
+  mesh.sets_of_a_block = 2;
   for (int block = 0; block < 2; ++block) {
     if (rank() != (block == 0 ? 0 : last_rank())) continue;
     for (int corner = 0; corner < 4; ++corner) mesh.node.push_back(4 * block + corner);
@@ -45,7 +46,7 @@ MeshRows two_squares() {
     mesh.block_of_node.insert(mesh.block_of_node.end(), 4, block);
     mesh.block.push_back(block);
     mesh.block_set.push_back(block);
-    for (int set = 0; set < 2; ++set) mesh.in_set.push_back(set == block || block == 1);  // block 1 is in both
+    for (const int set : {block, block == 1 ? 0 : -1}) mesh.block_sets.push_back(set);  // block 1 is in both
     mesh.held.insert(mesh.held.end(), 4, block == 0);
     const std::vector<long long> cells = block == 0 ? std::vector<long long>{0} : std::vector<long long>{1, 2};
     const std::vector<NodeId> corners =
@@ -113,7 +114,7 @@ TEUCHOS_UNIT_TEST(FieldsFile, HoldsWhatEveryRankGaveInGlobalOrder) {
   TEST_ASSERT(file.read_rows<int>("/mesh/rank_of_block", first(2)) == (std::vector<int>{0, last_rank()}));
   TEST_ASSERT(file.read_texts("/mesh/block_set_names") == mesh.block_set_names);
   TEST_ASSERT(file.read_rows<int>("/mesh/block_set", first(2)) == (std::vector<int>{0, 1}));
-  TEST_ASSERT(file.read_rows<int>("/mesh/block_in_set", first(2)) == (std::vector<int>{1, 0, 1, 1}));
+  TEST_ASSERT(file.read_rows<int>("/mesh/block_sets", first(2)) == (std::vector<int>{0, -1, 1, 0}));
   TEST_ASSERT(file.read_rows<int>("/mesh/held", {3, 4}) == (std::vector<int>{1, 0}));
   TEST_ASSERT(file.read_rows<long long>("/joints/node_j", first(2)) == (std::vector<long long>{4, 7}));
   TEST_EQUALITY(file.table("/joints/area").unit, "m2");
