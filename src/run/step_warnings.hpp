@@ -52,10 +52,10 @@ inline Warnings warnings_of(const StepReport& report, const StepParameters& numb
 /// What is said of load steps that begin while a structure moves.
 inline Warnings motion_dropped(const EnergyBook& energy, const std::string& when) {
   constexpr double stands = 1e-2;  // of the elastic energy: vibrates by a tenth of what loads do
-  if (!(energy.kinetic() > stands * energy.elastic())) return {};
+  if (!(energy.kinetic() > stands * std::max(0.0, energy.elastic()))) return {};
   return {{"velocity_dropped", "the structure", when, energy.kinetic(),
            "load steps begin while the structure moves, and know no velocity: its kinetic energy of " +
-               number_text(energy.kinetic()) +
+               six_digits(energy.kinetic()) +
                " J leaves it, as removed_J of the energy book tells; let it come to rest in the stage before, or go on "
                "in time"}};
 }
