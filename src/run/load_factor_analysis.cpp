@@ -16,7 +16,8 @@ namespace voussoir {
 namespace {
 
 // Attempts that stand rarely take five times the linear solves of the dearest that did; the first may need hundreds.
-constexpr int patience = 5, fewest_solves = 300;
+// Where what is left undecided cannot be let go in time, as the solver tells a mechanism in up to a thousand.
+constexpr int patience = 5, fewest_solves = 300, fewest_in_statics = 1000;
 
 /// Beyond this share of the structure displacements change what bears what, which small ones leave out.
 constexpr double small_displacements = 0.01;
@@ -44,7 +45,8 @@ void tell(const Attempting& run, const Warnings& warnings) {
 /// What the static theorem and the estimate without dilatancy say, before anything is tried.
 void LoadFactorAnalysis::certify(const Attempting& run) {
   asked_theorem_ = true;
-  if (!theorem_applies(run.model)) return;
+  // Stones that turn far stand elsewhere when it comes to that.
+  if (!theorem_applies(run.model) || run.model.scene().model.rotations == Rotations::finite) return;
   const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p_.pattern, run.steps.time());
   const RigidLimits limits(run.model, {&run.construction.absent(), &run.state, run.load, raised});
   const auto limit = limits.largest_factor(p_.largest);
@@ -64,23 +66,40 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
                    " no equilibrium exists, by the static theorem (rigid limit analysis).");
 }
 
+/// A load step by statics. Of stones that are followed to where they turn to the static theorem is asked.
+/// @param most  linear solves; when they are spent nothing is found
+LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, const ContactState& before,
+                                                         const LoadIncrement& increment, int most) {
+  Found found;
+  const SolveBudget budget(run.step, most);
+  StaticTheorem theorem(run.model);
+  theorem.begin(run.construction.absent(), before, increment.load_before, increment.load, false);
+  std::optional<Progress::Judging> asks;
+  const bool follows = run.model.scene().model.rotations == Rotations::finite;
+  if (follows) asks.emplace(*run.step.progress(), [&theorem] { theorem.count_solve(); });
+  try {
+    found.report = follows ? theorem.solve(run.step, run.model, run.state, increment.prescribed)
+                           : solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
+  } catch (const OutOfSolves&) {
+    go_back(run.model, before);
+    found.report.newton.newton_iterations = budget.solves();
+    found.report.newton.reason = "no equilibrium within " + std::to_string(most) +
+                                 " linear solves: no attempt that stands took more than 1 / " +
+                                 std::to_string(patience) + " of them";
+    return found;
+  }
+  const auto& refusal = theorem.refusal();
+  found.mechanism = refusal ? refusal->mechanism : run.step.mechanism();
+  found.dilates = refusal && refusal->dilates;
+  return found;
+}
+
 /// A load step by statics, or else in time. The state is where it ends.
 LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, const ContactState& before,
                                                      const LoadIncrement& increment) {
-  Found found;
   const bool in_time = can_settle_in_time(run.model);
-  const int most = in_time ? std::max(fewest_solves, patience * most_solves_) : std::numeric_limits<int>::max();
-  {
-    SolveBudget budget(run.step, most);
-    try {
-      found.report = solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
-      found.mechanism = run.step.mechanism();
-    } catch (const OutOfSolves&) {
-      found.report.newton.newton_iterations = budget.solves();
-      found.report.newton.reason = "no equilibrium within " + std::to_string(most) + " linear solves, " +
-                                   std::to_string(patience) + " times those of the dearest attempt that stands";
-    }
-  }
+  const int most = std::max(in_time ? fewest_solves : fewest_in_statics, patience * most_solves_);
+  auto found = by_statics(run, before, increment, most);
   if (found.report.newton.outcome == NewtonOutcome::converged)
     most_solves_ = std::max(most_solves_, found.report.newton.newton_iterations);
   if (found.report.newton.outcome != NewtonOutcome::not_converged || !in_time) return found;
@@ -167,6 +186,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const auto overlap = [&](const auto& motion, const auto& state) { return overlap_of(motion, state, run.model); };
   if (!first && overlap(mechanism, failed) > std::max(believable_overlap, overlap(mechanism_, failed_))) return;
   mechanism_ = mechanism;
+  mechanism_dilates_ = found.dilates;
   failed_ = failed;
 }
 
@@ -203,7 +223,7 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
   }
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
-  summary.mechanism->dilates = theorem_alone && limit_dilates_;
+  summary.mechanism->dilates = theorem_alone ? limit_dilates_ : mechanism_dilates_;
   summary.message +=
       "; " + mechanism_in_words(run.model, mechanism_) + of_slip_that_dilates(summary.mechanism->dilates);
 }

@@ -69,6 +69,7 @@ class LoadFactorAnalysis {
       limit_lambda_.resize(points.ids.size() * dim);
     }
     archive.value("load_factor.limit.dilates", limit_dilates_);
+    archive.value("load_factor.mechanism.dilates", mechanism_dilates_);
     archive.rows("load_factor.limit.mechanism", nodes, dim, limit_mechanism_);
     archive.rows("load_factor.limit.lambda", points, dim, limit_lambda_);
     archive.rows("load_factor.mechanism", nodes, dim, mechanism_);
@@ -84,9 +85,11 @@ class LoadFactorAnalysis {
   struct Found {
     StepReport report;
     std::vector<double> mechanism;
+    bool dilates = false;  ///< that motion, as limit analysis has it
     int solves = 0;
     StepCounts counts;  ///< beside those of the report
   };
+  Found by_statics(const Attempting&, const ContactState& before, const LoadIncrement&, int most);
   Found decide(const Attempting&, const ContactState& before, const LoadIncrement&);
   void certify(const Attempting&);
   void judge(const Attempting&);
@@ -96,7 +99,8 @@ class LoadFactorAnalysis {
   LoadFactorParameters p_;
   FactorSearch search_;
   bool asked_theorem_ = false;
-  std::vector<double> limit_mechanism_;                    ///< in which it falls at the limit, on node copies
+  std::vector<double> limit_mechanism_;  ///< in which it falls at the limit, on node copies
+  bool mechanism_dilates_ = false;
   bool limit_dilates_ = false;                             ///< by slip that dilates
   PointField limit_lambda_;                                ///< [N] forces that balance loads there
   int most_solves_ = 0;                                    ///< linear solves of the dearest attempt that stands

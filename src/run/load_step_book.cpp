@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
+#include "run/turning_supports.hpp"
 #include "step/joint_strength.hpp"
 
 namespace voussoir {
@@ -116,6 +117,7 @@ EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vect
   s.apply_stiffness(deformation, ku);
   EnergyOfStep energy;
   WorkOfForces work;
+  work.of_mean = beyond_the_chord(model_, before_, after, reaction_before_, reaction);
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
     const auto& absent = model_.absent();
     if (absent.empty() || !absent[s.block_of_node()[i / dim]]) energy.elastic += deformation[i] * ku[i] / 2;

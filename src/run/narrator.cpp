@@ -26,13 +26,21 @@ void Narrator::begin(int step, const std::string& stage, double target, double p
   step_ = step;
   target_ = target;
   progress_ = progress;
+  told_at_ = std::chrono::steady_clock::now();
   if (first_progress_ < 0) first_progress_ = progress;
   solves_ = 0;
 }
 
 void Narrator::solve(const NewtonProgress& p) {
   if (p.local_solves == 0) ++solves_;
-  if (!verbose_) return;
+  if (!verbose_) {
+    // Who waits wants to know for what; a line in ten seconds is no flood.
+    if (std::chrono::steady_clock::now() < told_at_ + std::chrono::seconds(10)) return;
+    told_at_ = std::chrono::steady_clock::now();
+    print(say_, "      step %d, stage '%s' at %.6g: %d linear solves so far, |R| %.1e N and contact law %.1e N\n",
+          step_, stage_.c_str(), target_, solves_, p.residual, p.complementarity);
+    return;
+  }
   if (p.local_solves > 0) {
     print(say_, "        it %3d  |R| %9.2e N  with stuck blocks brought to rest in %d linear solves of patches\n",
           p.iteration, p.residual, p.local_solves);
@@ -75,9 +83,9 @@ void Narrator::warn(const Warning& w) {
 void Narrator::failed(const StepReport& report, const std::string& stage, double target) {
   print(say_, "step %d, stage '%s' at %.4g: %s\n", step_, stage.c_str(), target,
         report.newton.outcome == NewtonOutcome::collapse ? "collapse" : "stopped");
-  print(say_, "  after %d linear solves, |R| = %.1e and contact law %.1e of the largest force: %s.\n",
-        report.newton.newton_iterations, report.newton.residual, report.newton.complementarity,
-        report.newton.reason.c_str());
+  print(say_, "  after %d linear solves, |R| = %.1e and contact law %.1e of the largest force: ",
+        report.newton.newton_iterations, report.newton.residual, report.newton.complementarity);
+  say_ << report.newton.reason << "." << std::endl;
 }
 
 }  // namespace voussoir

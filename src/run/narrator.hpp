@@ -1,6 +1,7 @@
 // What a run says while it goes.
 #pragma once
 
+#include <chrono>
 #include <ostream>
 #include <string>
 
@@ -25,6 +26,7 @@ class Narrator {
   double spent_ = 0, progress_ = 0, told_ = 0;
   double first_progress_ = -1;  ///< where this run began, which need not be the beginning
   int step_ = 0, solves_ = 0;
+  std::chrono::steady_clock::time_point told_at_ = std::chrono::steady_clock::now();  ///< when it last said something
   double target_ = 0;
   std::string stage_;
 };

@@ -29,7 +29,7 @@ struct SupportRow {
 };
 
 /// Places count from the middle of the structure, so that they keep their digits wherever the drawing has its origin.
-Vector<2> place_of(const Structure<2>& s, int node) { return s.drawn_position()[node] - s.middle(); }
+Vector<2> place_of(const Structure<2>& s, int node) { return s.position()[node] - s.middle(); }
 
 StoneRow stone_of(const Structure<2>& s, int b, const RigidTask& task) {
   const auto& block = s.blocks()[b];

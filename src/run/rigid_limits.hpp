@@ -1,6 +1,7 @@
 // Limit analysis of a model: its stones as rigid bodies, its contact points with their laws, its loads and supports.
 //
-// Stones stand where they were drawn. One rank solves, all know the answer.
+// Stones stand where the model has them: as drawn, or with finite rotations where it has followed them to. One rank
+// solves, all know the answer.
 #pragma once
 
 #include <array>

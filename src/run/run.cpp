@@ -160,9 +160,9 @@ bool Run::load_step(const ContactState& before) {
     recorder_->spend(report);
     narrator_->failed(report, stage, target);
     const auto failed = std::exchange(state_, before);
-    if (const auto& r = theorem_.refusal()) return fail({failed, report, r->mechanism, target, r->dilates}, target);
-    if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse)
-      failure_ = Failure{failed, report, step_.mechanism(), target, false};
+    const auto found = failure_in(failed, report, target);
+    if (theorem_.refuses_any_part()) return fail(found, target);
+    if (!failure_ || !failure_->collapse() || report.newton.outcome == NewtonOutcome::collapse) failure_ = found;
     if (halve_step(start, next_load, prescribed)) return true;
     if (!pass_in_time(start, {load_, next_load, prescribed}, at_factor(stage, target), report))
       return fail(*failure_, target);
@@ -189,9 +189,15 @@ bool Run::load_step(const ContactState& before) {
   return true;
 }
 
+Run::Failure Run::failure_in(const ContactState& failed, const StepReport& report, double target) const {
+  if (const auto& refusal = theorem_.refusal()) return {failed, report, refusal->mechanism, target, refusal->dilates};
+  return {failed, report, step_.mechanism(), target, false};
+}
+
 bool Run::halve_step(const ContactState& before, const std::vector<double>& load,
                      const std::vector<double>& prescribed) {
-  return !half_asks_the_same(model_, construction_, steps_, before, load, prescribed) && steps_.halve();
+  return !half_asks_the_same(model_, construction_, steps_, before, load, prescribed, theorem_.at_the_start()) &&
+         steps_.halve();
 }
 
 bool Run::pass_in_time(const ContactState& start, const LoadIncrement& increment, const std::string& when,

@@ -69,6 +69,9 @@ class Run {
   /// False when the run ends here.
   bool load_step(const ContactState& before);
 
+  /// What a load step came to that has not been solved.
+  Failure failure_in(const ContactState& failed, const StepReport&, double target) const;
+
   /// Whether a load step is to be tried again as half of it, which would ask something else.
   /// @param load, prescribed  at its end [N], [m]
   bool halve_step(const ContactState& before, const std::vector<double>& load, const std::vector<double>& prescribed);

@@ -1,8 +1,11 @@
 #include "run/static_theorem.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/text.hpp"
+#include "linalg/reduce.hpp"
 #include "step/release.hpp"
 
 namespace voussoir {
@@ -16,65 +19,97 @@ constexpr int solves_before_asking = 40;
 constexpr int most_stones = 1200;
 // So many take a few tenths of a second: no more than the stage itself.
 constexpr int most_stones_at_ends = 300;
+// Of so few, asking costs less than as many solves, and those that have been followed to where they turned to take few
+// where they stand.
+constexpr int solves_before_asking_few = 20;
+
+// How far along its mechanism the theorem is asked again, as shares of the size of the structure.
+constexpr double shares_along[] = {0.01, 0.1};
+
+// Of the way from the loads before, what is none: what the theorem answers is exact to 1e-7.
+constexpr double nothing_borne = 1e-6;
 
 /// Thrown from within a step.
 struct Refused {};
 
+bool follows(const Model<2>& model) { return model.scene().model.rotations == Rotations::finite; }
+
 }  // namespace
 
 bool theorem_applies(const Model<2>& model) {
-  const auto& scene = model.scene();
-  return scene.selection.mode != SelectionMode::bonded && scene.model.rotations == Rotations::small &&
-         model.points().total() > 0 && model.source().block_count() <= most_stones;
+  return model.scene().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
+         model.source().block_count() <= most_stones;
 }
 
 void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& before,
                           const std::vector<double>& load_before, const std::vector<double>& load, bool ends_stage) {
   ends_stage_ = ends_stage;
   absent_ = &absent, state_ = &before, before_ = &load_before, load_ = &load;
-  waits_ = applies_;
-  solves_ = 0;
+  asked_ = !applies_;
+  solving_ = true;
+  arrangement_ = -1;
+  places_ = solves_ = 0;
   refusal_.reset();
 }
 
 void StaticTheorem::count_solve() {
-  if (waits_ && ++solves_ >= solves_before_asking && refuses()) throw Refused{};
+  if (!solving_) return;
+  ++solves_;
+  if (std::exchange(arrangement_, model_.arrangement()) != model_.arrangement()) {
+    if (++places_ > 1) asked_ = !applies_ || !follows(model_);
+    solves_here_ = 0;
+  }
+  const bool few = places_ > 1 && model_.source().block_count() <= most_stones_at_ends;
+  if (!asked_ && ++solves_here_ >= (few ? solves_before_asking_few : solves_before_asking) && refuses())
+    throw Refused{};
 }
 
 StepReport StaticTheorem::solve(AdaptiveStep<2>& step, Model<2>& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
   StepReport report;
   try {
+    const bool asks_first = follows(model_) && model_.source().block_count() <= most_stones_at_ends;
+    if (asks_first && nothing_has_moved() && refuses()) throw Refused{};
     report = solve_load_step(model, step, state, *load_, prescribed);
-    if (!in_doubt(report, state) || !refuses()) {
-      waits_ = false;
-      return report;
-    }
+    solving_ = false;
+    if (!in_doubt(report, state) || !refuses()) return report;
   } catch (const Refused&) {
+    solving_ = false;
     report = {};
     report.newton.newton_iterations = solves_;
   }
   report.newton.outcome = NewtonOutcome::collapse;
-  report.newton.reason =
-      "no forces that joints admit balance the loads, so that no equilibrium exists, by the static "
-      "theorem (rigid limit analysis); " +
-      six_digits(100 * refusal_->share) + " % of the way here from the loads before can be borne";
+  report.newton.reason = reason(model, at_the_start() ? *state_ : state);
+  go_back(model, *state_);
   state.lambda = refusal_->lambda;
   return report;
 }
 
-/// Nothing was found, or an equilibrium in which ties may bear what their law does not admit.
+bool StaticTheorem::refuses_any_part() const {
+  if (!refusal_) return false;
+  return !follows(model_) || (at_the_start() && refusal_->share < nothing_borne);
+}
+
+/// Stones stand as drawn, and nothing presses them yet.
+bool StaticTheorem::nothing_has_moved() const {
+  double largest = 0;
+  for (const double u : state_->displacement) largest = std::max(largest, std::abs(u));
+  return largest_over_ranks(*model_.structure().comm(), largest) == 0;
+}
+
+/// Nothing was found where stones stood at the start, or an equilibrium in which ties may bear what their law does not
+/// admit.
 bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state) const {
+  if (!at_the_start()) return false;
   if (report.newton.outcome == NewtonOutcome::not_converged) return true;
   return report.newton.outcome == NewtonOutcome::converged && ends_stage_ &&
          model_.source().block_count() <= most_stones_at_ends &&
          count_selected(model_, state) < model_.points().total();
 }
 
-/// Asks once a step.
+/// Asks once at a place.
 bool StaticTheorem::refuses() {
-  if (!waits_) return refusal_.has_value();
-  waits_ = false;
+  if (std::exchange(asked_, true)) return refusal_.has_value();
   // What strength the step takes is not known: strengths count as at its beginning, which admits more.
   const RigidLimits whole(model_, {absent_, state_, *load_, {}});
   auto answer = whole.bears(0);
@@ -87,6 +122,36 @@ bool StaticTheorem::refuses() {
   if (answer.verdict == LimitVerdict::limited)
     refusal_ = Refusal{std::max(0.0, answer.factor), raised.on_nodes(answer), answer.dilates, raised.on_points(answer)};
   return true;
+}
+
+std::string StaticTheorem::reason(Model<2>& model, const ContactState& from) const {
+  constexpr auto theorem = " (rigid limit analysis)";
+  const auto share = six_digits(100 * refusal_->share) + " % of the way here from the loads before can be borne";
+  if (!follows(model_))
+    return std::string(
+               "no forces that joints admit balance the loads, so that no equilibrium exists, by the static "
+               "theorem") +
+           theorem + "; " + share;
+  return std::string(at_the_start() ? "where stones stand at the start of the step "
+                                    : "where stones have moved and turned to under these loads ") +
+         "no forces that joints admit balance the loads, so that they move on, by the static theorem" + theorem + "; " +
+         share + " there; " + along_the_mechanism(model, from);
+}
+
+/// Whether stones that move on come to where forces balance the loads. Leaves the model there.
+std::string StaticTheorem::along_the_mechanism(Model<2>& model, const ContactState& from) const {
+  std::string at;
+  for (const double share : shares_along) {
+    auto there = from.displacement;
+    const double far = share * model_.structure().size();
+    for (std::size_t i = 0; i < there.size(); ++i) there[i] += far * refusal_->mechanism[i];
+    model.follow(there);
+    const RigidLimits limits(model_, {absent_, state_, *load_, {}});
+    if (limits.bears(0).verdict != LimitVerdict::refused)
+      return "moved on by " + six_digits(far) + " m they may come to rest, which load steps do not follow them to";
+    at += (at.empty() ? "" : " and ") + six_digits(far) + " m";
+  }
+  return "moved on by " + at + " along their mechanism none balance them either";
 }
 
 }  // namespace voussoir

@@ -24,19 +24,19 @@ bool is_multiple(const Teuchos::Comm<int>& comm, const std::vector<double>& one,
   return largest_over_ranks(comm, off) <= round_off * largest_over_ranks(comm, largest_of(other));
 }
 
-/// Multiples of a solution from rest are solutions.
-bool is_homogeneous(const Model<2>& model, const ContactState& before) {
+/// Multiples of a solution from rest are solutions, as long as stones stand where they stood.
+bool is_homogeneous(const Model<2>& model, const ContactState& before, bool at_the_start) {
   const bool opens = largest_of(model.initial_gap()) > 0;
   const double moved = std::max(largest_of(before.displacement), largest_of(before.lambda));
   const double mine = opens || model.weakens() || moved > 0;
-  return largest_over_ranks(*model.structure().comm(), mine) == 0 && model.scene().model.rotations == Rotations::small;
+  return largest_over_ranks(*model.structure().comm(), mine) == 0 && at_the_start;
 }
 
 }  // namespace
 
 bool half_asks_the_same(const Model<2>& model, const Construction<2>& construction, const LoadSteps& steps,
                         const ContactState& before, const std::vector<double>& load,
-                        const std::vector<double>& prescribed) {
+                        const std::vector<double>& prescribed, bool at_the_start) {
   LoadSteps half = steps;
   if (!half.halve()) return false;
   std::vector<double> half_load, half_prescribed;
@@ -46,7 +46,7 @@ bool half_asks_the_same(const Model<2>& model, const Construction<2>& constructi
   const auto alike = [&](double factor) {
     return is_multiple(comm, half_load, factor, load) && is_multiple(comm, half_prescribed, factor, prescribed);
   };
-  return alike(1.0) || (is_homogeneous(model, before) && alike(half.target() / steps.target()));
+  return alike(1.0) || (is_homogeneous(model, before, at_the_start) && alike(half.target() / steps.target()));
 }
 
 }  // namespace voussoir
