@@ -20,10 +20,13 @@ Expected  All joints may soften at once, in equilibrium, but the bar does not st
 Tolerance 1e-6 of the force: a hundred times that of the solver, whose residual is 1e-8 of the largest force.
 """
 
+import pathlib
+import sys
 import unittest
 
-import program
-import stones
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import program  # noqa: E402  (a folder of its own)
+import stones  # noqa: E402
 
 YOUNG, STRENGTH, DEPTH, CELL = 10e9, 1e5, 0.1, 0.1  # [Pa, Pa, m, m]
 

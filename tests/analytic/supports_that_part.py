@@ -10,10 +10,13 @@ Tolerance 1e-6 of the energy, a hundred times the tolerance of the solver; to ti
           whole millimetre, which takes several per cent of the energy.
 """
 
+import pathlib
+import sys
 import unittest
 
-import program
-import stones
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import program  # noqa: E402  (a folder of its own)
+import stones  # noqa: E402
 
 
 class Parting(program.SceneTest):

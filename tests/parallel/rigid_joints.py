@@ -11,10 +11,13 @@ Tolerance 1e-6 of the largest force, a hundred times the tolerance of the solver
 """
 
 import json
+import pathlib
+import sys
 import unittest
 
-import program
-import stones
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import program  # noqa: E402  (a folder of its own)
+import stones  # noqa: E402
 
 LIME = {"friction coefficient": 0.6, "cohesion": 1e5, "tension strength": 5e4, "fracture energy": 10.0,
         "shear fracture energy": 50.0}
