@@ -22,6 +22,14 @@ namespace {
 
 constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "selection", "range", "output"};
 
+/// The state that a load step starts from: the one before it, or a copy of the present one where that has other stones
+/// or no velocities any more.
+const ContactState& start_of(const Scene& scene, const ContactState& before, const ContactState& now,
+                             std::optional<ContactState>& copy) {
+  if (scene.construction.empty() && before.velocity.empty()) return before;
+  return copy.emplace(now);
+}
+
 struct StopWithinStep {};  ///< thrown when a signal is seen within a step, which is given up
 
 }  // namespace
@@ -152,7 +160,8 @@ bool Run::load_step(const ContactState& before) {
   construction_.restrict(state_, next_load, prescribed);
   narrator_->begin(summary.steps + 1, stage, target, steps_.progress());
   Teuchos::Time clock("step", true);
-  const ContactState start = state_;  // with the stones of this stage
+  std::optional<ContactState> changed;
+  const auto& start = start_of(model_.scene(), before, state_, changed);
   const LoadStepBook<2> book(model_, step_, start, load_, construction_.let_go());
   theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
@@ -300,7 +309,10 @@ bool Run::in_range(const StepEnd& end, const ContactState& before) {
 
 bool Run::fail(const Failure& failure, double last) {
   auto& summary = recorder_->summary();
+  // What the step took in vain is of this run, not of the state before it, from which another may go on.
+  const auto in_vain = std::exchange(recorder_->so_far().in_vain, {});
   saved_.save(here());
+  recorder_->so_far().in_vain = in_vain;
   summary.outcome = failure.collapse() ? Outcome::collapse : Outcome::not_converged;
   summary.load_factor = steps_.reached();
   summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(failure.target) + ": " +
