@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "blocks/rigid_motion.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 // Of the largest arm, by which a motion may differ from that of a body: far above round-off of places, far below any
 // settlement that matters.
 constexpr double of_a_body = 1e-9;
+// Of places far from the origin, whose differences have lost digits.
+constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
 
 /// What supports hold of a block: places at the start and end of a step, and forces there.
 struct HeldPart {
@@ -24,19 +27,21 @@ struct HeldPart {
   double beyond_the_chord() const {
     if (from.size() < 2) return 0;
     const auto m0 = middle(from), m1 = middle(to);
-    double crossed = 0, along = 0, largest = 0;
+    double crossed = 0, along = 0, largest = 0, farthest = 0;
     for (std::size_t k = 0; k < from.size(); ++k) {
       crossed += cross(from[k] - m0, to[k] - m1);
       along += dot(from[k] - m0, to[k] - m1);
       largest = std::max(largest, norm(from[k] - m0));
+      farthest = std::max({farthest, norm(from[k]), norm(to[k])});
     }
     const double turn = std::atan2(crossed, along);
     if (turn == 0) return 0;
     const Rotation rotation(turn);
+    const double off = of_a_body * largest + round_off * farthest;
     double moment = 0, chord = 0;
     for (std::size_t k = 0; k < from.size(); ++k) {
       const auto r0 = from[k] - m0, r1 = to[k] - m1;
-      if (norm(r1 - rotation(r0)) > of_a_body * largest) return 0;  // several supports, each with its motion
+      if (norm(r1 - rotation(r0)) > off) return 0;  // several supports, each with its motion
       moment += cross(r0, force_before[k]) + cross(r1, force[k]);
       chord += 0.5 * dot(force_before[k] + force[k], r1 - r0);
     }
