@@ -53,7 +53,7 @@ void Construction<dim>::take(const Model<dim>& model, const ContactState& state)
 
 template <int dim>
 double Construction<dim>::taken(const ContactState& start, const ContactState& after) const {
-  if (absent_.empty()) return 0;
+  if (scene_.construction.empty()) return 0;  // of the scene: a rank may have no block
   double work = 0;
   for (int i = 0; i < dim * structure_.owned_nodes(); ++i)
     work += let_go_[i] * (after.displacement[i] - start.displacement[i]) / 2;
@@ -90,7 +90,7 @@ void Construction<dim>::close(int k, const Vector<dim>& between, ContactState& s
 
 template <int dim>
 void Construction<dim>::begin(const std::string& stage, Model<dim>& model, ContactState& state) {
-  if (absent_.empty()) return;
+  if (scene_.construction.empty()) return;
   std::size_t number = 0;
   while (scene_.stages[number].name != stage) ++number;
   for (std::size_t b = 0; b < absent_.size(); ++b)

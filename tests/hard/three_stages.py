@@ -42,9 +42,9 @@ DENSITY, GRAVITY = scenes.STONE["density"], scenes.GRAVITY
 SMALL = 1e-6
 PATIENCE = 300  # [s] of a run
 STOPPED = 5  # exit code of a run that a signal stopped
-# What a scene of these may say and mean: the seams of its stages drop the velocity of a structure that still moves, and a
+# What scenes of these may say and mean: a velocity dropped where load steps follow, a pulse shorter than a step, loads on the stone that is gone.
 # time step is longer than a piece of its pulse.
-MAY_SAY = {"velocity_dropped", "time_step_over_load"}
+MAY_SAY = {"velocity_dropped", "time_step_over_load", "load_on_absent_stones"}
 
 
 class Work:
