@@ -43,7 +43,7 @@ SMALL = 1e-6
 PATIENCE = 300  # [s] of a run
 STOPPED = 5  # exit code of a run that a signal stopped
 # What scenes of these may say and mean: a velocity dropped where load steps follow, a pulse shorter than a step, loads on the stone that is gone.
-# time step is longer than a piece of its pulse.
+# time step is longer than a piece of its pulse; loads act on the stone that is gone.
 MAY_SAY = {"velocity_dropped", "time_step_over_load", "load_on_absent_stones"}
 
 
