@@ -25,9 +25,9 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "mesh/generators.hpp"
+#include "model/model.hpp"
 #include "run/rigid_limits.hpp"
 #include "step/adaptive_step.hpp"
-#include "step/model.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 //
 // External work is forces times ways of loads and moved supports, losses are what the laws of joints take on their way:
 // neither is made of the other. In load steps the imbalance tells what the rules for work and loss leave
-// (run/load_step_book): it vanishes with the size of the steps. In time steps all is exact, so the part of the
+// (results/load_step_book): it vanishes with the size of the steps. In time steps all is exact, so the part of the
 // imbalance that arose in them shows how well they were solved.
 #pragma once
 

@@ -3,10 +3,10 @@
 #include "dynamics/load_steps.hpp"
 #include "mesh/block_source.hpp"
 #include "mesh/mesh_check.hpp"
-#include "run/joint_sides.hpp"
+#include "model/phase.hpp"
+#include "model/scene_fit.hpp"
+#include "range/joint_sides.hpp"
 #include "run/simulation.hpp"
-#include "step/phase.hpp"
-#include "step/scene_fit.hpp"
 
 namespace voussoir {
 

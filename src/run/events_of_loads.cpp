@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
-#include "run/range_check.hpp"
+#include "range/range_check.hpp"
 
 namespace voussoir {
 namespace {

@@ -4,7 +4,7 @@
 #include "base/warning.hpp"
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
-#include "step/model.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 

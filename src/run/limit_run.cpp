@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "model/construction.hpp"
 #include "output/output_folder.hpp"
-#include "run/mechanism_words.hpp"
-#include "run/recorder.hpp"
+#include "results/mechanism_words.hpp"
+#include "results/recorder.hpp"
 #include "run/rigid_limits.hpp"
 #include "step/adaptive_step.hpp"
-#include "step/construction.hpp"
 
 namespace voussoir {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
-#include "run/mechanism_words.hpp"
+#include "results/mechanism_words.hpp"
+#include "results/step_warnings.hpp"
 #include "run/settling_in_time.hpp"
 #include "run/static_theorem.hpp"
-#include "run/step_warnings.hpp"
 #include "step/finite_rotations.hpp"
 
 namespace voussoir {

@@ -13,11 +13,11 @@
 
 #include "dynamics/factor_search.hpp"
 #include "dynamics/load_steps.hpp"
-#include "run/narrator.hpp"
-#include "run/range_check.hpp"
-#include "run/recorder.hpp"
+#include "model/construction.hpp"
+#include "range/range_check.hpp"
+#include "results/narrator.hpp"
+#include "results/recorder.hpp"
 #include "run/settling_in_time.hpp"
-#include "step/construction.hpp"
 
 namespace voussoir {
 

@@ -8,7 +8,7 @@
 #include "blocks/supports.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
-#include "step/joint_strength.hpp"
+#include "model/joint_strength.hpp"
 
 namespace voussoir {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "model/contact_state.hpp"
+#include "model/model.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "statics/limit_analysis.hpp"
-#include "step/contact_state.hpp"
-#include "step/model.hpp"
 
 namespace voussoir {
 

@@ -5,17 +5,17 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "run/coarse_joints.hpp"
+#include "model/phase.hpp"
+#include "range/coarse_joints.hpp"
+#include "range/input_warnings.hpp"
+#include "results/masonry_statics.hpp"
+#include "results/mechanism_words.hpp"
+#include "results/shares_of_ranks.hpp"
+#include "results/step_warnings.hpp"
 #include "run/events_of_loads.hpp"
-#include "run/input_warnings.hpp"
-#include "run/masonry_statics.hpp"
-#include "run/mechanism_words.hpp"
-#include "run/shares_of_ranks.hpp"
-#include "run/step_warnings.hpp"
 #include "run/stop_signals.hpp"
 #include "step/finite_rotations.hpp"
 #include "step/halved_step.hpp"
-#include "step/phase.hpp"
 
 namespace voussoir {
 namespace {

@@ -11,17 +11,17 @@
 
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
+#include "model/construction.hpp"
 #include "output/output_folder.hpp"
+#include "range/range_check.hpp"
+#include "results/narrator.hpp"
+#include "results/recorder.hpp"
 #include "run/load_factor_analysis.hpp"
-#include "run/narrator.hpp"
-#include "run/range_check.hpp"
-#include "run/recorder.hpp"
 #include "run/saved_run.hpp"
 #include "run/settling_in_time.hpp"
 #include "run/simulation.hpp"
 #include "run/static_theorem.hpp"
-#include "step/construction.hpp"
-#include "step/dynamic_step.hpp"
+#include "time/dynamic_step.hpp"
 
 namespace voussoir {
 

@@ -12,11 +12,11 @@
 #include "base/digest.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "model/phase.hpp"
 #include "output/checkpoint.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
 #include "run/scene_changes.hpp"
-#include "step/phase.hpp"
 
 namespace voussoir {
 namespace {

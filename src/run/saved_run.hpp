@@ -11,8 +11,8 @@
 
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
+#include "results/recorder.hpp"
 #include "run/load_factor_analysis.hpp"
-#include "run/recorder.hpp"
 #include "scene/scene_values.hpp"
 
 namespace voussoir {

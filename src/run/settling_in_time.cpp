@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "linalg/reduce.hpp"
-#include "step/dynamic_step.hpp"
 #include "step/finite_rotations.hpp"
+#include "time/dynamic_step.hpp"
 
 namespace voussoir {
 namespace {

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "dynamics/factor_search.hpp"
+#include "model/step_counts.hpp"
 #include "step/adaptive_step.hpp"
-#include "step/step_counts.hpp"
 
 namespace voussoir {
 

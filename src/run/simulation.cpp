@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "output/output_folder.hpp"
-#include "run/effect_costs.hpp"
-#include "run/input_warnings.hpp"
+#include "range/input_warnings.hpp"
+#include "results/effect_costs.hpp"
+#include "results/prediction.hpp"
 #include "run/limit_run.hpp"
-#include "run/prediction.hpp"
 #include "run/run.hpp"
 #include "run/scene_file.hpp"
 #include "scene/scene_printer.hpp"

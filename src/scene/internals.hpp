@@ -9,8 +9,8 @@
 #include "nonlinear/method_parameters.hpp"
 #include "selection/rest_parameters.hpp"
 #include "step/step_parameters.hpp"
-#include "step/tie_parameters.hpp"
-#include "step/time_step_parameters.hpp"
+#include "ties/tie_parameters.hpp"
+#include "time/time_step_parameters.hpp"
 
 namespace voussoir {
 

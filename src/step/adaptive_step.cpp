@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "joints/tractions.hpp"
-#include "step/point_status.hpp"
+#include "model/point_status.hpp"
 
 namespace voussoir {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "dynamics/load_steps.hpp"
-#include "step/construction.hpp"
-#include "step/model.hpp"
+#include "model/construction.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 

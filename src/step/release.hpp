@@ -1,8 +1,8 @@
 // Which tied points of a state become contact points, and with which forces they begin.
 #pragma once
 
-#include "step/contact_problem.hpp"
-#include "step/model.hpp"
+#include "model/contact_problem.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 

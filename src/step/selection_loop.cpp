@@ -6,9 +6,9 @@
 #include "dynamics/load_steps.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
-#include "step/joint_strength.hpp"
-#include "step/mortar.hpp"
-#include "step/phase.hpp"
+#include "model/joint_strength.hpp"
+#include "model/mortar.hpp"
+#include "model/phase.hpp"
 #include "step/release.hpp"
 
 namespace voussoir {

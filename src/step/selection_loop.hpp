@@ -14,13 +14,13 @@
 #include <optional>
 #include <vector>
 
+#include "model/contact_problem.hpp"
+#include "model/model.hpp"
+#include "model/progress.hpp"
+#include "model/step.hpp"
 #include "nonlinear/contact_solver.hpp"
-#include "step/contact_problem.hpp"
-#include "step/error_estimate.hpp"
-#include "step/model.hpp"
-#include "step/progress.hpp"
-#include "step/step.hpp"
-#include "step/tie_balance.hpp"
+#include "ties/error_estimate.hpp"
+#include "ties/tie_balance.hpp"
 
 namespace voussoir {
 

@@ -10,9 +10,9 @@
 #include "linalg/reduce.hpp"
 #include "output/study_table.hpp"
 #include "run/simulation.hpp"
-#include "step/dynamic_step.hpp"
 #include "step/release.hpp"
 #include "study/processor_clock.hpp"
+#include "time/dynamic_step.hpp"
 
 namespace voussoir {
 namespace {

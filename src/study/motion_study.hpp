@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "scene/scene.hpp"
-#include "step/model.hpp"
 
 namespace voussoir {
 

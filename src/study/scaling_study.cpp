@@ -15,7 +15,7 @@
 #include "linalg/solver_failure.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
-#include "run/shares_of_ranks.hpp"
+#include "results/shares_of_ranks.hpp"
 #include "run/simulation.hpp"
 #include "step/adaptive_step.hpp"
 #include "step/release.hpp"

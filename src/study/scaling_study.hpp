@@ -15,8 +15,8 @@
 #include "linalg/system_cost.hpp"
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
-#include "step/model.hpp"
 
 namespace voussoir {
 

@@ -12,7 +12,7 @@
 #include "linalg/reduce.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
-#include "run/shares_of_ranks.hpp"
+#include "results/shares_of_ranks.hpp"
 #include "run/simulation.hpp"
 #include "step/adaptive_step.hpp"
 #include "study/processor_clock.hpp"

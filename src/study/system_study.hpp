@@ -14,8 +14,8 @@
 
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
-#include "step/model.hpp"
 
 namespace voussoir {
 

@@ -3,7 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
-#include "run/effect_costs.hpp"
+#include "results/effect_costs.hpp"
 #include "support/scenes.hpp"
 
 namespace {

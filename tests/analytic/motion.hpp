@@ -12,7 +12,7 @@
 #include "dynamics/load_steps.hpp"
 #include "mesh/block_source.hpp"
 #include "scene/scene_reader.hpp"
-#include "step/dynamic_step.hpp"
+#include "time/dynamic_step.hpp"
 
 namespace voussoir::test {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
-#include "step/model.hpp"
 
 namespace voussoir::test {
 

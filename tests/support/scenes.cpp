@@ -9,7 +9,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/gather.hpp"
 #include "mesh/block_source.hpp"
-#include "step/joint_strength.hpp"
+#include "model/joint_strength.hpp"
 
 namespace voussoir::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "model/construction.hpp"
 #include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
-#include "step/construction.hpp"
 
 namespace voussoir::test {
 

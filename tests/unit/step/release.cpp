@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "linalg/reduce.hpp"
-#include "unit/step/tied_wall.hpp"
+#include "support/tied_wall.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "linalg/reduce.hpp"
-#include "step/dynamic_step.hpp"
 #include "support/scenes.hpp"
+#include "time/dynamic_step.hpp"
 
 namespace {
 

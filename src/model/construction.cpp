@@ -1,0 +1,134 @@
+#include "model/construction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/reduce.hpp"
+#include "model/joint_strength.hpp"
+#include "model/scene_fit.hpp"
+
+namespace voussoir {
+template <int dim>
+Construction<dim>::Construction(const Model<dim>& model)
+    : scene_(model.scene()), source_(model.source()), structure_(model.structure()) {
+  if (scene_.construction.empty()) return;
+  drawn_gap_ = model.initial_gap();
+  absent_.assign(structure_.blocks().size(), 0);
+}
+
+template <int dim>
+bool Construction<dim>::joined(const Model<dim>& model, int k) const {
+  const auto& p = model.points().points()[k];
+  return !absent_[structure_.block_of_node()[p.node_i]] && !absent_[structure_.block_of_node()[p.node_j]];
+}
+
+/// Blocks that go take their energy along, and their forces on the others are let go. They stay where they were.
+template <int dim>
+void Construction<dim>::take(const Model<dim>& model, const ContactState& state) {
+  std::vector<double> gone(state.displacement.size(), 0.0), force;
+  const auto gaps = model.gaps(state.displacement, state.lambda);
+  std::vector<char> goes(absent_.size(), 0);  // absent from now on: some joint of it is not apart yet
+  for (int k = 0; k < model.points().size(); ++k)
+    for (const int node : {model.points().points()[k].node_i, model.points().points()[k].node_j})
+      if (state.initial_gap[k] != apart() && absent_[structure_.block_of_node()[node]])
+        goes[structure_.block_of_node()[node]] = 1;
+  for (std::size_t i = 0; i < gone.size(); ++i)
+    if (goes[structure_.block_of_node()[i / dim]]) gone[i] = state.displacement[i];
+  structure_.apply_stiffness(gone, force);
+  energy_gone_ = 0;
+  for (int i = 0; i < dim * structure_.owned_nodes(); ++i) energy_gone_ += gone[i] * force[i] / 2;
+  PointField lambda(state.lambda.size(), 0.0);
+  for (int k = 0; k < model.points().size(); ++k) {
+    if (joined(model, k) || state.initial_gap[k] == apart()) continue;
+    for (int c = 0; c < dim; ++c) lambda[dim * k + c] = state.lambda[dim * k + c];
+    if (k < model.points().owned()) energy_gone_ += held_by_joint(model, state, gaps[dim * k], k);
+  }
+  energy_gone_ += model.mortar_energy(lambda);
+  let_go_.assign(gone.size(), 0.0);
+  add_contact_forces(model.points(), {}, lambda, 1.0, let_go_);
+}
+
+template <int dim>
+double Construction<dim>::taken(const ContactState& start, const ContactState& after) const {
+  if (scene_.construction.empty()) return 0;  // of the scene: a rank may have no block
+  double work = 0;
+  for (int i = 0; i < dim * structure_.owned_nodes(); ++i)
+    work += let_go_[i] * (after.displacement[i] - start.displacement[i]) / 2;
+  return total_over_ranks(*structure_.comm(), energy_gone_ - work);
+}
+
+/// A side of the point is not there: it stands as far open as the structure is large, and bears nothing.
+template <int dim>
+void Construction<dim>::part(int k, ContactState& state) const {
+  state.initial_gap[k] = apart();
+  state.selected[k] = 1;
+  std::fill_n(state.lambda.begin() + static_cast<long>(dim) * k, dim, 0.0);
+}
+
+/// A side of the point appears where the mesh draws it: gap and slip count from where its neighbour has moved to.
+template <int dim>
+void Construction<dim>::give_birth(int k, const Vector<dim>& between, ContactState& state) const {
+  state.initial_gap[k] = drawn(k) - between[0];
+  for (int a = 1; a < dim && !state.slip_origin.empty(); ++a) state.slip_origin[dim * k + a] = between[a];
+  // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
+  const bool moved = std::any_of(between.begin(), between.end(), [](double motion) { return motion != 0; });
+  state.selected[k] = moved || drawn(k) > 0 || scene_.selection.mode == SelectionMode::all;
+  if (!state.opened.empty()) state.opened[k] = state.slipped[k] = 0;
+}
+
+/// The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would be a
+/// force of some percent of the largest, which creeps in or out.
+template <int dim>
+void Construction<dim>::close(int k, const Vector<dim>& between, ContactState& state) const {
+  const double gap = state.initial_gap[k] + between[0];
+  if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
+  if (scene_.selection.mode == SelectionMode::all) state.selected[k] = 1;
+}
+
+template <int dim>
+void Construction<dim>::begin(const std::string& stage, Model<dim>& model, ContactState& state) {
+  if (scene_.construction.empty()) return;
+  std::size_t number = 0;
+  while (scene_.stages[number].name != stage) ++number;
+  for (std::size_t b = 0; b < absent_.size(); ++b)
+    absent_[b] = !is_there(scene_, source_, structure_.blocks()[b].mesh, number);
+  model.set_initial_gap(state.initial_gap);
+  take(model, state);
+  model.set_absent(absent_);
+
+  const auto& points = model.points().points();
+  const int count = static_cast<int>(points.size());
+  for (int k = 0; k < count; ++k) {
+    const auto between = relative_motion(points[k], state.displacement);
+    if (!joined(model, k))
+      part(k, state);
+    else if (state.initial_gap[k] == apart())
+      give_birth(k, between, state);
+    else
+      close(k, between, state);
+  }
+  model.set_initial_gap(state.initial_gap);
+  for (int k = 0; k < count; ++k)
+    VOUSSOIR_ENSURE(state.initial_gap[k] != apart() || !(model.law()[k].tension > 0 || model.law()[k].cohesion > 0));
+}
+
+template <int dim>
+void Construction<dim>::restrict(const ContactState& state, std::vector<double>& force,
+                                 std::vector<double>& prescribed) const {
+  for (std::size_t b = 0; b < absent_.size(); ++b) {
+    if (!absent_[b]) continue;
+    const auto& block = structure_.blocks()[b];
+    const std::size_t from = dim * block.first_local, to = from + dim * block.mesh.position.size();
+    for (std::size_t i = from; i < to; ++i) {
+      force[i] = 0;
+      prescribed[i] = state.displacement[i];
+    }
+  }
+}
+
+template class Construction<2>;
+
+}  // namespace voussoir

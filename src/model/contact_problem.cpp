@@ -1,0 +1,294 @@
+#include "model/contact_problem.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "blocks/assembly.hpp"
+#include "blocks/rigid_motion.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/local_view.hpp"
+#include "linalg/solver_failure.hpp"
+#include "linalg/traffic.hpp"
+#include "model/patch_cutter.hpp"
+
+namespace voussoir {
+
+template <int dim>
+ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>& selected, const Asked& asked)
+    : parts_(parts), selection_(selected) {
+  space_ = std::make_unique<MergedSpace<dim>>(parts.structure, parts.points, selection_, parts.held);
+  matrix_ = std::make_unique<SystemMatrix<dim>>(parts.structure, parts.points, selection_, *space_);
+  make_preconditioner();
+  begin(asked);
+}
+
+template <int dim>
+void ContactProblem<dim>::make_preconditioner() {
+  coarse_.reset();  // its room first
+  coarse_ =
+      std::make_shared<CoarseOperator<dim>>(parts_.structure, parts_.points, selection_, *space_, parts_.continuum,
+                                            parts_.preconditioner, parts_.internals.preconditioner);
+}
+
+template <int dim>
+void ContactProblem<dim>::begin(const Asked& asked) {
+  if (!coarse_->begin_step()) make_preconditioner();
+  asked_.emplace(asked);
+  if (asked.softening) coarse_->factor_on_first_rank();  // round-off decides which of two cracks runs
+  carried_ = Teuchos::null;
+  rigid_.clear();
+  rigid_gap_.clear();
+  deformed_.clear();
+  internal_scale_ = 0;
+  patches_.reset();
+  set_proximal_weights();
+  set_movable();
+  find_shared_forces();
+  set_scales();
+}
+
+/// Where strength is judged by forces that nothing else tells apart. Mortar that is a spring tells them, and in time
+/// they go on from what they were.
+template <int dim>
+void ContactProblem<dim>::find_shared_forces() {
+  shared_forces_.reset();
+  shares_ = asked_->softening && !parts_.inertia;
+  if (!shares_) return;
+  auto counts = movable_;
+  for (std::size_t k = 0; k < parts_.compliance.size(); ++k)
+    if (parts_.compliance[k].normal > 0 && parts_.compliance[k].tangential > 0) counts[k] = 0;
+  shared_forces_ =
+      std::make_unique<SharedForces>(parts_.structure, parts_.points, space_->cluster(), space_->held(), counts);
+  shares_ = largest_over_ranks(*parts_.structure.comm(), shared_forces_->any()) > 0;
+}
+
+template <int dim>
+void ContactProblem<dim>::split_shared_forces(const std::vector<PointFreedom>& freedom, PointField& lambda) const {
+  if (!shares_) return;
+  shared_forces_->split(freedom, lambda);
+  parts_.points.exchange().update(lambda, dim);
+}
+
+/// The largest load, and the stiffest point.
+template <int dim>
+void ContactProblem<dim>::set_scales() {
+  const auto& s = parts_.structure;
+  double largest[2] = {0, 0}, all[2];
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
+  for (double k : parts_.local_stiffness) largest[1] = std::max(largest[1], k);
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, 2, largest, all);
+  force_scale_ = all[0];
+  stiffest_ = all[1];
+}
+
+/// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.
+/// @param volume  of this rank's own blocks [m3]
+template <int dim>
+double ContactProblem<dim>::stiffest_that_counts(double volume) const {
+  const auto& s = parts_.structure;
+  double mine[2] = {0, volume}, all[2];
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(asked_->load[i]);
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  return all[0] > 0 ? parts_.internals.step.next_to_rigid * all[0] * s.size() / all[1]
+                    : std::numeric_limits<double>::infinity();
+}
+
+template <int dim>
+void ContactProblem<dim>::set_proximal_weights() {
+  const auto& s = parts_.structure;
+  proximal_weight_.assign(static_cast<std::size_t>(dim) * space_->owned_clusters(), 0.0);
+  std::vector<double> volume;  // of local node copies [m3]
+  for (const auto& b : s.blocks()) {
+    const auto more = nodal_volumes(b.mesh, s.model().thickness);
+    volume.insert(volume.end(), more.begin(), more.end());
+  }
+  const double stiffest = stiffest_that_counts(std::accumulate(volume.begin(), volume.begin() + s.owned_nodes(), 0.0));
+  const double factor = parts_.internals.step.proximal_strain / (s.size() * s.size());
+  const double mortar = parts_.softest_mortar * s.size();
+  for (std::size_t i = 0; i < volume.size(); ++i) {
+    const int k = space_->cluster()[i];
+    if (k >= space_->owned_clusters()) continue;
+    const double stone = std::min(s.blocks()[s.block_of_node()[i]].material.young_modulus, stiffest);
+    const double modulus = std::isinf(mortar) ? stone : stone / (1 + stone / mortar);
+    for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * modulus * volume[i];
+  }
+}
+
+template <int dim>
+void ContactProblem<dim>::set_movable() {
+  movable_ = selection_;
+  const auto held = [&](int node, int c) { return space_->held()[dim * space_->cluster()[node] + c]; };
+  for (int k = 0; k < parts_.points.size(); ++k) {
+    const auto& p = parts_.points.points()[k];
+    bool moves = false;
+    for (int c = 0; c < dim; ++c) moves |= p.axis[0][c] != 0 && !(held(p.node_i, c) && held(p.node_j, c));
+    // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
+    const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
+    if (space_->tied(p) || !moves || far) movable_[k] = 0;
+  }
+}
+
+template <int dim>
+Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<double>& displacement) const {
+  auto u = displacement;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (parts_.held[i]) u[i] = asked_->prescribed[i];
+  auto x = Teuchos::rcp(new TpetraVector(space_->map()));
+  space_->average(u, *x);
+  return x;
+}
+
+template <int dim>
+void ContactProblem<dim>::displacement(const TpetraVector& x, std::vector<double>& u) const {
+  space_->scatter(x, u);
+  for (std::size_t i = 0; i < rigid_.size(); ++i) u[i] = rigid_[i] + (deformed_[i] + u[i]);
+}
+
+template <int dim>
+void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
+  relative_motions(parts_.points, copies_, gap);
+  if (!initial) return;
+  for (std::size_t i = 0; i < rigid_gap_.size(); ++i) gap[i] += rigid_gap_[i];
+  for (std::size_t k = 0; k < parts_.initial_gap.size(); ++k) gap[k * dim] += parts_.initial_gap[k];
+}
+
+template <int dim>
+void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
+  space_->scatter(x, copies_);
+  for (std::size_t i = 0; i < deformed_.size(); ++i) copies_[i] += deformed_[i];
+  if (deformed_.empty())
+    parts_.structure.internal_forces(copies_, forces_);
+  else
+    parts_.structure.apply_stiffness(copies_, forces_);
+  internal_scale_ = 0;
+  for (double f : forces_) internal_scale_ = std::max(internal_scale_, std::abs(f));
+  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= asked_->load[i];
+  space_->sum(forces_, r);
+  gaps(gap, true);
+}
+
+template <int dim>
+void ContactProblem<dim>::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) {
+  space_->scatter(d, copies_);
+  parts_.structure.apply_stiffness(copies_, forces_);
+  space_->sum(forces_, y);
+  gaps(gap, false);
+}
+
+/// Of u remains what deforms blocks.
+template <int dim>
+void ContactProblem<dim>::split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const {
+  const auto& s = parts_.structure;
+  rigid.resize(u.size());
+  for (const auto& block : s.blocks()) {
+    const RigidMotion motion = rigid_motion(s.position(), block, u);
+    const int end = block.first_local + static_cast<int>(block.mesh.position.size());
+    for (int i = block.first_local; i < end; ++i) {
+      const auto whole = motion.at(s.position()[i]);
+      for (int c = 0; c < dim; ++c) {
+        rigid[dim * i + c] = whole[c];
+        u[dim * i + c] -= whole[c];
+      }
+    }
+  }
+}
+
+template <int dim>
+double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
+  std::vector<double> rest;
+  space_->scatter(d, rest);
+  split_rigid_motions(rest, copies_);
+  double off = 0;
+  for (double u : rest) off = std::max(off, std::abs(u));
+  gaps(gap, false);
+  return largest_over_ranks(*parts_.structure.comm(), off);
+}
+
+template <int dim>
+bool ContactProblem<dim>::carry(TpetraVector& x, double tolerance) {
+  if (parts_.inertia || !parts_.internals.step.carry) return false;
+  const double round_off = std::numeric_limits<double>::epsilon() * stiffest_ * x.normInf();
+  if (!(round_off > parts_.internals.step.share_of_round_off * tolerance)) return false;
+  std::vector<double> moved;
+  space_->scatter(x, moved);
+  if (carried_.is_null()) {
+    carried_ = Teuchos::rcp(new TpetraVector(space_->map()));
+    // Where finite rotations have followed stones to is no deformation.
+    rigid_.assign(moved.size(), 0.0);
+    deformed_ = parts_.structure.deformation(rigid_);
+    for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] -= deformed_[i];
+  }
+  for (std::size_t i = 0; i < moved.size(); ++i) deformed_[i] += moved[i];
+  split_rigid_motions(deformed_, moved);
+  for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] += moved[i];
+  relative_motions(parts_.points, rigid_, rigid_gap_);
+  carried_->update(1.0, x, 1.0);
+  x.putScalar(0);
+  return true;
+}
+
+template <int dim>
+void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
+  forces_.assign(static_cast<std::size_t>(dim) * parts_.structure.nodes(), 0.0);
+  add_contact_forces(parts_.points, space_->cluster(), lambda, 1.0, forces_);
+  double* value = local_view_to_write(r);
+  const auto& cluster = space_->cluster();
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const int unknown = dim * cluster[i / dim] + static_cast<int>(i % dim);
+    if (unknown < dim * space_->owned_clusters() && !space_->held()[unknown]) value[unknown] -= forces_[i];
+  }
+}
+
+/// Matrix and preconditioner. A SolverFailure is one of all ranks.
+template <int dim>
+Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffness, double proximal_scale) {
+  std::vector<double> proximal(proximal_weight_.size());
+  for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
+  matrix_->update(stiffness, proximal);
+  coarse_->update(*matrix_, stiffness, proximal);
+  const auto symmetry = matrix_->couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
+  coarse_->couple(*matrix_, symmetry);
+  return symmetry;
+}
+
+template <int dim>
+LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
+                                             const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                                             const SolveRequest& request) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  auto symmetry = Symmetry::none;
+  try {
+    symmetry = set_up(stiffness, proximal_scale);
+  } catch (const SolverFailure& failure) {
+    return not_solved(failure.what());
+  }
+  const auto krylov = [&](int most) {
+    return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, most);
+  };
+  const int most = request.largest_krylov, too_many = parts_.internals.preconditioner.krylov_to_factor;
+  // With finite rotations exact solutions keep the path from arriving (homogenisation/whole.md).
+  const bool otherwise = parts_.structure.model().rotations == Rotations::small && coarse_->may_factor_whole() &&
+                         (most == 0 || most > too_many);
+  auto result = krylov(otherwise ? too_many : most);
+  if (otherwise && !result.converged) {
+    coarse_->factor_whole();  // where that does not go its parts go on
+    const int before = result.iterations;
+    result = krylov(most);
+    result.iterations += before;
+  }
+  return result;
+}
+
+template <int dim>
+PatchSource* ContactProblem<dim>::patches() {
+  if (!patches_)
+    patches_ = std::make_unique<PatchCutter<dim>>(
+        typename PatchCutter<dim>::Parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this});
+  return patches_.get();
+}
+
+template class ContactProblem<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,102 @@
+#include "model/joint_strength.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "joints/crack_work.hpp"
+#include "joints/friction_work.hpp"
+
+namespace voussoir {
+
+template <int dim>
+void wear(const Model<dim>& model, const ContactState& before, ContactState& after, const PointField& gap,
+          const PointField& slip) {
+  if (model.softening().empty()) return;
+  SofteningPoints points(model.law(), model.softening(), after.opened, before.slipped);
+  for (int k = 0; k < model.points().size(); ++k) {
+    if (!after.selected[k]) continue;
+    double shear = 0, way = 0;
+    const double sigma = model.local_stiffness()[k];
+    for (int c = 1; c < dim; ++c) {
+      const double trial = after.lambda[dim * k + c] - sigma * slip[dim * k + c];
+      shear += trial * trial;
+      way += slip[dim * k + c] * slip[dim * k + c];
+    }
+    points.wear_by(k, gap[dim * k], std::sqrt(way), after.lambda[dim * k], std::sqrt(shear), sigma);
+    after.opened[k] = points.opened(k);
+    after.slipped[k] = std::max(after.slipped[k], before.slipped[k] + points.way(k));
+  }
+}
+
+template <int dim>
+EnergyOfStep loss_in_time(const Model<dim>& model, const ContactState& before, const ContactState& mid, int k,
+                          double opening, const PointField& gap) {
+  EnergyOfStep loss;
+  std::array<double, dim - 1> force, slip;
+  for (int c = 1; c < dim; ++c) {
+    force[c - 1] = mid.lambda[dim * k + c];
+    slip[c - 1] = 2 * gap[dim * k + c];
+  }
+  const double normal = mid.lambda[dim * k], stiffness = model.local_stiffness()[k];
+  const auto& whole = model.law()[k];
+  if (model.softening().empty()) {
+    loss.friction = friction_work(friction_bound(whole, normal), force, slip, stiffness);
+    return loss;
+  }
+  const auto& softening = model.softening()[k];
+  const JointWear start{before.opened[k], before.slipped[k]}, end{mid.opened[k], mid.slipped[k]};
+  const auto law = weaken(whole, softening, start, gap[dim * k] + opening, norm(slip) / 2).law;
+  const double taken = friction_work(friction_bound(law, normal), force, slip, stiffness);
+  const double by_cohesion = taken > 0 ? std::min(taken, law.cohesion * norm(slip)) : 0.0;
+  loss.friction = taken - by_cohesion;
+  // What the forces of the step take; where it bends sharply that may be less than the law takes, never less than none.
+  loss.fracture = std::max(0.0, by_cohesion - 2 * std::min(0.0, normal) * (gap[dim * k] - opening) +
+                                    held_energy(whole, softening, start, 2 * opening) -
+                                    held_energy(whole, softening, end, 2 * gap[dim * k]));
+  return loss;
+}
+
+template <int dim>
+double held_by_joints(const Model<dim>& model, const ContactState& state) {
+  if (model.softening().empty()) return 0;
+  const auto gap = model.gaps(state.displacement);
+  double energy = 0;
+  for (int k = 0; k < model.points().owned(); ++k) energy += held_by_joint(model, state, gap[dim * k], k);
+  return energy;
+}
+
+Warnings lost_on_the_way(double damage, const std::string& when) {
+  return {
+      {"lost_on_the_way", "the structure", when, damage,
+       "no equilibrium was found that follows from the last one while cracks grow little by little: a joint has lost " +
+           number_text(damage) +
+           " of its strength more than where it stands now asks for, as in a jump; take more increments if where "
+           "cracks run matters"}};
+}
+
+Warnings unstable(double excess, const std::string& stones, const std::string& when) {
+  return {{"unstable", "joint " + stones, when, excess,
+           "the equilibrium is one that a structure does not stay in: joints soften faster than the stones beside them "
+           "follow, by " +
+               six_digits(excess) +
+               " of both together, most at this joint, and no other one was found on the way down from it within the "
+               "solves that finding it took; of "
+               "cracks that open side by side one would run on and the others close, or the structure would move on; "
+               "take more increments, or more fracture energy if that was meant"}};
+}
+
+Warnings passed_in_time(double seconds, const std::string& when) {
+  return {{"passed_in_time", "the structure", when, seconds,
+           "no equilibrium was found that follows from the last one in statics: let go in time, with inertia and with "
+           "damping that grows with stiffness, the structure came to rest within " +
+               number_text(seconds) + " s; what its joints lost on that way they lost in motion"}};
+}
+
+template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
+template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,
+                                      const PointField&);
+template double held_by_joints<2>(const Model<2>&, const ContactState&);
+
+}  // namespace voussoir

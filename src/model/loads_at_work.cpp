@@ -1,0 +1,174 @@
+#include "model/loads_at_work.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_Time.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace voussoir {
+namespace {
+
+/// Points and weights of Gauss on (0, 1), exact to the seventh degree: of a factor that goes linearly times a piece of
+/// a sine, of a load that moves linearly, or of both.
+constexpr std::array<std::array<double, 2>, 4> gauss{{{0.069431844202973712, 0.17392742256872693},
+                                                      {0.33000947820757187, 0.32607257743127307},
+                                                      {0.66999052179242813, 0.32607257743127307},
+                                                      {0.93056815579702629, 0.17392742256872693}}};
+// In a step with more pieces of sines than this they cancel to less than a ten thousandth: the rest is not looked at.
+constexpr double most_pieces = 65536;
+
+double factor_of(const std::map<std::string, double>& factors, const std::string& load) {
+  const auto it = factors.find(load);
+  return it == factors.end() ? 0.0 : it->second;
+}
+
+}  // namespace
+
+template <int dim>
+LoadsAtWork<dim>::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure)
+    : blocks_(structure.blocks().size()) {
+  std::vector<std::pair<std::string, SupportParameters>> supports;
+  for (const auto& support : scene.supports) supports.emplace_back(support.name, support.parameters);
+  for (const auto& p : scene.loads) {
+    const std::string where = scene.file + ": scene > loads > " + p.name;
+    const Teuchos::Time clock("load", true);
+    Named made{p.name, p.word(), TimeFunction(p.time_function, where, *structure.comm()), nullptr};
+    made.load = make_load(p, LoadSite<dim>{structure, source, supports, where});
+    made.seconds = clock.totalElapsedTime(true);
+    loads_.push_back(std::move(made));
+  }
+}
+
+template <int dim>
+void LoadsAtWork<dim>::add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+                           std::vector<double>& prescribed) const {
+  std::fill(force.begin(), force.end(), 0.0);
+  std::fill(prescribed.begin(), prescribed.end(), 0.0);
+  for (const auto& n : loads_) {
+    const auto it = factors.find(n.name);
+    if (it == factors.end() || it->second == 0) continue;
+    const Teuchos::Time clock("load", true);
+    const double factor = it->second * n.time_function(time);
+    if (factor != 0) n.load->add({{time, factor}}, force, prescribed);
+    ++n.calls;
+    n.seconds += clock.totalElapsedTime(true);
+  }
+}
+
+/// The moments whose weighted sum is the mean of a load over a step: Gauss's points between the corners of its time
+/// function and of its own motion.
+template <int dim>
+std::vector<LoadMoment> LoadsAtWork<dim>::moments_of(const Named& n, double begin, double end, double from,
+                                                     double to) const {
+  const double middle = (from + to) / 2;
+  if (n.time_function.constant() && !n.load->moves()) return {{middle, (begin + end) / 2}};
+  std::vector<double> corners{from, to};
+  n.time_function.add_corners(from, to, corners);
+  n.load->add_corners(from, to, corners);
+  std::sort(corners.begin(), corners.end());
+  std::vector<LoadMoment> moments;
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const double whole = corners[k] - corners[k - 1];
+    const double count = std::clamp(std::ceil(whole / n.time_function.smooth()), 1.0, most_pieces),
+                 piece = whole / count;
+    for (int i = 0; i < static_cast<int>(count) && piece > 0; ++i)
+      for (const auto& [at, weight] : gauss) {
+        const double time = corners[k - 1] + (i + at) * piece, share = (time - from) / (to - from);
+        const double factor = (begin + share * (end - begin)) * n.time_function(time) * weight * piece / (to - from);
+        if (factor != 0) moments.push_back({time, factor});
+      }
+  }
+  return moments;
+}
+
+template <int dim>
+void LoadsAtWork<dim>::add_mean(const StepInTime& step, std::vector<double>& force) const {
+  std::fill(force.begin(), force.end(), 0.0);
+  std::vector<double> unused(force.size(), 0.0);  // supports go to where they are at the end of the step
+  for (const auto& n : loads_) {
+    const double begin = factor_of(step.begin, n.name), end = factor_of(step.end, n.name);
+    if (begin == 0 && end == 0) continue;
+    const Teuchos::Time clock("load", true);
+    const auto moments = moments_of(n, begin, end, step.from, step.to);
+    if (!moments.empty()) n.load->add(moments, force, unused);
+    ++n.calls;
+    n.seconds += clock.totalElapsedTime(true);
+  }
+}
+
+template <int dim>
+std::vector<double> LoadsAtWork<dim>::free_strain(const std::map<std::string, double>& factors, double time) const {
+  std::vector<double> strain;
+  for (const auto& n : loads_) {
+    const auto it = factors.find(n.name);
+    if (!n.load->strains() || it == factors.end()) continue;
+    strain.resize(blocks_, 0.0);
+    n.load->add_free_strain(it->second * n.time_function(time), strain);
+  }
+  return strain;
+}
+
+template <int dim>
+double LoadsAtWork<dim>::resolution() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& n : loads_) shortest = std::min({shortest, n.load->resolution(), n.time_function.resolution()});
+  return shortest;
+}
+
+template <int dim>
+typename LoadsAtWork<dim>::Shortest LoadsAtWork<dim>::resolution(const std::map<std::string, double>& factors,
+                                                                 double from, double to) const {
+  Shortest shortest;
+  for (const auto& n : loads_) {
+    if (factors.count(n.name) == 0) continue;
+    const double own = std::min(n.load->resolution(from, to), n.time_function.resolution(from, to));
+    if (own < shortest.time) shortest = {own, n.name};
+  }
+  return shortest;
+}
+
+template <int dim>
+bool LoadsAtWork<dim>::jumps(const std::string& load, double from, double to) const {
+  return std::any_of(loads_.begin(), loads_.end(),
+                     [&](const Named& n) { return n.name == load && n.time_function.jumps(from, to); });
+}
+
+template <int dim>
+std::map<std::string, EffectSummary> LoadsAtWork<dim>::costs(const Teuchos::Comm<int>& comm) const {
+  std::map<std::string, EffectSummary> costs;
+  for (const auto& n : loads_) {
+    const long long mine[2] = {n.calls, static_cast<long long>(n.load->bytes() + n.time_function.bytes())};
+    long long all[2];
+    double slowest = 0;
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, mine, all);
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, n.seconds, Teuchos::outArg(slowest));
+    auto& cost = costs[n.word];
+    cost.in_play = true;
+    cost.calls += all[0];
+    cost.bytes += all[1];
+    cost.seconds += slowest;
+  }
+  return costs;
+}
+
+template <int dim>
+std::vector<std::string> LoadsAtWork<dim>::remarks() const {
+  std::vector<std::string> lines;
+  for (const auto& n : loads_)
+    if (const auto remark = n.load->remark(); !remark.empty()) lines.push_back(n.name + ": " + remark);
+  return lines;
+}
+
+template <int dim>
+Warnings LoadsAtWork<dim>::warnings() const {
+  Warnings all;
+  for (const auto& n : loads_)
+    for (const auto& warning : n.load->warnings()) all.push_back(warning);
+  return all;
+}
+
+template class LoadsAtWork<2>;
+
+}  // namespace voussoir

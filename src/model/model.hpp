@@ -1,0 +1,119 @@
+// Everything of a scene that stays the same through its load steps, on this rank.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dynamics/midpoint_rule.hpp"
+#include "homogenisation/continuum.hpp"
+#include "joints/contact_law.hpp"
+#include "joints/softening.hpp"
+#include "model/loads_at_work.hpp"
+#include "scene/scene.hpp"
+
+namespace voussoir {
+
+template <int dim>
+class Model {
+ public:
+  /// Builds blocks, joints and the continuum of a scene whose mesh has been checked. Collective.
+  Model(const Scene&, const BlockSource<dim>&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
+  /// The model of one time step: blocks have the matrix S of the midpoint rule, the continuum is that of S, and points
+  /// see it. Loads are those of the model at rest. Collective.
+  /// @param mass  the structure with the mass of its blocks [kg] in the place of their stiffness
+  /// @param tolerance  of Newton
+  Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule&, double tolerance);
+
+  const Scene& scene() const { return scene_; }
+  const BlockSource<dim>& source() const { return source_; }
+  const Structure<dim>& structure() const { return *structure_; }
+  const ContactPoints<dim>& points() const { return *points_; }
+  /// The bonded continuum; not there for the model at rest when a scene has no load steps.
+  const Continuum<dim>& continuum() const { return *continuum_; }
+  /// 1 where a support prescribes the displacement [dim x local node copies].
+  const std::vector<char>& held() const { return held_; }
+  /// 1 at points where different supports hold stones, which may part there: such points are never tied, as one unknown
+  /// cannot be where both supports are. Empty without such places.
+  const std::vector<char>& between_supports() const { return between_supports_; }
+  /// Stiffness a point sees in the cells beside it [N/m].
+  const std::vector<double>& local_stiffness() const { return local_stiffness_; }
+  /// Law of each point without damage. What is open as drawn, or beside a stone that is not there, has no strength.
+  const PointLaws& law() const { return law_; }
+  /// How points lose their strength; empty where no joint has any that can be lost.
+  const std::vector<Softening>& softening() const { return softening_; }
+  /// Some joint of the scene can lose its strength.
+  bool weakens() const { return weakens_; }
+  /// Some joint has friction or strength, so that it matters where a point has slipped to.
+  bool rubs() const { return rubs_; }
+  /// Mortar of each point; empty when no joint has any.
+  const std::vector<PointCompliance>& compliance() const { return compliance_; }
+  /// Stiffness of the softest mortar [Pa/m]; infinite when no joint has any. The same on every rank.
+  double softest_mortar() const { return softest_mortar_; }
+  /// Opening of each point at zero displacement [m]; empty when all joints are closed.
+  const std::vector<double>& initial_gap() const { return initial_gap_; }
+  /// Gap and slip of every point under a displacement [m], [points x dim].
+  std::vector<double> gaps(const std::vector<double>& displacement) const;
+  /// The same less what mortar gives way under contact forces [N]: zero where a point sticks.
+  std::vector<double> gaps(const std::vector<double>& displacement, const std::vector<double>& lambda) const;
+  /// Energy in the mortar of the points of this rank [J].
+  double mortar_energy(const std::vector<double>& lambda) const;
+  /// Takes stones and joints to where a displacement has moved and turned them; the continuum, which preconditions,
+  /// stays as drawn. Collective.
+  /// @return the largest turn of a stone since the last time [rad]
+  double follow(const std::vector<double>& displacement);
+  void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
+  /// Holds all of the blocks that are not there [per local block], and what supports hold; no joint bonds with them.
+  void set_absent(const std::vector<char>& absent);
+  /// 1 for local blocks that are not there; empty as long as all are.
+  const std::vector<char>& absent() const { return absent_; }
+  /// Whether both stones of a point are there.
+  bool joined(int point) const;
+  /// Another number wherever places or supports may have changed: what is made of them is to be made again.
+  int arrangement() const { return arrangement_; }
+
+  /// Nodal forces [N] and prescribed displacements [m] under load factors by name of the load.
+  /// @param time  [s] for loads with a time function; 0 as long as no dynamic stage has passed
+  void loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+             std::vector<double>& prescribed) const;
+  /// Mean nodal forces [N] over a step of time.
+  void mean_loads(const StepInTime&, std::vector<double>& force) const;
+  const LoadsAtWork<dim>& loads() const { return *loads_; }
+  /// Factor of the mass in the matrices of a time step [1/s2]; 0 of the model at rest.
+  double inertia() const { return inertia_; }
+
+ private:
+  void set_laws();
+  void set_strengths();
+  Softening softening_of(std::size_t point) const;
+  const JointLawParameters& joint_law(std::size_t point) const;
+  bool is_bonded(std::size_t point) const;
+  void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
+  void hold_supports();
+  void find_between_supports();
+  void check_size(const std::vector<double>& force) const;
+
+  std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance
+  const Scene& scene_;
+  const BlockSource<dim>& source_;
+  std::unique_ptr<Structure<dim>> structure_;
+  std::shared_ptr<ContactPoints<dim>> points_;
+  std::unique_ptr<Continuum<dim>> continuum_;
+  std::vector<char> held_, between_supports_;
+  std::vector<char> absent_;  ///< per local block; empty where nothing is built
+  std::vector<double> local_stiffness_;
+  PointLaws law_;
+  std::vector<PointCompliance> compliance_;
+  double softest_mortar_ = JointLawParameters::infinity;
+  std::vector<double> initial_gap_;
+  std::vector<Softening> softening_;
+  bool weakens_ = false, rubs_ = false;
+  double inertia_ = 0;
+  int arrangement_ = 0;
+  std::unique_ptr<LoadsAtWork<dim>> loads_;
+};
+
+extern template class Model<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,333 @@
+#include "model/patch_cutter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+#include "base/sort_unique.hpp"
+#include "linalg/gather.hpp"
+#include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
+#include "linalg/traffic.hpp"
+#include "nonlinear/point_update.hpp"
+#include "nonlinear/residuals.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Blocks that any rank names, ascending, the same list on every rank.
+std::vector<BlockId> over_ranks(std::vector<BlockId> mine, const Teuchos::Comm<int>& comm) {
+  sort_unique(mine);
+  auto all = all_gather(mine, comm);
+  sort_unique(all);
+  return all;
+}
+
+}  // namespace
+
+/// K x - f and the gaps, unless they are known.
+template <int dim>
+void PatchCutter<dim>::measure(const TpetraVector& x) {
+  if (measured_) return;
+  linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
+  parts_.problem.evaluate(x, *linear_, gap_);
+  measured_ = true;
+}
+
+template <int dim>
+bool PatchCutter<dim>::find_stuck(const TpetraVector& x, const PointField& lambda, double threshold) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  measured_ = false;
+  measure(x);
+  const auto& s = parts_.structure;
+  const auto& cluster = parts_.space.cluster();
+  auto& problem = parts_.problem;
+  const auto id_of = [&](int node) { return s.blocks()[s.block_of_node()[node]].mesh.id; };
+  std::vector<BlockId> mine;
+  TpetraVector residual(*linear_, Teuchos::Copy);
+  problem.subtract_contact_forces(lambda, residual);
+  const double* off = local_view(residual);
+  for (int i = 0; i < s.nodes(); ++i) {
+    if (cluster[i] >= parts_.space.owned_clusters()) continue;
+    for (int c = 0; c < dim; ++c)
+      if (std::abs(off[dim * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
+  }
+  PointField lawful;
+  lawful_forces(problem, CurrentLaws(problem, lambda, gap_), lambda, gap_, lawful);
+  for (int k = 0; k < problem.owned_points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    const auto& p = parts_.points.points()[k];
+    for (int c = dim * k; c < dim * (k + 1); ++c)
+      if (std::abs(lawful[c] - lambda[c]) > threshold) {
+        mine.push_back(id_of(p.node_i));
+        mine.push_back(id_of(p.node_j));
+      }
+  }
+  stuck_ = over_ranks(mine, *s.comm());
+  return !stuck_.empty();
+}
+
+/// Blocks that a selection has parted from others.
+template <int dim>
+std::vector<BlockId> PatchCutter<dim>::parted_blocks() const {
+  const auto& s = parts_.structure;
+  std::vector<BlockId> mine;
+  for (int k = 0; k < parts_.problem.owned_points(); ++k) {
+    if (!parts_.problem.selected()[k]) continue;
+    const auto& p = parts_.points.points()[k];
+    for (int node : {p.node_i, p.node_j}) mine.push_back(s.blocks()[s.block_of_node()[node]].mesh.id);
+  }
+  return over_ranks(mine, *s.comm());
+}
+
+/// Adds the neighbours and groups what meets.
+template <int dim>
+void PatchCutter<dim>::find_patches(const std::vector<BlockId>& of) {
+  const auto& s = parts_.structure;
+  const auto stuck = [&](BlockId b) { return std::binary_search(of.begin(), of.end(), b); };
+  std::vector<BlockId> mine = of;
+  for (const auto& j : parts_.points.joints())
+    if (stuck(j.block_i) || stuck(j.block_j)) mine.insert(mine.end(), {j.block_i, j.block_j});
+  block_ = over_ranks(mine, *s.comm());
+
+  // Blocks of one joint, or that share unknowns, belong together.
+  struct Pair {
+    BlockId a, b;
+  };
+  std::vector<Pair> pairs;
+  const auto within = [&](BlockId b) { return std::binary_search(block_.begin(), block_.end(), b); };
+  for (const auto& j : parts_.points.joints())
+    if (within(j.block_i) && within(j.block_j)) pairs.push_back({j.block_i, j.block_j});
+  std::vector<BlockId> first(parts_.space.clusters(), -1);
+  for (int i = 0; i < s.nodes(); ++i) {
+    const BlockId b = s.blocks()[s.block_of_node()[i]].mesh.id;
+    if (!within(b)) continue;
+    auto& other = first[parts_.space.cluster()[i]];
+    if (other >= 0 && other != b) pairs.push_back({other, b});
+    other = b;
+  }
+  pairs = all_gather(pairs, *s.comm());
+  DisjointSets sets(block_.size());
+  const auto place = [&](BlockId b) {
+    return static_cast<int>(std::lower_bound(block_.begin(), block_.end(), b) - block_.begin());
+  };
+  for (const auto& p : pairs) sets.unite(place(p.a), place(p.b));
+  patch_.assign(block_.size(), -1);
+  patches_ = 0;
+  for (int i = 0; i < static_cast<int>(block_.size()); ++i)
+    patch_[i] = sets.root(i) == i ? patches_++ : patch_[sets.root(i)];
+}
+
+template <int dim>
+bool PatchCutter<dim>::keep_stuck(const std::vector<int>& numbers) {
+  const auto patches = all_gather(numbers, *parts_.structure.comm());
+  stuck_.clear();
+  for (std::size_t b = 0; b < block_.size(); ++b)
+    if (std::find(patches.begin(), patches.end(), patch_[b]) != patches.end()) stuck_.push_back(block_[b]);
+  return !stuck_.empty();
+}
+
+template <int dim>
+int PatchCutter<dim>::patch_of_block(BlockId b) const {
+  const auto found = std::lower_bound(block_.begin(), block_.end(), b);
+  return found != block_.end() && *found == b ? patch_[found - block_.begin()] : -1;
+}
+
+template <int dim>
+std::vector<int> PatchCutter<dim>::patch_of_clusters() const {
+  const auto& s = parts_.structure;
+  std::vector<int> patch(parts_.space.clusters(), -1);
+  for (int i = 0; i < s.nodes(); ++i) {
+    const int mine = patch_of_block(s.blocks()[s.block_of_node()[i]].mesh.id);
+    if (mine >= 0) patch[parts_.space.cluster()[i]] = mine;
+  }
+  return patch;
+}
+
+template <int dim>
+double PatchCutter<dim>::group(bool all_that_parted) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  find_patches(all_that_parted ? parted_blocks() : stuck_);
+  const auto& s = parts_.structure;
+  double mine = 0;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b].mesh;
+    if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.position.size());
+  }
+  return total_over_ranks(*s.comm(), mine) / static_cast<double>(parts_.space.map()->getGlobalNumElements());
+}
+
+template <int dim>
+std::vector<typename PatchCutter<dim>::Unknown> PatchCutter<dim>::unknowns(const TpetraVector& x,
+                                                                           const TpetraVector& start) const {
+  const auto& space = parts_.space;
+  const double *at = local_view(x), *from = local_view(start), *linear = local_view(*linear_);
+  std::vector<Unknown> list;
+  for (int i = 0; i < dim * space.owned_clusters(); ++i) {
+    const int patch = cluster_patch_[i / dim];
+    if (patch < 0 || space.held()[i]) continue;
+    list.push_back({space.map()->getGlobalElement(i), patch, linear[i], from[i] - at[i], parts_.proximal_weight[i]});
+  }
+  return list;
+}
+
+/// Stiffness of the blocks in rows of patches that this rank owns.
+template <int dim>
+std::vector<typename PatchCutter<dim>::Entry> PatchCutter<dim>::entries() const {
+  const auto& space = parts_.space;
+  const auto& columns = *space.column_map();
+  std::vector<Entry> list;
+  for (const auto& block : parts_.structure.blocks()) {
+    const auto& k = *block.stiffness;
+    const auto unknown = [&](int i) { return dim * space.cluster()[block.first_local + i / dim] + i % dim; };
+    for (int i = 0; i < k.rows(); ++i) {
+      const int row = unknown(i);
+      if (row >= dim * space.owned_clusters() || cluster_patch_[row / dim] < 0 || space.held()[row]) continue;
+      for (int e = k.start[i]; e < k.start[i + 1]; ++e)
+        list.push_back({columns.getGlobalElement(row), columns.getGlobalElement(unknown(k.column[e])), k.value[e]});
+    }
+  }
+  return list;
+}
+
+/// Points that touch patches, of those this rank owns; one that touches two patches is at the border of both.
+template <int dim>
+std::vector<typename PatchCutter<dim>::Point> PatchCutter<dim>::points(
+    const PointField& lambda, const std::vector<PointStiffness>& resistance) const {
+  const auto& s = parts_.structure;
+  const auto& space = parts_.space;
+  const auto& problem = parts_.problem;
+  const CurrentLaws laws(problem, lambda, gap_);
+  std::vector<Point> list;
+  for (int k = 0; k < problem.owned_points(); ++k) {
+    if (!problem.selected()[k]) continue;
+    const auto& p = parts_.points.points()[k];
+    const int node[] = {p.node_i, p.node_j};
+    const int touched[] = {cluster_patch_[space.cluster()[p.node_i]], cluster_patch_[space.cluster()[p.node_j]]};
+    if (touched[0] < 0 && touched[1] < 0) continue;
+    Point one{p.id, touched[0], false, {}, {}};
+    const auto block_patch = [&](int n) { return patch_of_block(s.blocks()[s.block_of_node()[n]].mesh.id); };
+    one.border = block_patch(p.node_i) < 0 || block_patch(p.node_i) != block_patch(p.node_j);
+    for (int i = 0; i < 2 * dim; ++i) {
+      const int unknown = dim * space.cluster()[node[i / dim]] + i % dim;
+      one.unknown[i] = space.held()[unknown] ? -1 : space.column_map()->getGlobalElement(unknown);
+    }
+    auto& q = one.point;
+    q.axis = p.axis;
+    q.law = laws[k];
+    q.local_stiffness = problem.local_stiffness()[k];
+    if (!problem.compliance().empty()) q.compliance = problem.compliance()[k];
+    for (int c = 0; c < dim; ++c) {
+      if (!problem.slip_origin().empty()) q.slip_origin[c] = problem.slip_origin()[dim * k + c];
+      q.gap[c] = gap_[dim * k + c];
+      q.force[c] = lambda[dim * k + c];
+    }
+    q.resistance = resistance[k];
+    // Points that slip on what holds still would let the neighbours of stuck blocks go without end.
+    if (!q.resistance.resists_slip() && q.resistance.normal > 0)
+      q.resistance = {q.resistance.normal, stiffness_of(problem, k, 1, 1.0)};
+    if (one.patch >= 0) list.push_back(one);
+    if (touched[1] >= 0 && touched[1] != touched[0]) {
+      one.patch = touched[1];
+      list.push_back(one);
+    }
+  }
+  return list;
+}
+
+/// Of a patch, null where it is another rank's.
+template <int dim>
+typename PatchCutter<dim>::Mine* PatchCutter<dim>::mine(int patch) {
+  const auto& comm = *parts_.structure.comm();
+  return patch % comm.getSize() == comm.getRank() ? &mine_[patch / comm.getSize()] : nullptr;
+}
+
+/// Patches are put together from what all ranks know of them.
+template <int dim>
+std::vector<CutPatch> PatchCutter<dim>::cut(const TpetraVector& x, const PointField& lambda,
+                                            const PatchRequest& request) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  const auto& comm = *parts_.structure.comm();
+  measure(x);
+  cluster_patch_ = patch_of_clusters();
+  mine_.assign((patches_ - comm.getRank() + comm.getSize() - 1) / comm.getSize(), {});
+  std::unordered_map<GlobalOrdinal, std::pair<int, int>> place;  // patch, number there
+  for (const auto& u : all_gather(unknowns(x, request.start), comm)) {
+    auto* const m = mine(u.patch);
+    if (!m) continue;
+    place[u.id] = {u.patch, static_cast<int>(m->unknowns.size())};
+    m->unknowns.push_back(u.id);
+    m->parts.imbalance.push_back(u.imbalance);
+    m->parts.start.push_back(u.start);
+    m->parts.proximal_weight.push_back(u.proximal);
+  }
+  const auto number = [&](GlobalOrdinal id, int patch) {  // -1 outside of the patch
+    const auto found = place.find(id);
+    return found == place.end() || found->second.first != patch ? -1 : found->second.second;
+  };
+  for (const auto& e : all_gather(entries(), comm)) {
+    const auto row = place.find(e.row);
+    if (row == place.end()) continue;
+    const int patch = row->second.first, column = number(e.column, patch);
+    if (column >= 0) mine(patch)->parts.stiffness.push_back({row->second.second, column, e.value});
+  }
+  for (const auto& p : all_gather(points(lambda, request.resistance), comm)) {
+    auto* const m = mine(p.patch);
+    if (!m) continue;
+    PatchPoint local = p.point;
+    for (int i = 0; i < 2 * dim; ++i) local.unknown[i] = number(p.unknown[i], p.patch);
+    (p.border ? m->parts.border : m->parts.points).push_back(local);
+    (p.border ? m->border : m->points).push_back(p.id);
+  }
+  std::vector<CutPatch> patches;
+  for (int patch = comm.getRank(); patch < patches_; patch += comm.getSize()) {
+    auto& parts = mine(patch)->parts;
+    parts.force_scale = request.scale;
+    parts.length_scale = parts_.structure.size();
+    patches.push_back({patch, std::move(parts)});
+    parts.points = patches.back().parts.points;  // with their forces, which change
+    parts.border = patches.back().parts.border;
+  }
+  return patches;
+}
+
+template <int dim>
+void PatchCutter<dim>::put_back(const std::vector<SolvedPatch>& solved, TpetraVector& x, PointField& lambda) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  const auto& comm = *parts_.structure.comm();
+  std::vector<Motion> motion;
+  std::vector<Force> force;
+  const auto tell = [&](const auto& id, const auto& before, const auto& after) {
+    for (std::size_t k = 0; k < id.size(); ++k) {
+      force.push_back({id[k], {}});
+      for (int c = 0; c < dim; ++c) force.back().change[c] = after[k].force[c] - before[k].force[c];
+    }
+  };
+  for (const auto& patch : solved) {
+    const auto& m = *mine(patch.number);
+    for (std::size_t u = 0; u < m.unknowns.size(); ++u) motion.push_back({m.unknowns[u], patch.displacement[u]});
+    tell(m.points, m.parts.points, patch.points);
+    tell(m.border, m.parts.border, patch.border);
+  }
+  double* value = local_view_to_write(x);
+  for (const auto& m : all_gather(motion, comm)) {
+    const auto local = x.getMap()->getLocalElement(m.id);
+    if (local != Teuchos::OrdinalTraits<LocalOrdinal>::invalid()) value[local] += m.by;
+  }
+  std::unordered_map<PointId, std::array<double, dim>> change;
+  for (const auto& f : all_gather(force, comm))
+    for (int c = 0; c < dim; ++c) change[f.id][c] += f.change[c];
+  for (int k = 0; k < parts_.points.size(); ++k) {
+    const auto found = change.find(parts_.points.points()[k].id);
+    if (found == change.end()) continue;
+    for (int c = 0; c < dim; ++c) lambda[dim * k + c] += found->second[c];
+  }
+  measured_ = false;
+}
+
+template class PatchCutter<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,34 @@
+#include "model/point_status.hpp"
+#include "model/joint_strength.hpp"
+
+#include <cmath>
+
+namespace voussoir {
+
+static_assert(static_cast<char>(PointStatus::open) == static_cast<char>(ContactStatus::open) &&
+              static_cast<char>(PointStatus::stick) == static_cast<char>(ContactStatus::stick) &&
+              static_cast<char>(PointStatus::slip) == static_cast<char>(ContactStatus::slip));
+
+template <int dim>
+std::vector<char> point_statuses(const Model<dim>& model, const ContactState& state, const PointField& gap,
+                                 const PointField& slip_before) {
+  std::vector<char> status(model.points().size());
+  for (int k = 0; k < model.points().size(); ++k) {
+    const auto law = law_now(model, state, gap[dim * k], k);
+    const double sigma = model.local_stiffness()[k];
+    const double normal = state.lambda[dim * k] - sigma * gap[dim * k];
+    double q = 0;
+    for (int c = 1; c < dim; ++c) {
+      const double slipped = gap[dim * k + c] - (slip_before.empty() ? 0.0 : slip_before[dim * k + c]);
+      const double trial = state.lambda[dim * k + c] - sigma * slipped;
+      q += trial * trial;
+    }
+    status[k] = static_cast<char>(judge(law, normal, std::sqrt(q), friction_bound(law, state.lambda[dim * k])));
+  }
+  return status;
+}
+
+template std::vector<char> point_statuses<2>(const Model<2>&, const ContactState&, const PointField&,
+                                             const PointField&);
+
+}  // namespace voussoir

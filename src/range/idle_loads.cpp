@@ -1,0 +1,57 @@
+#include "range/idle_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/text.hpp"
+#include "linalg/reduce.hpp"
+
+namespace voussoir {
+namespace {
+
+// Forces on free nodes below this share of the largest are round-off of sums over facets.
+constexpr double round_off = 1e-12;
+
+/// Largest force of a load on a component of a node [N].
+struct Forces {
+  double held = 0, free = 0;
+};
+
+Forces forces_of(const Model<2>& model, const std::string& load) {
+  const auto& s = model.structure();
+  std::vector<double> force(2 * static_cast<std::size_t>(s.nodes())), prescribed(force.size());
+  model.loads({{load, 1.0}}, 0.0, force, prescribed);
+  Forces largest;
+  for (int i = 0; i < 2 * s.owned_nodes(); ++i) {
+    double& of = model.held()[i] ? largest.held : largest.free;
+    of = std::max(of, std::abs(force[i]));
+  }
+  return {largest_over_ranks(*s.comm(), largest.held), largest_over_ranks(*s.comm(), largest.free)};
+}
+
+bool is_used(const Scene& scene, const std::string& load) {
+  return scene.load_factor.pattern.count(load) > 0 ||
+         std::any_of(scene.stages.begin(), scene.stages.end(),
+                     [&](const auto& s) { return s.factors.count(load) > 0; });
+}
+
+}  // namespace
+
+Warnings warnings_of_idle_loads(const Model<2>& model) {
+  const auto& scene = model.scene();
+  Warnings all;
+  for (const auto& load : scene.loads) {
+    if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;
+    const auto [held, free] = forces_of(model, load.name);
+    if (!(held > 0) || free > round_off * held) continue;
+    const bool raised = scene.load_factor.pattern.count(load.name) > 0;
+    all.push_back({"load_on_supports", scene.file + ": scene > loads > " + load.name, "", held,
+                   "all its forces act where supports hold, so the structure stands as without it" +
+                       std::string(raised ? ", at any load factor" : "") +
+                       "; look whether \"on\" names the edge that is meant"});
+  }
+  return all;
+}
+
+}  // namespace voussoir

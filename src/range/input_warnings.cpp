@@ -1,0 +1,224 @@
+#include "range/input_warnings.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/text.hpp"
+#include "model/scene_fit.hpp"
+#include "range/absent_stones.hpp"
+#include "range/idle_loads.hpp"
+#include "range/joint_sides.hpp"
+#include "range/support_warnings.hpp"
+#include "scene/unusual_values.hpp"
+
+namespace voussoir {
+namespace {
+
+// Largest stones laid in masonry are some 20 m long (Baalbek); beyond 50 m a drawing is in millimetres or centimetres.
+constexpr double large_stone = 50;  // [m]
+// Where even the largest stone is smaller than this, metres were taken for millimetres or centimetres.
+constexpr double small_stone = 0.01;  // [m]
+
+void append(Warnings& all, Warnings more) {
+  for (auto& warning : more) all.push_back(std::move(warning));
+}
+
+std::string stones_in_words(long long count) { return std::to_string(count) + (count == 1 ? " block" : " blocks"); }
+
+void warn_of_no_joints(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  if (model.points().total() > 0 || scene.joints.empty()) return;
+  const auto blocks = model.source().block_count();
+  all.push_back({"no_joints", scene.file + ": scene > joints", "", static_cast<double>(blocks),
+                 "the scene has laws for joints and the mesh has none: nothing can open or slip between its " +
+                     stones_in_words(blocks) +
+                     "; draw every stone as a surface of its own, stones that touch sharing the curve between them"});
+}
+
+void warn_of_bonds(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  if (scene.selection.mode != SelectionMode::bonded || model.points().total() == 0) return;
+  all.push_back({"bonded", scene.file + ": scene > selection > mode = bonded", "",
+                 static_cast<double>(model.points().total()),
+                 "no joint that is closed at first opens or slips: what stands so is a continuum, not an equilibrium "
+                 "of stones"});
+}
+
+/// The longer side of the box around a block [m].
+double extent(const Block<2>& block) {
+  double longest = 0;
+  for (int c = 0; c < 2; ++c) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const auto& x : block.position) {
+      low = std::min(low, x[c]);
+      high = std::max(high, x[c]);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
+
+void warn_of_sizes(const Scene& scene, const BlockSource<2>& source, Warnings& all) {
+  const bool from_file = scene.mesh.type == MeshType::gmsh;
+  double largest = 0;
+  BlockId where = 0;
+  long long large = 0;
+  for (BlockId b = 0; b < source.block_count(); ++b) {
+    if (!from_file && b != 0 && b != source.block_count() - 1) continue;  // generated stones are alike
+    const double size = extent(source.block(b));
+    large += size > large_stone && (from_file || b == 0);
+    if (size > largest) {
+      largest = size;
+      where = b;
+    }
+  }
+  const std::string key = from_file ? "mesh > gmsh > unit" : "mesh";
+  const std::string size = number_text(largest) + " m", name = source.block(where).name;
+  const std::string question =
+      from_file ? "; is the file drawn in metres? If not say so by mesh > gmsh > unit = mm, cm or ft (now: " +
+                      std::string(scene.mesh.gmsh.unit == 1 ? "m" : number_text(scene.mesh.gmsh.unit) + " m") + ")"
+                : "; lengths of a scene are in metres";
+  if (large > 0)
+    all.push_back(
+        {"large_stones", scene.file + ": scene > " + key, "", largest,
+         name + " is " + size + " long" +
+             (large > 1 && from_file ? " and " + std::to_string(large - 1) + " more exceed " : ", more than ") +
+             number_text(large_stone) + " m" + question});
+  else if (largest < small_stone)
+    all.push_back({"small_stones", scene.file + ": scene > " + key, "", largest,
+                   "the largest stone, " + name + ", is " + size + " long" + question});
+}
+
+/// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
+void warn_of_lone_stones(const Scene& scene, const BlockSource<2>& source, Warnings& all) {
+  const auto& graph = source.graph();
+  const BlockId blocks = source.block_count();
+  long long lone = 0;
+  BlockId first = 0;
+  for (BlockId b = blocks - 1; b >= 0; --b) {
+    const auto begin = graph.shared_vertices.begin();
+    const bool joined = std::any_of(begin + graph.start[b], begin + graph.start[b + 1], [](int n) { return n >= 2; });
+    if (joined) continue;
+    ++lone;
+    first = b;
+  }
+  if (lone == 0 || lone == blocks) return;  // where all stand alone there are no joints, which is said
+  all.push_back({"stones_without_joint", scene.file + ": scene > mesh", "", static_cast<double>(lone),
+                 source.block(first).name +
+                     (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
+                     " no joint with any other stone: nothing passes between, and nothing keeps stones from moving "
+                     "through each other; let stones that touch share the curve between them"});
+}
+
+/// Laws that hold for no joint: for none of the mesh, or for none that later laws leave.
+void warn_of_idle_laws(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  const auto& s = model.structure();
+  if (model.points().total() == 0) return;
+  const std::size_t laws = scene.joints.size();
+  std::vector<long long> mine(2 * laws, 0), total(2 * laws);  // joints a law holds for; joints its sets name
+  for (const Joint& joint : model.points().joints()) {
+    if (s.owner_of_block()[joint.block_i] != s.comm()->getRank()) continue;
+    ++mine[joint.family];
+    const auto& i = s.blocks()[s.local_block(joint.block_i)].mesh;
+    const auto& j = s.blocks()[s.local_block(joint.block_j)].mesh;
+    for (std::size_t f = 0; f < laws; ++f) mine[laws + f] += joins(model.source(), scene.joints[f].parameters, i, j);
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), total.data());
+  for (std::size_t f = 0; f < laws; ++f) {
+    const auto& law = scene.joints[f].parameters;
+    const bool fallback = law.between == "all" && law.and_ == "all";  // needed, also where others hold everywhere
+    const long long named = total[laws + f];
+    if (total[f] > 0 || (fallback && named > 0)) continue;
+    const std::string sets = in_quotes(law.between) + " and " + in_quotes(law.and_);
+    all.push_back({"law_without_joint", scene.file + ": scene > joints > " + scene.joints[f].name, "",
+                   static_cast<double>(named),
+                   named == 0 ? "no joint of the mesh is between " + sets +
+                                    ", so the law holds nowhere; look whether these stones share a curve"
+                              : "all " + std::to_string(named) + " joints between " + sets +
+                                    " are taken by later laws, so the law holds nowhere; put it behind them"});
+  }
+}
+
+/// Fracture energies below what the stones can follow (Model::set_softening): the joint takes more than it was given.
+void warn_of_raised_energies(const Model<2>& model, Warnings& all) {
+  const auto& scene = model.scene();
+  const std::size_t laws = scene.joints.size();
+  if (!model.weakens()) return;
+  std::vector<double> mine(2 * laws, 0.0), most(2 * laws);  // [J/m2] the most that a point takes
+  for (int k = 0; k < model.points().owned(); ++k) {
+    const auto& p = model.points().points()[k];
+    const int family = model.points().joints()[p.joint].family;
+    const auto& law = scene.joints[family].parameters;
+    const auto& rate = model.softening()[k];
+    const auto raise = [&](int mode, double own, double other, double per_way) {
+      const double strength = own > 0 ? own : other;  // as Model::set_softening
+      if (per_way > 0) mine[2 * family + mode] = std::max(mine[2 * family + mode], strength / per_way);
+    };
+    raise(0, law.tension_strength, law.cohesion, rate.per_opening);
+    raise(1, law.cohesion, law.tension_strength, rate.per_slip);
+  }
+  Teuchos::reduceAll(*model.structure().comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(),
+                     most.data());
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    const auto& law = scene.joints[i / 2].parameters;
+    const double asked = i % 2 == 0 ? law.fracture_energy : law.shear_fracture_energy;
+    constexpr double round_off = 1e-12;
+    if (!(asked > 0) || most[i] <= asked * (1 + round_off)) continue;
+    all.push_back(
+        {"raised_energy",
+         scene.file + ": scene > joints > " + scene.joints[i / 2].name + " > " +
+             (i % 2 == 0 ? "fracture energy" : "shear fracture energy"),
+         "", most[i] / asked,
+         number_text(asked) +
+             " J/m2 is little beside what the stones give way by: as a joint without an energy it takes up to " +
+             number_text(most[i]) + " J/m2; finer cells need less"});
+  }
+}
+
+/// What is drawn open bonds nothing (Model::set_strengths).
+void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
+  for (const auto& [name, law] : scene.joints)
+    if (law.initial_gap > 0 && std::max(law.cohesion, law.tension_strength) > 0)
+      all.push_back({"strength_over_gap", scene.file + ": scene > joints > " + name + " > initial gap", "",
+                     law.initial_gap,
+                     "the joints stand open by " + number_text(law.initial_gap) +
+                         " m at the start, and what does not touch is not bonded: their cohesion and tension strength "
+                         "count for nothing, and where they close they rub; leave the gap out where mortar fills it"});
+}
+
+}  // namespace
+
+Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
+  Warnings all = source.warnings();
+  for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
+  append(all, unusual_values(scene));
+  warn_of_sizes(scene, source, all);
+  warn_of_lone_stones(scene, source, all);
+  warn_of_strength_over_gaps(scene, all);
+  append(all, warnings_of_sides(scene, source));
+  return all;
+}
+
+Warnings input_warnings(const Model<2>& model) {
+  Warnings all;
+  warn_of_no_joints(model, all);
+  warn_of_bonds(model, all);
+  append(all, mesh_warnings(model.scene(), model.source()));
+  warn_of_idle_laws(model, all);
+  warn_of_raised_energies(model, all);
+  append(all, model.loads().warnings());
+  append(all, warnings_of_idle_loads(model));
+  append(all, support_warnings(model));
+  append(all, warnings_of_absent_stones(model));
+  return all;
+}
+
+void forget_input_warnings(Warnings& warnings) {
+  const auto of_input = [](const Warning& w) { return w.when.empty(); };
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), of_input), warnings.end());
+}
+
+}  // namespace voussoir

@@ -1,0 +1,72 @@
+#include "range/range_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "linalg/reduce.hpp"
+#include "model/phase.hpp"
+#include "range/slip_range.hpp"
+#include "range/stone_overlap.hpp"
+#include "range/stone_places.hpp"
+#include "range/turn_range.hpp"
+
+namespace voussoir {
+
+namespace {
+
+std::string digits(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+std::string three_digits(double value) { return digits("%.3g", value); }
+
+std::string place_text(const Vector<2>& x) { return "(" + digits("%.3f", x[0]) + ", " + digits("%.3f", x[1]) + ") m"; }
+
+std::string at_time(const std::string& stage, double seconds) {
+  return "stage '" + stage + "', " + digits("%.6g s", seconds);
+}
+
+std::string at_factor(const std::string& stage, double factor) {
+  return "stage '" + stage + "', " + digits("load factor %.6g", factor);
+}
+
+void RangeCheck::measure() {
+  const auto& s = model_.structure();
+  double side = INFINITY, half = INFINITY;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    sizes_.shortest_side.push_back(shortest_side(block.mesh.cells, &s.drawn_position()[block.first_local]));
+    side = std::min(side, sizes_.shortest_side.back());
+  }
+  std::vector<double> length(model_.points().joints().size(), 0.0);
+  for (int k = 0; k < model_.points().owned(); ++k)
+    length[model_.points().points()[k].joint] += model_.points().points()[k].area / s.model().thickness;
+  for (const double l : length)
+    if (l > 0) half = std::min(half, l / 2);
+  const auto smallest = [&](double mine) {
+    double all = 0;
+    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+    return all;
+  };
+  sizes_.smallest_side = smallest(side);
+  sizes_.smallest_half_joint = smallest(half);
+  measured_ = true;
+}
+
+std::string RangeCheck::beyond(const StepEnd& end) {
+  Phase phase("range");
+  if (!measured_) measure();
+  RangeFindings found;
+  found.add(look_at_slips(model_, end));
+  found.add(look_at_turns(model_, end, sizes_.smallest_half_joint));
+  if (end.outlines) found.add(look_at_outlines(model_, end, sizes_.shortest_side, sizes_.smallest_side));
+  for (const auto& warning : found.warnings) warn_(warning);
+  return found.out_of_range;
+}
+
+}  // namespace voussoir

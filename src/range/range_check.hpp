@@ -1,0 +1,69 @@
+// Does a step that was solved stay within what the model can tell?
+//
+// Points pair the nodes that were drawn together, turns are small ones but in load steps with finite rotations, and
+// stones that were drawn apart know nothing of each other. Three measures tell when that is no longer so: slips beyond
+// a cell (slip_range), turns that move forces off the joints that bear them (turn_range), stones that lie in each other
+// (stone_overlap). README.md of this folder, "The range of the model", gives the numbers that decide and their reasons.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/warning.hpp"
+#include "model/contact_problem.hpp"
+#include "model/model.hpp"
+
+namespace voussoir {
+
+/// What is looked at: a state at the end of a step.
+struct StepEnd {
+  const ContactState& state;
+  const std::vector<double>& load;  ///< [N] on node copies
+  const std::vector<char>& absent;  ///< per local block; empty when all are there
+  std::string when;                 ///< stage and load factor or time, for the reader
+  bool in_time = false;
+  bool outlines = true;  ///< whether outlines of stones are compared too
+};
+
+/// What a step leaves open; the same on every rank.
+struct RangeFindings {
+  Warnings warnings;         ///< no more than one of a kind: the worst place, and in how many others
+  std::string out_of_range;  ///< why it would be a mistake to carry on; empty when it is none
+
+  void add(const RangeFindings& more) {
+    warnings.insert(warnings.end(), more.warnings.begin(), more.warnings.end());
+    if (out_of_range.empty()) out_of_range = more.out_of_range;
+  }
+};
+
+/// When a step ends, for the reader: "stage 'shaking', 0.654 s", "stage 'push', load factor 0.25".
+std::string at_time(const std::string& stage, double seconds);
+std::string at_factor(const std::string& stage, double);
+
+/// Looks at every step; keeps what does not change from step to step.
+class RangeCheck {
+ public:
+  /// @param warn  where warnings go
+  RangeCheck(const Model<2>& model, std::function<void(const Warning&)> warn) : model_(model), warn_(std::move(warn)) {}
+
+  /// Warns of what a step leaves open; why it would be a mistake to carry on, empty when it is none. Collective.
+  std::string beyond(const StepEnd&);
+
+ private:
+  /// What is measured once, of this rank's owned blocks and joints and of the whole.
+  struct Sizes {
+    std::vector<double> shortest_side;  ///< [m] per owned block, of its cells
+    double smallest_side = 0;           ///< [m] of the structure
+    double smallest_half_joint = 0;     ///< [m] of the structure
+  };
+  void measure();
+
+  const Model<2>& model_;
+  std::function<void(const Warning&)> warn_;
+  Sizes sizes_;
+  bool measured_ = false;
+};
+
+}  // namespace voussoir

@@ -1,0 +1,201 @@
+#include "range/stone_overlap.hpp"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "blocks/rigid_motion.hpp"
+#include "linalg/gather.hpp"
+#include "linalg/reduce.hpp"
+#include "mesh/box_tree.hpp"
+#include "range/stone_places.hpp"
+
+namespace voussoir {
+namespace {
+
+// What the check of a drawing takes for touching (mesh/border_check.cpp): so much of the shortest side of a cell.
+constexpr double counts_as_touching = 0.01;
+// What it takes for inside: so much of the same, above round-off and what stones bend by.
+constexpr double well_inside = 1e-3;
+
+/// Where a stone is and how it has moved: what tells quickly that two of them cannot overlap.
+struct StoneBox {
+  BlockId block;
+  Box<2> place, motion;  ///< [m] of its nodes: where they are, how they have moved
+  double side;           ///< [m] the shortest of its cells
+  double swollen;        ///< [m] by which a small rotation makes it larger than it is
+};
+
+/// [m] how deep two boxes lie in each other along the axis along which it is least; negative when they do not
+double depth_of(const Box<2>& a, const Box<2>& b) {
+  double depth = INFINITY;
+  for (int c = 0; c < 2; ++c) depth = std::min(depth, std::min(a.high[c], b.high[c]) - std::max(a.low[c], b.low[c]));
+  return depth;
+}
+
+/// [m] the most that any node of one has moved against any of the other
+double largest_difference(const Box<2>& a, const Box<2>& b) {
+  Vector<2> difference{};
+  for (int c = 0; c < 2; ++c) difference[c] = std::max(a.high[c] - b.low[c], b.high[c] - a.low[c]);
+  return norm(difference);
+}
+
+/// [m] a depth of a share of the shorter side, and what the stones are larger than they are
+double tolerance(const StoneBox& a, const StoneBox& b, double share) {
+  return share * std::min(a.side, b.side) + a.swollen + b.swollen;
+}
+
+Box<2> motions_here(const Model<2>& model, const StepEnd& end) {
+  Box<2> all{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  const auto& u = end.state.displacement;
+  for (int n = 0; n < model.structure().owned_nodes(); ++n)
+    all.add({{u[2 * n], u[2 * n + 1]}, {u[2 * n], u[2 * n + 1]}});
+  return all;
+}
+
+/// The largest difference between motions anywhere in the structure [m]. Collective.
+double spread(const Model<2>& model, const StepEnd& end) {
+  const auto mine = motions_here(model, end);
+  const double ends[4] = {-mine.low[0], -mine.low[1], mine.high[0], mine.high[1]};
+  double all[4];
+  Teuchos::reduceAll(*model.structure().comm(), Teuchos::REDUCE_MAX, 4, ends, all);
+  return std::hypot(all[0] + all[2], all[1] + all[3]);
+}
+
+std::vector<StoneBox> boxes_here(const Model<2>& model, const StepEnd& end, const std::vector<double>& shortest_side) {
+  const auto& s = model.structure();
+  const auto& u = end.state.displacement;
+  const bool followed = !end.in_time && model.scene().model.rotations == Rotations::finite;
+  std::vector<StoneBox> boxes;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (!end.absent.empty() && end.absent[b]) continue;
+    const auto& block = s.blocks()[b];
+    StoneBox box{block.mesh.id, {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}}, {}, 0, 0};
+    box.motion = box.place;
+    for (int n = block.first_local; n < block.first_local + static_cast<int>(block.mesh.position.size()); ++n) {
+      const auto x = place_now(s, u, n);
+      const Vector<2> moved{u[2 * n], u[2 * n + 1]};
+      box.place.add({x, x});
+      box.motion.add({moved, moved});
+    }
+    box.side = shortest_side[b];
+    if (!followed) {
+      // x + theta x r is farther from the centre than r by theta^2 / 2 of it.
+      const auto rigid = rigid_motion(s.drawn_position(), block, u);
+      box.swollen = rigid.rotation * rigid.rotation * rigid.radius / 2;
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+/// Pairs of stones whose boxes overlap and that have moved far enough against each other.
+std::vector<std::pair<int, int>> suspects(const std::vector<StoneBox>& stones) {
+  std::vector<Box<2>> boxes;
+  for (const auto& stone : stones) boxes.push_back(stone.place);
+  const BoxTree<2> tree(std::move(boxes));
+  std::vector<std::pair<int, int>> pairs;
+  for (int a = 0; a < static_cast<int>(stones.size()); ++a)
+    tree.visit_overlaps(stones[a].place, [&](int b) {
+      if (b <= a) return;
+      const double least = tolerance(stones[a], stones[b], counts_as_touching);
+      if (depth_of(stones[a].place, stones[b].place) > least &&
+          largest_difference(stones[a].motion, stones[b].motion) > least)
+        pairs.emplace_back(a, b);
+    });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// Outlines of the stones of some pairs, whichever ranks they are on. Collective.
+std::map<BlockId, Outline> outlines_of(const Model<2>& model, const StepEnd& end, const std::vector<StoneBox>& stones,
+                                       const std::vector<std::pair<int, int>>& pairs) {
+  struct EdgeOfBlock {
+    BlockId block;
+    OutlineEdge edge;
+  };
+  const auto& s = model.structure();
+  std::vector<BlockId> wanted;
+  for (const auto& [a, b] : pairs) wanted.insert(wanted.end(), {stones[a].block, stones[b].block});
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  std::vector<EdgeOfBlock> mine;
+  for (const BlockId block : wanted) {
+    const int local = s.local_block(block);
+    if (local < 0 || local >= s.owned_blocks()) continue;
+    for (const auto& edge : outline_now(s, end.state.displacement, local)) mine.push_back({block, edge});
+  }
+  std::map<BlockId, Outline> outlines;
+  for (const auto& [block, edge] : all_gather(mine, *s.comm())) outlines[block].push_back(edge);
+  return outlines;
+}
+
+struct AllowedGap {
+  BlockId block_i, block_j;
+  double gap;  ///< [m]
+};
+
+/// Joints that stand open where the drawing has them closed: by that much their stones may lie in each other as drawn.
+/// Collective.
+std::map<std::pair<BlockId, BlockId>, double> gaps_as_drawn(const Model<2>& model) {
+  const auto& points = model.points();
+  std::vector<AllowedGap> mine;
+  for (int k = 0; k < points.owned() && !model.initial_gap().empty(); ++k) {
+    const double gap = model.initial_gap()[k];
+    const auto& joint = points.joints()[points.points()[k].joint];
+    if (gap > 0) mine.push_back({joint.block_i, joint.block_j, gap});
+  }
+  std::map<std::pair<BlockId, BlockId>, double> gaps;
+  for (const auto& [i, j, gap] : all_gather(mine, *model.structure().comm())) {
+    auto& known = gaps[{std::min(i, j), std::max(i, j)}];
+    known = std::max(known, gap);
+  }
+  return gaps;
+}
+
+struct Overlap {
+  BlockId a, b;
+  double depth;  ///< [m]
+};
+
+}  // namespace
+
+RangeFindings look_at_outlines(const Model<2>& model, const StepEnd& end, const std::vector<double>& shortest_side,
+                               double smallest_side) {
+  // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
+  if (spread(model, end) <= counts_as_touching * smallest_side) return {};
+  const auto& comm = *model.structure().comm();
+  auto stones = all_gather(boxes_here(model, end, shortest_side), comm);
+  std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+  const auto pairs = suspects(stones);
+  if (pairs.empty()) return {};
+  const auto outlines = outlines_of(model, end, stones, pairs);
+  const auto gaps = gaps_as_drawn(model);
+  std::vector<Overlap> mine;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (static_cast<int>(k % comm.getSize()) != comm.getRank()) continue;
+    const auto &a = stones[pairs[k].first], &b = stones[pairs[k].second];
+    const auto gap = gaps.find({a.block, b.block});
+    const double as_drawn = gap == gaps.end() ? 0.0 : gap->second;
+    const double depth =
+        overlap_depth(outlines.at(a.block), outlines.at(b.block), tolerance(a, b, well_inside) + as_drawn);
+    if (depth > tolerance(a, b, counts_as_touching) + as_drawn) mine.push_back({a.block, b.block, depth});
+  }
+  auto found = all_gather(mine, comm);
+  if (found.empty()) return {};
+  std::sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) {
+    return std::make_tuple(-a.depth, a.a, a.b) < std::make_tuple(-b.depth, b.a, b.b);
+  });
+  const auto& worst = found.front();
+  RangeFindings findings;
+  findings.warnings.push_back({"stones_overlap", names_of(model, worst.a, worst.b), end.when, worst.depth,
+                               "these stones lie " + three_digits(worst.depth) +
+                                   " m in each other: contact is known between stones that are "
+                                   "drawn touching, along the joint they are drawn with; from where they met on, "
+                                   "forces and motions are not those "
+                                   "of stones that press each other" +
+                                   and_in_others(found.size() - 1)});
+  return findings;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,59 @@
+// Where the stones of a rank are now, as the checks of a model's range need it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "mesh/outline.hpp"
+#include "model/model.hpp"
+
+namespace voussoir {
+
+inline Vector<2> place_now(const Structure<2>& s, const std::vector<double>& u, int node) {
+  return s.drawn_position()[node] + Vector<2>{u[2 * node], u[2 * node + 1]};
+}
+
+/// Border of a local block where a displacement has moved it.
+inline Outline outline_now(const Structure<2>& s, const std::vector<double>& u, int block) {
+  Outline outline;
+  const int first = s.blocks()[block].first_local;
+  for (const auto& [a, b] : border_of(s.blocks()[block].mesh.cells))
+    outline.push_back({place_now(s, u, first + a), place_now(s, u, first + b)});
+  return outline;
+}
+
+/// Edges of that border between some of the nodes.
+inline Outline face_now(const Structure<2>& s, const std::vector<double>& u, int block, std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  const auto known = [&](int node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
+  Outline face;
+  const int first = s.blocks()[block].first_local;
+  for (const auto& [a, b] : border_of(s.blocks()[block].mesh.cells))
+    if (known(first + a) && known(first + b)) face.push_back({place_now(s, u, first + a), place_now(s, u, first + b)});
+  return face;
+}
+
+/// Whether a support holds any component of a local block.
+inline bool is_held(const Model<2>& model, int block) {
+  const auto& b = model.structure().blocks()[block];
+  const auto first = model.held().begin() + 2L * b.first_local;
+  return std::any_of(first, first + 2 * static_cast<long>(b.mesh.position.size()), [](char held) { return held; });
+}
+
+inline std::string names_of(const Model<2>& model, BlockId i, BlockId j) {
+  return model.source().block(i).name + " / " + model.source().block(j).name;
+}
+
+/// ", and in 3 other places"
+inline std::string and_in_others(std::size_t others) {
+  if (others == 0) return "";
+  return "; likewise in " + std::to_string(others) + (others == 1 ? " other place" : " other places");
+}
+
+/// With the digits a reader can use.
+std::string three_digits(double);
+/// To the millimetre.
+std::string place_text(const Vector<2>&);
+
+}  // namespace voussoir

@@ -1,0 +1,54 @@
+#include "results/effect_costs.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include "joints/softening.hpp"
+#include "scene/scene_effects.hpp"
+
+namespace voussoir {
+namespace {
+
+// What a law holds of a contact point for each of friction, cohesion and tension strength that is in play.
+constexpr long long bytes_of_number = sizeof(double);
+// How a point loses its strength, and what it has gone through.
+constexpr long long bytes_of_softening = sizeof(Softening) + 2 * sizeof(double);
+// What a state between load steps holds of a point where something rubs: its slip, as a vector.
+constexpr long long bytes_of_slip = 2 * sizeof(double);
+
+/// Of all ranks: the mass of each block and the matrix of the midpoint rule, as large as its stiffness; velocity and
+/// acceleration of each node.
+long long bytes_of_inertia(const Structure<2>& s) {
+  long long mine = 2LL * 2 * s.nodes() * static_cast<long long>(sizeof(double)), all = 0;
+  for (const auto& b : s.blocks()) mine += 2 * b.stiffness->bytes();
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+}  // namespace
+
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const LoadsAtWork<2>& loads,
+                                                  const Structure<2>& structure, long long mine) {
+  const auto& comm = *structure.comm();
+  auto costs = loads.costs(comm);
+  long long points = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
+  for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
+  const bool friction = costs["friction"].in_play;
+  costs["friction"].bytes = friction ? points * (bytes_of_number + bytes_of_slip) : 0;
+  for (const auto* bond : {"cohesion", "tension strength"})
+    costs[bond].bytes = costs[bond].in_play ? points * bytes_of_number : 0;
+  if (costs["cohesion"].in_play || costs["tension strength"].in_play)
+    costs[costs["cohesion"].in_play ? "cohesion" : "tension strength"].bytes += points * bytes_of_softening;
+  const bool mortar = costs["joint stiffness"].in_play;
+  costs["joint stiffness"].bytes = mortar ? points * static_cast<long long>(sizeof(PointCompliance)) : 0;
+  costs["inertia"].bytes = costs["inertia"].in_play ? bytes_of_inertia(structure) : 0;
+  if (!scene.construction.empty())  // a gap for each point, in the model and in the state
+    costs["construction"].bytes = points * 2 * static_cast<long long>(sizeof(double));
+  return costs;
+}
+
+std::map<std::string, EffectSummary> effect_costs(const Model<2>& model) {
+  return effect_costs(model.scene(), model.loads(), model.structure(), model.points().size());
+}
+
+}  // namespace voussoir

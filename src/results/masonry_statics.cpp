@@ -1,0 +1,138 @@
+#include "results/masonry_statics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "joints/joint_statics.hpp"
+#include "linalg/gather.hpp"
+#include "mesh/border.hpp"
+#include "model/joint_strength.hpp"
+#include "output/joint_table.hpp"
+#include "output/output_folder.hpp"
+#include "output/safe_file.hpp"
+#include "results/support_reactions.hpp"
+
+namespace voussoir {
+namespace {
+
+// Joints that carry less than this share of the largest normal force say nothing: that is what solvers leave.
+constexpr double negligible = 1e-6;
+// Elastic stones open a little at the joints beside a hinge: less than this share of the widest hinge is no other one.
+constexpr double beside_a_hinge = 0.05;
+constexpr std::size_t longest_list = 50;  // in result.json; all are in joints.csv
+
+// Points are shared by facets that meet at less than 20 degrees (joints/joint_finder): a facet belongs to its side.
+constexpr double same_side = 0.94;
+
+/// Facets of the joints between points of this rank, per joint, as numbers within `of_joint`.
+std::vector<std::vector<FacetOfJoint>> facets_of_joints(const Model<2>& model) {
+  const auto& points = model.points().points();
+  const auto& s = model.structure();
+  struct Place {
+    int joint, within, point;
+  };
+  std::vector<std::vector<Place>> at_node(static_cast<std::size_t>(s.nodes()));
+  std::vector<int> count(model.points().joints().size(), 0);
+  for (int k = 0; k < model.points().owned(); ++k) {
+    const auto& p = points[static_cast<std::size_t>(k)];
+    at_node[static_cast<std::size_t>(p.node_i)].push_back({p.joint, count[static_cast<std::size_t>(p.joint)]++, k});
+  }
+  std::vector<std::vector<FacetOfJoint>> facets(count.size());
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    for (const auto& edge : border_edges({model.source().block(block.mesh.id)})) {
+      const int from = block.first_local + edge.node[0], to = block.first_local + edge.node[1];
+      const auto along = s.position()[to] - s.position()[from];
+      const Vector<2> outward{along[1], -along[0]};
+      const auto faces = [&](const Place& at) {
+        return dot(points[static_cast<std::size_t>(at.point)].axis[0], outward) > same_side * norm(outward);
+      };
+      for (const auto& one : at_node[static_cast<std::size_t>(from)])
+        for (const auto& other : at_node[static_cast<std::size_t>(to)])
+          if (one.joint == other.joint && faces(one) && faces(other))
+            facets[static_cast<std::size_t>(one.joint)].push_back({one.within, other.within});
+    }
+  }
+  return facets;
+}
+
+/// Rows of the joints whose block i this rank owns; all points of a joint are with its owner.
+std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state) {
+  const auto& points = model.points();
+  const auto gap = step.stone_gaps(state);
+  std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
+  std::vector<double> area(of_joint.size(), 0.0), lost(of_joint.size(), 0.0);  // [m2]
+  std::vector<char> joined(of_joint.size(), 1);                                // both stones are there
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    const auto law = law_left(model, state, k);
+    area[p.joint] += p.area;
+    joined[p.joint] = model.joined(k);
+    lost[p.joint] += p.area * damage_of(model, state, k);
+    of_joint[p.joint].push_back({model.structure().position()[p.node_i], p.axis[0], state.lambda[2 * k],
+                                 state.lambda[2 * k + 1], gap[2 * k], law});
+  }
+  const auto facets = facets_of_joints(model);
+  std::vector<JointRow> rows;
+  for (std::size_t k = 0; k < of_joint.size(); ++k) {
+    if (of_joint[k].empty()) continue;
+    const auto& joint = points.joints()[k];
+    const auto s = joint_statics(of_joint[k], facets[k]);
+    rows.push_back({joint.block_i,     joint.block_j,    s.middle[0],      s.middle[1], s.length,
+                    s.force[0],        s.force[1],       s.normal_force,   s.shear,     s.place[0],
+                    s.place[1],        s.eccentricity,   s.edge_margin,    s.edge[0],   s.edge[1],
+                    s.friction_margin, s.least_shear[0], s.least_shear[1], s.opening,   lost[k] / area[k],
+                    s.pressing,        s.sides,          s.hinge,          s.slides});
+    if (!joined[k]) rows.back().opening = rows.back().damage = std::numeric_limits<double>::quiet_NaN();
+  }
+  return rows;
+}
+
+/// Rows of all ranks by blocks; nothing is said of joints that carry next to nothing.
+std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state) {
+  auto rows = all_gather(rows_here(model, step, state), *model.structure().comm());
+  std::sort(rows.begin(), rows.end(), [](const JointRow& a, const JointRow& b) {
+    return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.block_i, b.block_j);
+  });
+  double largest = 0;
+  for (const auto& row : rows) largest = std::max(largest, row.pressing);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (auto& row : rows) {
+    if (row.pressing > negligible * largest) continue;
+    row.through_x = row.through_y = row.eccentricity = row.edge_margin = row.friction_margin = nan;
+    row.edge_x = row.edge_y = row.shear_x = row.shear_y = nan;
+    row.hinge = row.slides = 0;
+  }
+  double widest = 0;
+  for (const auto& row : rows)
+    if (row.hinge) widest = std::max(widest, row.opening);
+  for (auto& row : rows) row.hinge = row.hinge && row.opening >= beside_a_hinge * widest;
+  return rows;
+}
+
+}  // namespace
+
+StaticsSummary write_statics(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state,
+                             const std::vector<double>& load, const std::string& folder) {
+  const auto rows = all_rows(model, step, state);
+  on_first_rank(*model.structure().comm(), [&] { replace_file(folder + "/" + joints_file, joint_table(rows)); });
+  StaticsSummary sum;
+  sum.least_edge_margin = sum.least_friction_margin = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& row : rows) {
+    sum.hinges += row.hinge;
+    sum.sliding_joints += row.slides;
+    sum.least_edge_margin = std::fmin(sum.least_edge_margin, row.edge_margin);  // the number, where one is none
+    sum.least_friction_margin = std::fmin(sum.least_friction_margin, row.friction_margin);
+    const StaticsSummary::Place place{row.block_i, row.block_j, row.through_x, row.through_y, row.opening};
+    if (row.hinge) sum.widest_hinges.push_back(place);
+    if (row.slides && sum.first_sliding.size() < longest_list) sum.first_sliding.push_back(place);
+  }
+  std::stable_sort(sum.widest_hinges.begin(), sum.widest_hinges.end(),
+                   [](const auto& a, const auto& b) { return a.opening > b.opening; });
+  if (sum.widest_hinges.size() > longest_list) sum.widest_hinges.resize(longest_list);
+  sum.reactions = support_reactions(model, step.residual(state, load));
+  return sum;
+}
+
+}  // namespace voussoir

@@ -1,0 +1,155 @@
+#include "results/observations.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "blocks/assembly.hpp"
+#include "linalg/reduce.hpp"
+#include "loads/loads.hpp"
+#include "model/scene_fit.hpp"
+#include "results/support_reactions.hpp"
+
+namespace voussoir {
+namespace {
+
+using Place = ObservationParameters::Place;
+
+constexpr const char* axis[] = {"x", "y", "z"};
+
+template <int dim>
+std::vector<std::pair<int, double>> node_near(const ObservationParameters& p, const std::string& where,
+                                              const Structure<dim>& s, const std::vector<char>& observed) {
+  const auto node = nearest_node(s, Vector<dim>{p.x, p.y}, observed);
+  if (node.distance > p.tolerance)
+    throw InputError(where + " > tolerance = " + number_text(p.tolerance) +
+                     " [m]\n  is exceeded: the node nearest to (" + number_text(p.x) + ", " + number_text(p.y) +
+                     ") m is " + number_text(node.distance) +
+                     " m away.\n  Move the point to the structure, or give a larger tolerance.");
+  if (node.local < 0 || node.local >= s.owned_nodes()) return {};
+  return {{node.local, 1.0}};
+}
+
+template <int dim>
+std::vector<std::pair<int, double>> mean_of(const Structure<dim>& s, const std::vector<char>& observed) {
+  std::vector<std::pair<int, double>> weights;
+  double mine = 0, all = 0;
+  for (int n = 0; n < s.owned_blocks(); ++n) {
+    const auto& b = s.blocks()[n];
+    if (!observed[b.first_local]) continue;
+    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+      weights.emplace_back(b.first_local + static_cast<int>(i), volume[i]);
+      mine += volume[i];
+    }
+  }
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  for (auto& [node, weight] : weights) weight /= all;
+  return weights;
+}
+
+/// Of the edges of a support.
+std::vector<std::pair<int, double>> mean_of(const Structure<2>& s, const std::vector<HeldNode>& held) {
+  double mine = 0;
+  for (const auto& h : held) mine += h.length;
+  const double all = total_over_ranks(*s.comm(), mine);
+  std::vector<std::pair<int, double>> weights;
+  for (const auto& h : held) weights.emplace_back(h.node, h.length / all);
+  return weights;
+}
+
+std::size_t index_of(const Scene& scene, const std::string& support) {
+  std::size_t k = 0;
+  while (scene.supports[k].name != support) ++k;  // the check of the scene has found it
+  return k;
+}
+
+/// Nodes of this rank with their weights.
+template <int dim>
+std::vector<std::pair<int, double>> motion_of(const Scene& scene, const std::string& name,
+                                              const ObservationParameters& p, const BlockSource<dim>& source,
+                                              const Structure<dim>& s, const std::vector<std::vector<HeldNode>>& held) {
+  if (p.place == Place::support) return mean_of(s, held[index_of(scene, p.support)]);
+  std::vector<char> observed(s.nodes(), 0);
+  for (const auto& b : s.blocks())
+    if (in_set(source, b.mesh, p.blocks)) std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
+  if (p.place == Place::mean) return mean_of(s, observed);
+  return node_near(p, scene.file + ": scene > observations > " + name, s, observed);
+}
+
+}  // namespace
+
+template <int dim>
+Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& s)
+    : structure_(s), comm_(s.comm()) {
+  if (scene.observations.empty()) return;
+  bool in_time = false;
+  for (const auto& stage : scene.stages) in_time |= stage.dynamic();
+  std::vector<std::vector<HeldNode>> held;
+  if (std::any_of(scene.observations.begin(), scene.observations.end(),
+                  [](const auto& o) { return o.parameters.place == Place::support; }))
+    held = held_nodes(scene, source, s);
+  for (const auto& [name, p] : scene.observations) {
+    const auto motion = motion_of(scene, name, p, source, s, held);
+    const auto add = [&, name = name](Field field, const std::string& quantity, const auto& weight) {
+      for (int c = 0; c < dim; ++c) {
+        std::string column = quantity;
+        column.insert(1, axis[c]);
+        columns_.push_back(column + " of " + name);
+        sums_.push_back({field, weight(c)});
+      }
+    };
+    const auto of_motion = [&](int c) {
+      std::vector<Weight> weights;
+      for (const auto& [node, weight] : motion) weights.push_back({dim * node + c, weight});
+      return weights;
+    };
+    add(Field::displacement, "u_m", of_motion);
+    if (in_time) add(Field::velocity, "v_m_per_s", of_motion);
+    if (p.place != Place::support) continue;
+    ask_reactions_ = true;
+    add(Field::reaction, "f_N", [&, support = index_of(scene, p.support)](int c) {
+      std::vector<Weight> weights;
+      for (const auto& h : held[support]) weights.push_back({dim * h.node + c, h.share[c]});
+      return weights;
+    });
+  }
+}
+
+template <int dim>
+std::vector<double> Observations<dim>::values(const Observed& observed) const {
+  const auto of = [&](Field f) -> const std::vector<double>& {
+    return f == Field::displacement ? observed.displacement
+           : f == Field::velocity   ? observed.velocity
+                                    : observed.reaction;
+  };
+  const std::size_t columns = columns_.size();
+  std::vector<double> mine(2 * columns, 0.0), all(2 * columns);  // sums, and their weights that are not there
+  if (columns == 0) return {};
+  const auto gone = [&](int at) {
+    return !observed.absent.empty() && observed.absent[structure_.block_of_node()[at / dim]];
+  };
+  for (std::size_t k = 0; k < columns; ++k)
+    if (const auto& field = of(sums_[k].field); !field.empty())
+      for (const auto& [at, weight] : sums_[k].weights)
+        (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  constexpr double round_off = 1e-9;  // of weights, which add up to 1
+  for (std::size_t k = 0; k < columns; ++k) {
+    const bool is_mean = sums_[k].field != Field::reaction;
+    const double there = is_mean ? 1 - all[columns + k] : 1.0;
+    const bool none = of(sums_[k].field).empty() || there < round_off;
+    if (none)
+      all[k] = std::numeric_limits<double>::quiet_NaN();
+    else if (there < 1)
+      all[k] /= there;
+  }
+  all.resize(columns);
+  return all;
+}
+
+template class Observations<2>;
+
+}  // namespace voussoir

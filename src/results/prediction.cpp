@@ -1,0 +1,96 @@
+#include "results/prediction.hpp"
+
+#include <cmath>
+#include <iomanip>
+
+#include "joints/contact_points.hpp"
+#include "results/effect_costs.hpp"
+
+namespace voussoir {
+namespace {
+
+// Measured on walls and on the bridge (src/run/README.md): linear solves of a load step by mode of selection,
+// Krylov iterations of a solve, seconds of an iteration per unknown on one core, bytes per unknown.
+constexpr int solves_in_time = 7;  // 2 to 14 on the scenes of xml/, 20 in a strong earthquake
+constexpr int solves_bonded = 3, solves_adaptive = 40, solves_all = 45;
+// Attempts at a load factor: 12 to 16 with an accuracy of 0.5 %. Those that collapse take hundreds of solves.
+constexpr int attempts_at_load_factor = 14;
+constexpr double round_off = 1e-12;  // of a number of time steps, which is a quotient
+constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
+
+/// Makes the loads and applies them once in full: bytes they hold and seconds of a load step.
+void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const Structure<2>& structure,
+                        const ContactPoints<2>& points, std::ostream& say) {
+  const auto& comm = *structure.comm();
+  const LoadsAtWork<2> loads(scene, source, structure);
+  const auto made = loads.costs(comm);
+  std::map<std::string, double> factors;
+  for (const auto& load : scene.loads) factors[load.name] = 1.0;
+  std::vector<double> force(2 * structure.nodes()), prescribed(force.size());
+  loads.add(factors, 0.0, force, prescribed);
+  say << "effects\n"
+      << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16) << "[s] per step"
+      << "\n";
+  int absent = 0;
+  for (const auto& [name, cost] : effect_costs(scene, loads, structure, points.size())) {
+    const auto before = made.find(name);
+    if (!cost.in_play && cost.bytes == 0) {
+      ++absent;
+      continue;
+    }
+    say << "  " << std::left << std::setw(18) << name << std::right << std::setw(12) << cost.bytes;
+    if (before != made.end()) say << std::setw(16) << std::setprecision(2) << cost.seconds - before->second.seconds;
+    say << std::setprecision(6) << (cost.in_play ? "\n" : "   absent, but part of every contact point\n");
+  }
+  say << "  absent, without cost: " << absent << " effects\n";
+}
+
+std::string steps_text(int steps, const std::string& kind, int solves) {
+  if (steps == 0) return "";
+  return std::to_string(steps) + " " + kind + " steps of about " + std::to_string(solves) + " linear solves each\n";
+}
+
+}  // namespace
+
+void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+             std::ostream& say) {
+  std::vector<int> owner(source.block_count());
+  for (BlockId b = 0; b < source.block_count(); ++b)  // equal shares are enough for counting
+    owner[b] = static_cast<int>(static_cast<long long>(b) * comm->getSize() / source.block_count());
+  const Structure<2> structure(
+      source, owner, scene.model,
+      [](const Block<2>&) {
+        return Material{1.0, 0.0, 1.0};
+      },
+      comm);
+  const ContactPoints<2> points(source, structure);
+  int load_steps = 0;
+  int time_steps = 0;
+  bool as_it_goes = false;
+  for (const auto& stage : scene.stages) {
+    if (!stage.dynamic())
+      load_steps += stage.increments;
+    else if (stage.time_step > 0)
+      time_steps += static_cast<int>(std::ceil(stage.duration / stage.time_step * (1 - round_off)));
+    else
+      as_it_goes = true;
+  }
+  if (scene.load_factor.asked()) load_steps += attempts_at_load_factor;
+  const auto unknowns = static_cast<double>(2 * structure.total_nodes());
+  const int solves = scene.selection.mode == SelectionMode::bonded ? solves_bonded
+                     : scene.selection.mode == SelectionMode::all  ? solves_all
+                                                                   : solves_adaptive;
+  say << source.block_count() << " blocks, " << points.total_joints() << " joints, " << structure.total_nodes()
+      << " nodes, " << 2 * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
+      << steps_text(load_steps, "load", solves);
+  say << steps_text(time_steps, "time", solves_in_time);
+  if (as_it_goes) say << "time steps of stages that leave their length to the program: as many as it finds it needs\n";
+  const double all = load_steps * solves + time_steps * solves_in_time;
+  say << "expected: " << all << " linear solves" << (as_it_goes ? " without those" : "") << ", "
+      << unknowns * bytes_per_unknown / 1e6 << " MB in all, "
+      << all * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize() << " s on " << comm->getSize()
+      << " ranks (within a factor of three)\n";
+  print_effect_costs(scene, source, structure, points, say);
+}
+
+}  // namespace voussoir

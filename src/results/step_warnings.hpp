@@ -1,0 +1,63 @@
+// What a step that stands leaves open, be it a load step, a time step or an attempt at a load factor.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/energies.hpp"
+#include "base/text.hpp"
+#include "dynamics/energy_book.hpp"
+#include "model/joint_strength.hpp"
+#include "model/step.hpp"
+#include "step/step_parameters.hpp"
+#include "ties/tie_balance.hpp"
+
+namespace voussoir {
+
+/// Whether cracks grew in a jump within a step.
+inline bool jumped(const StepReport& report, const StepParameters& numbers) {
+  return report.newton.lost_on_the_way >= numbers.jump;
+}
+
+/// What a structure that let go within a load step lost, where it is seen in the energies: one warning or none.
+/// @param lost  [J] in the step
+/// @param book  after it
+/// @param when  stage and load factor
+inline Warnings lost_in_jump(double lost, const Energies& book, const std::string& when) {
+  constexpr double seen = 0.01;  // of the energy that went in: less is hidden by the size of steps
+  const double in = std::max(book.external_work, book.elastic);
+  if (!(lost > seen * in)) return {};
+  return {
+      {"lost_in_jump", "the structure", when, lost,
+       "the structure let go faster than it was moved, as a bar that snaps: of the energy in it " + six_digits(lost) +
+           " J, where " + six_digits(in) +
+           " J went in, were taken by no joint and are lost in motion; where it came to rest is one place of several "
+           "that it may come to"}};
+}
+
+/// @param when  stage and load factor or time
+inline Warnings warnings_of(const StepReport& report, const StepParameters& numbers, const std::string& when) {
+  auto all = held_by_ties(report.tied_share, report.tied_block, when);
+  if (report.newton.unstable > 0) {
+    const std::string stones =
+        std::to_string(report.unstable_joint[0]) + " - " + std::to_string(report.unstable_joint[1]);
+    for (auto& warning : unstable(report.newton.unstable, stones, when)) all.push_back(std::move(warning));
+  }
+  if (!jumped(report, numbers)) return all;
+  for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
+  return all;
+}
+
+/// What is said of load steps that begin while a structure moves.
+inline Warnings motion_dropped(const EnergyBook& energy, const std::string& when) {
+  constexpr double stands = 1e-2;  // of the elastic energy: vibrates by a tenth of what loads do
+  if (!(energy.kinetic() > stands * std::max(0.0, energy.elastic()))) return {};
+  return {{"velocity_dropped", "the structure", when, energy.kinetic(),
+           "load steps begin while the structure moves, and know no velocity: its kinetic energy of " +
+               six_digits(energy.kinetic()) +
+               " J leaves it, as removed_J of the energy book tells; let it come to rest in the stage before, or go on "
+               "in time"}};
+}
+
+}  // namespace voussoir

@@ -1,0 +1,142 @@
+#include "ties/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "linalg/reduce.hpp"
+#include "nonlinear/point_update.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Releases every point at the vertex of a violating one: each of them ties its nodes.
+template <int dim>
+void release_violating(const ContactPoints<dim>& points, const std::vector<int>& cluster,
+                       const TiedViolations& violations, std::vector<char>& selected) {
+  std::vector<double> violates(points.size(), 0.0);
+  for (int k = 0; k < points.owned(); ++k) violates[k] = violations.force[k] > 0;
+  points.exchange().update(violates, 1);
+  std::vector<char> vertex(cluster.size(), 0);
+  for (int k = 0; k < points.size(); ++k)
+    if (violates[k] > 0) vertex[cluster[points.points()[k].node_i]] = 1;
+  std::vector<double> released(selected.begin(), selected.end());
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    if (cluster[p.node_i] == cluster[p.node_j] && vertex[cluster[p.node_i]]) released[k] = 1;
+  }
+  points.exchange().update(released, 1);
+  for (int k = 0; k < points.size(); ++k) selected[k] = released[k] > 0;
+}
+
+}  // namespace
+
+template <int dim>
+double largest_normal_force(const Model<dim>& model, const PointField& lambda) {
+  double mine = 0;
+  for (int k = 0; k < model.points().owned(); ++k) mine = std::max(mine, std::abs(lambda[dim * k]));
+  return largest_over_ranks(*model.structure().comm(), mine);
+}
+
+template <int dim>
+TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, const ContactState& state,
+                               const std::vector<int>& cluster) {
+  const auto& points = model.points();
+  const auto& comm = *model.structure().comm();
+  const auto& numbers = model.scene().internals.step;
+  const double tolerance = numbers.noise * model.scene().newton.tolerance;
+  TiedViolations v;
+  v.force.assign(points.owned(), 0.0);
+  double worst = 0;
+  const double force = v.largest_normal = largest_normal_force(model, state.lambda);
+  v.noise = std::max(tolerance, numbers.least_noise) * force;
+  const auto open = open_points(model);
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[k];
+    if (cluster[p.node_i] != cluster[p.node_j]) continue;
+    Vector<dim> f;
+    std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
+    // An open point that is tied bears nothing.
+    const double r = !open.empty() && open[k] ? norm(f) : violation(law[k], f);
+    if (r <= tolerance * force) continue;
+    v.force[k] = r;
+    worst = std::max(worst, r);
+  }
+  worst = largest_over_ranks(comm, worst);
+  v.largest = force > 0 ? worst / force : 0.0;
+  return v;
+}
+
+std::vector<double> predicted_decrease(const TiedViolations& violations, const std::vector<double>& local_stiffness) {
+  std::vector<double> eta;
+  for (std::size_t k = 0; k < violations.force.size(); ++k)
+    eta.push_back(violations.force[k] * violations.force[k] / (2 * local_stiffness[k]));
+  return eta;
+}
+
+double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, double largest,
+                         const Teuchos::Comm<int>& comm) {
+  const double sum = total_over_ranks(comm, std::accumulate(predicted_decrease.begin(), predicted_decrease.end(), 0.0));
+  return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest;
+}
+
+template <int dim>
+std::vector<char> open_points(const Model<dim>& model) {
+  std::vector<char> open;
+  for (const double gap : model.initial_gap()) open.push_back(gap > 0);
+  return open;
+}
+
+template <int dim>
+TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typename ContactProblem<dim>::Asked& asked,
+                   const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations) {
+  if (violations.largest == 0) return {};
+  auto released = state.selected;
+  release_violating(parts.points, cluster, violations, released);
+  ContactProblem<dim> problem(parts, released, asked);
+  const auto x = problem.unknowns(state.displacement);
+  const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
+  const auto e = Teuchos::rcp(new TpetraVector(problem.map()));
+  PointField gap, trial, forces;
+  std::vector<double> bound;
+  std::vector<PointStiffness> resistance;
+  problem.evaluate(*x, *b, gap);
+  trial_forces(problem, state.lambda, gap, 1.0, trial);
+  const CurrentLaws laws(problem, state.lambda, gap);
+  friction_bounds(problem, laws, trial, bound);
+  project(problem, laws, trial, bound, forces);
+  for (std::size_t i = 0; i < trial.size(); i += dim) trial[i] += violations.noise;
+  for (double& limit : bound) limit += violations.noise;
+  resistances(problem, laws, trial, bound, 1.0, resistance);
+  problem.subtract_contact_forces(forces, *b);
+  b->scale(-1);
+  TieError error;
+  const auto solved = problem.solve(resistance, 1.0, b, e, {parts.internals.step.first_look});
+  error.krylov_iterations = solved.iterations;
+  error.known = solved.converged;
+  error.linear_solves = 1;
+  error.cost = problem.cost();
+  problem.space().scatter(*e, error.change);
+  return error;
+}
+
+template <int dim>
+double relative_error(const Structure<dim>& structure, const std::vector<double>& displacement, const TieError& error,
+                      double known_energy, double largest) {
+  if (error.change.empty()) return 0.0;
+  auto without = structure.deformation(displacement);
+  for (std::size_t i = 0; i < without.size(); ++i) without[i] += error.change[i];
+  const double changed = structure.elastic_energy(error.change);
+  const double energy = std::max(structure.elastic_energy(without), known_energy);
+  return std::sqrt(changed) < largest * std::sqrt(energy) ? std::sqrt(changed / energy) : largest;
+}
+
+template double largest_normal_force<2>(const Model<2>&, const PointField&);
+template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
+                                           const std::vector<int>&);
+template std::vector<char> open_points<2>(const Model<2>&);
+template TieError tie_error<2>(const ContactProblem<2>::Parts&, const ContactProblem<2>::Asked&, const ContactState&,
+                               const std::vector<int>&, const TiedViolations&);
+template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double, double);
+
+}  // namespace voussoir

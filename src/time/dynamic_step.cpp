@@ -1,0 +1,344 @@
+#include "time/dynamic_step.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "blocks/assembly.hpp"
+#include "joints/friction_work.hpp"
+#include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
+#include "model/joint_strength.hpp"
+#include "model/mortar.hpp"
+#include "model/phase.hpp"
+#include "model/point_status.hpp"
+#include "model/scene_fit.hpp"
+#include "step/release.hpp"
+#include "ties/error_estimate.hpp"
+
+namespace voussoir {
+namespace {
+
+template <int dim>
+Structure<dim> structure_of_mass(const Model<dim>& model) {
+  Phase phase("blocks");
+  const auto& s = model.structure();
+  return s.with_matrices([&](int b) {
+    const auto& block = s.blocks()[b];
+    auto mesh = block.mesh;  // around its first node, so that it is that of all blocks alike, to the last bit
+    for (auto& x : mesh.position) x = x - block.mesh.position.front();
+    return block_mass(mesh, block.material.density, s.model().thickness, model.scene().time.mass);
+  });
+}
+
+/// [m/s]
+double wave_speed(const Material& material, const ModelParameters& model) {
+  return std::sqrt(plane_elasticity(material, model.plane)[0][0] / material.density);
+}
+
+}  // namespace
+
+template <int dim>
+DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progress> progress)
+    : at_rest_(at_rest),
+      mass_(structure_of_mass(at_rest)),
+      velocities_(at_rest, mass_),
+      progress_(std::move(progress)) {
+  rule_.mass_damping = at_rest.scene().time.mass_damping;
+  rule_.stiffness_damping = at_rest.scene().time.stiffness_damping;
+  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
+  const auto& absent = at_rest.absent();
+  for (std::size_t i = 0; i < along_x.size(); i += dim)
+    along_x[i] = absent.empty() || !absent[mass_.block_of_node()[i / dim]];
+  total_mass_ = 2 * velocities_.kinetic_energy(along_x);
+}
+
+template <int dim>
+double DynamicStep<dim>::total(double mine) const {
+  return total_over_ranks(*mass_.comm(), mine);
+}
+
+template <int dim>
+double DynamicStep<dim>::crossing_time() const {
+  double longest = 0;
+  for (const auto& b : at_rest_.structure().blocks())
+    longest = std::max(longest, mass_.size() / wave_speed(b.material, mass_.model()));
+  return largest_over_ranks(*mass_.comm(), longest);
+}
+
+template <int dim>
+double DynamicStep<dim>::courant_time() const {
+  double shortest = std::numeric_limits<double>::max();
+  for (const auto& b : at_rest_.structure().blocks()) {
+    const double speed = wave_speed(b.material, mass_.model());
+    for (const auto& cell : b.mesh.cells)
+      for (int i = 0; i < cell.count; ++i) {
+        const auto edge = b.mesh.position[cell.node[(i + 1) % cell.count]] - b.mesh.position[cell.node[i]];
+        shortest = std::min(shortest, norm(edge) / speed);
+      }
+  }
+  double all = 0;
+  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, shortest, Teuchos::outArg(all));
+  return all;
+}
+
+template <int dim>
+void DynamicStep<dim>::set_time_step(double time_step) {
+  if (model_ && rule_.time_step == time_step) return;
+  rule_.time_step = time_step;
+  const double tolerance = std::min(at_rest_.scene().time.force_tolerance, at_rest_.scene().newton.tolerance);
+  step_.reset();
+  velocities_.forget();
+  model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
+  step_ = std::make_unique<AdaptiveStep<dim>>(*model_, progress_);
+}
+
+/// The gaps that the points of the time step have at w = 0: none where points are closed, which is so up to round-off,
+/// or up to what load steps leave between points that press. Mortar is a spring, whose force is that of the middle: its
+/// gap counts whole, so that there it is what the displacements make it. So does one beside a stone that is not there.
+template <int dim>
+void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
+  const double round_off = closed_gap * at_rest_.structure().size();
+  const double left = at_rest_.scene().internals.step.noise * at_rest_.scene().newton.tolerance *
+                      largest_normal_force(at_rest_, lambda);
+  std::vector<double> offset(at_rest_.points().size());
+  for (std::size_t k = 0; k < offset.size(); ++k) {
+    const double g = gap[dim * k], force = at_rest_.local_stiffness()[k] * g;
+    if (yields(at_rest_, static_cast<int>(k)) || !at_rest_.joined(static_cast<int>(k))) {
+      offset[k] = g;
+      continue;
+    }
+    const bool presses = g > 0 && force <= left && force < lambda[dim * k];
+    offset[k] = std::abs(g) > round_off && !presses ? g / 2 : 0.0;
+  }
+  model_->set_initial_gap(std::move(offset));
+}
+
+/// The slips that points of the time step have at w = 0: mortar has given way from the slip where it stands.
+template <int dim>
+PointField DynamicStep<dim>::offset_slips(const ContactState& before, const PointField& gap) const {
+  const auto& mortar = at_rest_.compliance();
+  if (mortar.empty() || before.slip_origin.empty()) return {};
+  PointField offset(gap.size(), 0.0);
+  for (std::size_t k = 0; k < mortar.size(); ++k)
+    for (int c = 1; c < dim && yields(at_rest_, static_cast<int>(k), c); ++c)
+      offset[dim * k + c] = before.slip_origin[dim * k + c] - gap[dim * k + c];
+  return offset;
+}
+
+/// Gives held components the velocity of their support over the step; what that takes is work of the support.
+template <int dim>
+void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<double>& half,
+                                     TimeStepReport& report) const {
+  bool mine = false;
+  auto v = state.velocity;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (at_rest_.held()[i] && v[i] != rule_.midpoint_velocity(half[i])) {
+      v[i] = rule_.midpoint_velocity(half[i]);
+      mine = true;
+    }
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return;
+  report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  state.velocity = v;
+}
+
+/// Work and losses of a step, exact, from its middle; returns the energy that the closing of points took [J].
+template <int dim>
+double DynamicStep<dim>::book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
+                              const std::vector<double>& effective, TimeStepReport& report) const {
+  const auto& s = at_rest_.structure();
+  const auto& w = mid.displacement;
+  report.reaction = step_->residual(mid, effective);
+  const auto& reaction = report.reaction;
+  std::vector<double> mw, kw;
+  mass_.apply_stiffness(w, mw);
+  s.apply_stiffness(w, kw);
+  double work = 0, damping = 0, friction = 0, fracture = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    work += 2 * w[i] * (load[i] + (at_rest_.held()[i] ? reaction[i] : 0.0));
+    damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
+  }
+  const auto gap = model_->gaps(w);
+  const double none = at_rest_.scene().internals.step.least_noise * largest_force(at_rest_, mid);
+  double lost = 0;
+  for (int k = 0; k < at_rest_.points().owned(); ++k) {
+    if (!mid.selected[k] || yields(at_rest_, k)) continue;  // springs give all back
+    // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
+    if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
+      lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);
+    const auto loss = loss_in_time(at_rest_, before, mid, k, model_->initial_gap()[k], gap);
+    friction += loss.friction;
+    fracture += loss.fracture;
+  }
+  report.external_work = total(work);
+  report.damping = total(damping);
+  report.friction = total(friction);
+  report.fracture = total(fracture);
+  return total(lost);
+}
+
+/// Relative velocity below which points rest on each other [m/s].
+template <int dim>
+double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
+  double fastest = 0;
+  for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
+  const auto& numbers = at_rest_.scene().internals.time_step;
+  return numbers.share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
+         numbers.share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
+}
+
+/// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy. The change is the
+/// mean of the last two: what turns from step to step is a vibration the steps are too long for, and drops out.
+template <int dim>
+double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& velocity_before, double energy) const {
+  auto acceleration = after.velocity;
+  for (std::size_t i = 0; i < acceleration.size(); ++i)
+    acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
+  auto change = acceleration;
+  const auto& first = after.acceleration_before;
+  const bool known = largest_over_ranks(*mass_.comm(), !first.empty()) > 0;  // empty ranks have none
+  for (std::size_t i = 0; i < first.size(); ++i) change[i] = (change[i] - first[i]) / 2;
+  after.acceleration_before = std::exchange(after.acceleration, std::move(acceleration));
+  after.largest_energy = std::max(after.largest_energy, energy);
+  if (!known || !(after.largest_energy > 0)) return 0;
+  return rule_.time_step / 12 * std::sqrt(velocities_.kinetic_energy(change) / after.largest_energy);
+}
+
+/// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
+/// Returns what became of the energy of their last motion.
+template <int dim>
+EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy,
+                                               double resting) {
+  const auto& selection = at_rest_.scene().selection;
+  if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
+  const auto& joints = at_rest_.scene().joints;
+  const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
+  if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
+  const double share = at_rest_.scene().internals.step.share_of_violation * selection.error_tolerance;
+  const auto selected = std::max(1LL, count_selected(at_rest_, state));
+  const double negligible = share * share * energy / static_cast<double>(selected);
+  auto calm = velocities_.calm(state, negligible, resting);
+  for (std::size_t k = 0; k < at_rest_.between_supports().size(); ++k)
+    if (at_rest_.between_supports()[k]) calm[k] = 0;
+  for (std::size_t k = 0; k < calm.size(); ++k)
+    if (!at_rest_.joined(static_cast<int>(k))) calm[k] = 0;  // a tie would hold a stone by one that is not there
+  const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,
+                                              negligible, selection.rest, at_rest_.scene().internals.rest);
+  if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
+  state.rest.error = {};
+  return velocities_.settle(state, resting);
+}
+
+template <int dim>
+typename DynamicStep<dim>::Midpoint DynamicStep<dim>::midpoint(const ContactState& before,
+                                                               const StepInput& input) const {
+  const auto& s = at_rest_.structure();
+  Midpoint mid;
+  std::vector<double> mv;
+  s.apply_stiffness(before.displacement, mid.load);
+  mass_.apply_stiffness(before.velocity, mv);
+  double elastic = 0, kinetic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) {
+    elastic += before.displacement[i] * mid.load[i] / 2;
+    kinetic += before.velocity[i] * mv[i] / 2;
+  }
+  mid.energy = total(elastic) + total(kinetic);
+  mid.half.assign(mid.load.size(), 0.0);
+  for (std::size_t i = 0; i < mid.load.size(); ++i) {
+    mid.load[i] = input.load[i] - mid.load[i] + 2 / rule_.time_step * mv[i];
+    if (at_rest_.held()[i]) mid.half[i] = (input.prescribed[i] - before.displacement[i]) / 2;
+  }
+  return mid;
+}
+
+/// The state at the end of a step, but for what joints that closed do to velocities. All that is no motion is as the
+/// middle of the step has left it.
+template <int dim>
+ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState mid, const PointField& slips) const {
+  auto after = std::move(mid);
+  const auto slipped = model_->gaps(after.displacement, after.lambda);  // of the stones, with what mortar gives way
+  for (std::size_t i = 0; i < after.displacement.size(); ++i) {
+    const double w = after.displacement[i];
+    after.displacement[i] = rule_.displacement_at_end(before.displacement[i], w);
+    after.velocity[i] = rule_.velocity_at_end(before.velocity[i], w);
+  }
+  after.slip_origin = before.slip_origin;
+  if (after.slip_origin.empty()) return after;
+  const auto gap = at_rest_.gaps(after.displacement);
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (i % dim == 0) continue;
+    const bool springs = yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim));
+    after.slip_origin[i] = springs ? before.slip_origin[i] + 2 * (slipped[i] - slips[i]) : gap[i];
+  }
+  return after;
+}
+
+/// What joints that closed do to velocities, what rests is tied, and the energies after it. False where that fails.
+template <int dim>
+bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<double>& velocity_before,
+                                         double closing, TimeStepReport& report) {
+  const auto& s = at_rest_.structure();
+  std::vector<double> ku;
+  s.apply_stiffness(after.displacement, ku);
+  double elastic = 0;
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) elastic += after.displacement[i] * ku[i] / 2;
+  report.elastic = total(elastic + held_by_joints(at_rest_, after) + at_rest_.mortar_energy(after.lambda));
+  const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
+  const double resting = resting_speed(after, energy);
+  try {
+    const auto jump = velocities_.apply(*model_, after, closing, resting);
+    const auto tied = bond_what_rests(after, at_rest_.gaps(after.displacement), energy, resting);
+    report.friction += jump.friction + tied.friction;
+    report.work_of_impulses += jump.work_of_supports + tied.work_of_supports;
+    report.external_work += report.work_of_impulses;
+  } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
+    report.step.newton.fail(failure.what());
+    return false;
+  }
+  report.kinetic = velocities_.kinetic_energy(after.velocity);
+  report.error = error(after, velocity_before, energy);
+  return true;
+}
+
+template <int dim>
+TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInput& input) {
+  const auto gap = at_rest_.gaps(before.displacement);
+  offset_gaps(gap, before.lambda);
+  const auto midpoint = this->midpoint(before, input);
+  const InTime in_time{midpoint.energy, input.load};
+  ContactState start = before;  // of the load step: w = 0, and slips count from there
+  start.displacement.assign(start.displacement.size(), 0.0);
+  start.slip_origin = offset_slips(before, gap);
+  auto [mid, step] = step_->take(start, {midpoint.load, midpoint.half, &in_time});
+  TimeStepResult result;
+  auto& [after, report] = result;
+  report.step = std::move(step);
+  report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
+  if (!report.step.converged()) {
+    after = std::move(mid);
+    return result;
+  }
+  if (at_rest_.weakens()) {
+    auto at_end = model_->gaps(mid.displacement), middle = model_->gaps(mid.displacement, mid.lambda);
+    for (std::size_t i = 0; i < at_end.size(); ++i) {
+      at_end[i] *= 2;
+      if (!yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim))) continue;
+      at_end[i] = i % dim == 0 || start.slip_origin.empty() ? middle[i] : 2 * (middle[i] - start.slip_origin[i]);
+    }
+    wear(at_rest_, before, mid, at_end, at_end);
+  }
+  const double closing = std::max(0.0, book(mid, before, input.load, midpoint.load, report));
+  after = at_end(before, std::move(mid), start.slip_origin);
+  move_supports(after, midpoint.half, report);
+  if (!update_velocities(after, before.velocity, closing, report)) return result;
+  after.status = point_statuses(at_rest_, after, at_rest_.gaps(after.displacement, after.lambda), before.slip_origin);
+  if (!std::isfinite(report.elastic + report.kinetic))
+    report.step.newton.fail("the energy after the step is no number");
+  return result;
+}
+
+template class DynamicStep<2>;
+
+}  // namespace voussoir

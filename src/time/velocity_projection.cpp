@@ -1,0 +1,171 @@
+#include "time/velocity_projection.hpp"
+
+#include <Teuchos_OrdinalTraits.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "homogenisation/block_solves.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
+
+namespace voussoir {
+namespace {
+
+template <int dim>
+Teuchos::RCP<const TpetraMap> map_of_points(const ContactPoints<dim>& points,
+                                            const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  return Teuchos::rcp(new TpetraMap(unknown, static_cast<std::size_t>(dim) * points.owned(), 0, comm));
+}
+
+}  // namespace
+
+template <int dim>
+PointField relative_velocities(const ContactPoints<dim>& points, const std::vector<double>& velocity) {
+  PointField speed;
+  relative_motions(points, velocity, speed);
+  return speed;
+}
+
+/// B M^-1 B^T on the points that are held, nothing on the others.
+template <int dim>
+class VelocityProjection<dim>::Impulses : public TpetraOperator {
+ public:
+  Impulses(const Model<dim>& model, const Structure<dim>& mass)
+      : points_(model.points()),
+        map_(map_of_points(model.points(), mass.comm())),
+        all_selected_(points_.size(), 1),
+        space_(mass, points_, all_selected_, model.held()),
+        blocks_(mass, space_, std::vector<int>(mass.owner_of_block().size(), 1)),
+        impulse_(space_.map()),
+        change_(space_.map()) {
+    SystemMatrix<dim> matrix(mass, points_, all_selected_, space_);
+    matrix.update(std::vector<PointStiffness>(points_.size()), {});
+    all_or_none(*mass.comm(), [&] { blocks_.update(matrix.local()); });
+  }
+
+  Teuchos::RCP<const TpetraMap> getDomainMap() const override { return map_; }
+  Teuchos::RCP<const TpetraMap> getRangeMap() const override { return map_; }
+
+  void hold(std::vector<char> held) { held_ = std::move(held); }
+
+  /// -B^T lambda on node copies [N s].
+  const std::vector<double>& of_points(const TpetraVector& lambda) const {
+    field_.assign(static_cast<std::size_t>(dim) * points_.size(), 0.0);
+    std::copy_n(local_view(lambda), dim * points_.owned(), field_.begin());
+    points_.exchange().update(field_, dim);
+    nodal_.assign(static_cast<std::size_t>(dim) * space_.cluster().size(), 0.0);
+    add_contact_forces(points_, {}, field_, -1.0, nodal_);
+    return nodal_;
+  }
+
+  /// -M^-1 B^T lambda on node copies [m/s].
+  const std::vector<double>& change(const TpetraVector& lambda) const {
+    space_.sum(of_points(lambda), impulse_);
+    change_.putScalar(0);
+    blocks_.add(impulse_, change_, 1.0);
+    space_.scatter(change_, nodal_);
+    return nodal_;
+  }
+
+  void relative(const std::vector<double>& velocity, TpetraVector& speed, double factor) const {
+    const auto all = relative_velocities(points_, velocity);
+    double* value = local_view_to_write(speed);
+    for (int i = 0; i < dim * points_.owned(); ++i) value[i] = held_[i] ? factor * all[i] : 0.0;
+  }
+
+  void apply(const TpetraMultiVector& x, TpetraMultiVector& y, Teuchos::ETransp, [[maybe_unused]] double alpha,
+             [[maybe_unused]] double beta) const override {
+    for (std::size_t j = 0; j < x.getNumVectors(); ++j)
+      relative(change(*x.getVector(j)), *y.getVectorNonConst(j), -1.0);
+  }
+
+ private:
+  const ContactPoints<dim>& points_;
+  Teuchos::RCP<const TpetraMap> map_;
+  std::vector<char> all_selected_, held_;
+  MergedSpace<dim> space_;
+  BlockSolves<dim> blocks_;
+  mutable TpetraVector impulse_, change_;
+  mutable std::vector<double> field_, nodal_;
+};
+
+/// The mass that resists an impulse at a point, of its two nodes alone.
+template <int dim>
+class VelocityProjection<dim>::ByMass : public Preconditioner {
+ public:
+  ByMass(const Model<dim>& model, const Structure<dim>& mass) : resisting_(dim * model.points().size(), 0.0) {
+    std::vector<double> along_x(static_cast<std::size_t>(dim) * mass.nodes(), 0.0), weight;
+    for (std::size_t i = 0; i < along_x.size(); i += dim) along_x[i] = 1;
+    mass.apply_stiffness(along_x, weight);
+    const auto& points = model.points().points();
+    for (std::size_t k = 0; k < points.size(); ++k)
+      for (int a = 0; a < dim; ++a) {
+        const auto& axis = points[k].axis[a];
+        double inverse = 0;
+        for (const int node : {points[k].node_i, points[k].node_j})
+          for (int c = 0; c < dim; ++c)
+            if (!model.held()[dim * node + c]) inverse += axis[c] * axis[c] / weight[dim * node];
+        if (inverse > 0) resisting_[dim * k + a] = 1 / inverse;
+      }
+  }
+  double operator[](int component) const { return resisting_[component]; }
+  void apply(const TpetraVector& r, TpetraVector& z) const override {
+    const double* right = local_view(r);
+    double* value = local_view_to_write(z);
+    const auto count = static_cast<int>(r.getLocalLength());
+    for (int i = 0; i < count; ++i) value[i] = resisting_[i] * right[i];
+  }
+
+ private:
+  std::vector<double> resisting_;
+};
+
+template <int dim>
+VelocityProjection<dim>::VelocityProjection(const Model<dim>& model, const Structure<dim>& mass)
+    : model_(model), mass_(mass), solver_(model.scene().solver), by_mass_(std::make_shared<ByMass>(model, mass)) {}
+
+template <int dim>
+VelocityProjection<dim>::~VelocityProjection() = default;
+
+template <int dim>
+double VelocityProjection<dim>::mass(int point, int axis) const {
+  return (*by_mass_)[dim * point + axis];
+}
+
+template <int dim>
+double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::vector<char>& held,
+                                      const std::vector<double>* supports) {
+  if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
+  impulses_->hold(held);
+  const auto map = impulses_->getDomainMap();
+  const auto speed = Teuchos::rcp(new TpetraVector(map)), lambda = Teuchos::rcp(new TpetraVector(map));
+  impulses_->relative(velocity, *speed, 1.0);
+  double fastest = 0;
+  for (double v : velocity) fastest = std::max(fastest, std::abs(v));
+  const double size = speed->norm2();
+  const auto& numbers = model_.scene().internals.time_step;
+  const double known = numbers.velocity_round_off * largest_over_ranks(*map->getComm(), fastest) *
+                       std::sqrt(static_cast<double>(map->getGlobalNumElements()));
+  if (size <= known) return 0;
+  const double tolerance = std::max(numbers.velocity_accuracy, known / size);
+  const auto solved = solver_.solve(impulses_, by_mass_, speed, lambda, tolerance);
+  if (!solved.converged) throw SolverFailure("the impulses between stones are not found: " + solved.failure);
+  const auto& change = impulses_->change(*lambda);
+  for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
+  if (!supports) return 0;
+  std::vector<double> momentum;
+  mass_.apply_stiffness(change, momentum);
+  const auto& of_points = impulses_->of_points(*lambda);
+  double work = 0;
+  for (int i = 0; i < dim * mass_.owned_nodes(); ++i)
+    if (model_.held()[i]) work += (momentum[i] - of_points[i]) * (*supports)[i];
+  return total_over_ranks(*mass_.comm(), work);
+}
+
+template PointField relative_velocities<2>(const ContactPoints<2>&, const std::vector<double>&);
+template class VelocityProjection<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,53 @@
+// The velocity nearest to a given one, in the norm of the kinetic energy, without relative velocities at some points.
+//
+// Impulses lambda act at points that are held: v' = v - M^-1 B^T lambda with (B M^-1 B^T) lambda = B v. Mass couples
+// the nodes of a block only, so M^-1 is one small solve for each block, factored once, and as an impulse hardly moves
+// what is not next to it, conjugate gradients take as many iterations for a bridge as for an arch.
+//
+// Supports keep their velocity, however they move; what that takes of them are impulses too, M dv + B^T lambda at the
+// components they hold. Where a support moves these do work, which the kinetic energy alone does not tell from a loss.
+#pragma once
+
+#include <memory>
+
+#include "linalg/linear_solver.hpp"
+#include "model/contact_problem.hpp"
+#include "model/model.hpp"
+
+namespace voussoir {
+
+/// B v: relative velocities of contact points along their axes [m/s, points x components].
+template <int dim>
+PointField relative_velocities(const ContactPoints<dim>&, const std::vector<double>& velocity);
+
+template <int dim>
+class VelocityProjection {
+ public:
+  /// @param mass  the structure with the mass of its blocks in the place of their stiffness
+  VelocityProjection(const Model<dim>&, const Structure<dim>& mass);
+  ~VelocityProjection();
+
+  /// What resists an impulse at a point along its axis, of its two nodes alone [kg]; 0 where supports hold both.
+  double mass(int point, int axis) const;
+
+  /// Collective; SolverFailure on all ranks where the impulses are not found.
+  /// @param velocity  [m/s] on node copies, ghosts up to date; changed
+  /// @param held      1 where relative velocities become zero [points x components]; ghosts as their owners
+  /// @param supports  [m/s] on node copies: velocities of what supports hold; none where no support moves
+  /// @return work of the supports [J]
+  double apply(std::vector<double>& velocity, const std::vector<char>& held,
+               const std::vector<double>* supports = nullptr);
+
+ private:
+  class Impulses;
+  class ByMass;
+  const Model<dim>& model_;
+  const Structure<dim>& mass_;
+  LinearSolver solver_;
+  Teuchos::RCP<Impulses> impulses_;  ///< from the first projection on: a run without impacts factors no mass
+  std::shared_ptr<ByMass> by_mass_;
+};
+
+extern template class VelocityProjection<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,89 @@
+// Velocities after joints have closed within a time step.
+//
+// The midpoint rule leaves a point that closed with some relative velocity, whose sign then turns with every step, and
+// its contact force with it; and it loses the energy lambda x gap of the closing. After Laursen and Love (2002)
+// velocity jumps repair both: relative velocities of closed points become zero by normal impulses, and the energy this
+// and the closing took returns as the least change along the way the impulse spreads behind the joint, as a vibration
+// within bodies: resultants would be impulses of joints, which may not pull, and of which friction knows nothing.
+// Points that begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
+//
+// Energies are those seen from the supports. Where one moves, the impulse that holds it at its velocity does work, and
+// what the kinetic energy loses but for that work is what was taken: it is never negative and the same for whoever
+// moves, a stone on a bed or the bed under a stone.
+// Reasons and numbers: dynamics/README.md.
+#pragma once
+
+#include <memory>
+
+#include "model/contact_problem.hpp"
+#include "model/model.hpp"
+#include "time/velocity_projection.hpp"
+
+namespace voussoir {
+
+/// Largest normal force of selected points [N]. Collective.
+template <int dim>
+double largest_force(const Model<dim>&, const ContactState&);
+
+/// What a change of velocities adds to the book of a step. [J]
+struct EnergyOfJump {
+  double friction = 0;          ///< taken, >= 0
+  double work_of_supports = 0;  ///< of those that move
+};
+
+template <int dim>
+class VelocityUpdate {
+ public:
+  /// @param mass  the structure with the mass of its blocks in the place of their stiffness
+  VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass);
+  ~VelocityUpdate();
+
+  /// Collective.
+  /// @param step     model of the time step
+  /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
+  /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
+  /// @param resting  relative velocity below which a point counts as resting [m/s]
+  EnergyOfJump apply(const Model<dim>& step, ContactState& state, double lost, double resting);
+
+  /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
+  /// may take.
+  /// @param energy  of the relative motion of a point [J]
+  std::vector<char> calm(const ContactState&, double energy, double resting) const;
+  /// Ends the relative velocities of tied points: the two nodes of a point that was tied in motion would swing against
+  /// each other from step to step. Collective.
+  EnergyOfJump settle(ContactState&, double resting);
+
+  /// Forgets what depends on the model of a time step; to be called before that model goes.
+  void forget();
+
+  double kinetic_energy(const std::vector<double>& velocity) const { return product(velocity, velocity) / 2; }
+
+ private:
+  struct Spread;
+  double product(const std::vector<double>& v, const std::vector<double>& w) const;
+  using Supports = std::unique_ptr<const std::vector<double>>;  ///< [m/s] velocities there; none where none moves
+  Supports moving_supports(const std::vector<double>& velocity) const;
+  double project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& selected,
+                 const Supports&);
+  EnergyOfJump stop(std::vector<double>& velocity, const std::vector<char>& held, const std::vector<char>& selected,
+                    const Supports&);
+  double fastest(const PointField& speed, const std::vector<char>& held) const;
+  /// A change of velocities, and the work of supports that comes with it.
+  struct Way {
+    std::vector<double> velocity;  ///< [m/s]
+    double work_of_supports = 0;   ///< [J]
+  };
+  Way spread(const Model<dim>& step, const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
+             double resting, const Supports&);
+  Way within_bodies(Way, const Supports&) const;
+
+  const Model<dim>& at_rest_;
+  const Structure<dim>& mass_;
+  VelocityProjection<dim> projection_;
+  LinearSolver solver_;
+  std::unique_ptr<Spread> spread_;  ///< of the last selection and time step
+};
+
+extern template class VelocityUpdate<2>;
+
+}  // namespace voussoir

@@ -1,0 +1,34 @@
+// The smallest wall with a choice: one stone held at its base, two half stones on it side by side.
+#pragma once
+
+#include "homogenisation/merged_space.hpp"
+#include "model/contact_problem.hpp"
+#include "support/scenes.hpp"
+
+namespace voussoir::test {
+
+/// Block 0 below, 1 and 2 above it; 0 is held at its base. Nothing is selected.
+inline Scene tied_wall() {
+  Scene scene = wall_scene(2);
+  scene.mesh.wall.blocks_per_course = 1;
+  scene.selection.mode = SelectionMode::bonded;
+  return scene;
+}
+
+/// Which local node copies are one.
+inline std::vector<int> clusters(const Model<2>& model, const std::vector<char>& selected) {
+  return MergedSpace<2>(model.structure(), model.points(), selected, model.held()).cluster();
+}
+
+inline ContactProblem<2>::Parts parts_of(const Model<2>& model, LinearSolver& solver) {
+  const Scene& scene = model.scene();
+  return {model.structure(),   model.points(),       model.continuum(), model.held(), model.local_stiffness(),
+          model.initial_gap(), scene.preconditioner, scene.internals,   solver};
+}
+
+/// The blocks of a point.
+inline const Joint& joint_of(const Model<2>& model, int point) {
+  return model.points().joints()[model.points().points()[point].joint];
+}
+
+}  // namespace voussoir::test

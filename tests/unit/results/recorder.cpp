@@ -1,0 +1,134 @@
+// What a run leaves behind: counts, sums and rows of steps, and where an earlier run goes on.
+#include "results/recorder.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "model/point_status.hpp"
+#include "support/tied_wall.hpp"
+#include "unit/output/folders.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+int rows_of(const std::string& folder) {
+  world()->barrier();
+  std::ifstream file(folder + "/history.csv");
+  int lines = 0;
+  for (std::string line; std::getline(file, line);) ++lines;
+  return lines - 1;  // less the heading
+}
+
+/// Two half stones that are free to leave the stone below them, and what is recorded of them.
+struct Recorded {
+  Experiment wall;
+  std::unique_ptr<Recorder<2>> recorder;
+
+  explicit Recorded(const std::string& folder, const Record& so_far = {}) : wall(scene()) {
+    recorder = std::make_unique<Recorder<2>>(wall.model(), wall.step(), folder, so_far);
+  }
+  static Scene scene() {
+    Scene scene = tied_wall();
+    scene.selection.mode = SelectionMode::all;
+    return scene;
+  }
+  StepReport step(double sideways) {
+    const ContactState before = wall.state();
+    const auto load_before = wall.load();
+    const LoadStepBook<2> book(wall.model(), wall.step(), before, load_before);
+    if (!wall.advance({{"weight", 1}, {"sideways", sideways}})) throw std::runtime_error("no equilibrium");
+    const StepReport report = wall.solution().last;
+    recorder->record(book, wall.state(), wall.load(), report, "a stage", sideways, true, 0.5);
+    return report;
+  }
+};
+
+TEUCHOS_UNIT_TEST(Recorder, CountsEveryPointAndSumsTheStepsWithoutAnybodyAsking) {
+  const std::string folder = fresh_folder("recorded");
+  Recorded r(folder);
+  const auto& sum = r.recorder->summary();
+  TEST_EQUALITY(sum.blocks, 3);
+  TEST_EQUALITY(sum.steps, 0);
+  const StepReport first = r.step(0), second = r.step(1);
+  TEST_EQUALITY(sum.steps, 2);
+  TEST_EQUALITY(rows_of(folder), 2);
+  TEST_EQUALITY(sum.newton_iterations, first.newton.newton_iterations + second.newton.newton_iterations);
+  TEST_EQUALITY(sum.krylov_iterations, first.newton.krylov_iterations + second.newton.krylov_iterations);
+  TEST_EQUALITY(sum.load_factor, 1.0);
+  const auto& count = r.recorder->status();
+  TEST_EQUALITY(count.selected, r.wall.model().points().total());
+  TEST_EQUALITY(count.open + count.stick + count.slip, count.selected);
+  TEST_EQUALITY(sum.largest_displacement, r.wall.solution().largest_displacement());
+  // 0.15 g on stones of friction 0.6: nothing slips, so what loads do is what stones hold.
+  TEST_FLOATING_EQUALITY(sum.energy.external_work, sum.energy.elastic, 1e-6);
+  TEST_EQUALITY(r.recorder->so_far().written, 2);
+}
+
+// A point that bears and sticks, one that bears as much friction as it can, one that has parted.
+TEUCHOS_UNIT_TEST(Recorder, StatusesAreThoseOfForcesAndGaps) {
+  Recorded r(fresh_folder("statuses"));
+  r.step(0);
+  auto& state = r.wall.state();
+  const ContactState before = state;
+  const LoadStepBook<2> book(r.wall.model(), r.wall.step(), before, r.wall.load());
+  const auto& model = r.wall.model();
+  long long by_hand[3] = {0, 0, 0};
+  for (int k = 0; k < model.points().size(); ++k) {
+    const auto& joint = joint_of(model, k);
+    const bool beside = joint.block_i == 1, right = joint.block_j == 2 && !beside;
+    state.lambda[2 * k] = beside ? 0 : 100;
+    state.lambda[2 * k + 1] = right ? 60 : 0;
+    if (k < model.points().owned()) ++by_hand[beside ? 0 : right ? 2 : 1];
+  }
+  // Block 2 goes 1 mm to the right, in the direction in which it is held back; block 1 stays.
+  const auto& s = model.structure();
+  std::fill(state.displacement.begin(), state.displacement.end(), 0.0);
+  for (int i = 0; i < s.nodes(); ++i)
+    if (s.blocks()[s.block_of_node()[i]].mesh.id == 2) state.displacement[2 * i] = 1e-3;
+  state.status = point_statuses(model, state, model.gaps(state.displacement, state.lambda), {});
+  r.recorder->record(book, state, r.wall.load(), {}, "by hand", 1, false, 0);
+  long long all[3];
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, by_hand, all);
+  const auto& count = r.recorder->status();
+  TEST_EQUALITY(count.open, all[0]);
+  TEST_EQUALITY(count.stick, all[1]);
+  TEST_EQUALITY(count.slip, all[2]);
+  TEST_EQUALITY(r.recorder->so_far().written, 1);  // no fields were asked for
+}
+
+TEUCHOS_UNIT_TEST(Recorder, AnEarlierRunGoesOnBehindTheStepsItRecorded) {
+  const std::string folder = fresh_folder("goes-on");
+  Record after_one;
+  {
+    Recorded r(folder);
+    r.step(0);
+    after_one = r.recorder->so_far();
+    r.step(1);  // after the checkpoint: cut off
+    TEST_EQUALITY(rows_of(folder), 2);
+  }
+  Recorded again(folder, after_one);
+  TEST_ASSERT(!again.recorder->fields_lost());
+  TEST_EQUALITY(rows_of(folder), 1);
+  again.step(0.5);
+  TEST_EQUALITY(again.recorder->summary().steps, 2);
+  TEST_EQUALITY(again.recorder->so_far().written, 2);
+  TEST_EQUALITY(rows_of(folder), 2);
+}
+
+TEUCHOS_UNIT_TEST(Recorder, AWarningIsToldOnce) {
+  Recorded r(fresh_folder("warned"));
+  Warning w;
+  w.what = "kind";
+  w.text = "The stone hangs.";
+  TEST_ASSERT(r.recorder->warn(w));
+  TEST_ASSERT(!r.recorder->warn(w));
+  TEST_EQUALITY(r.recorder->summary().warnings.size(), 1);
+}
+
+}  // namespace
