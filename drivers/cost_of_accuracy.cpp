@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/command_line.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drivers/study.hpp"
@@ -17,16 +18,9 @@ namespace {
 
 using namespace voussoir;
 
-const char* const usage =
-    R"(cost_of_accuracy --xml=SCENE [options], alone or under mpirun
-  --xml=SCENE         the scene
-  --out=DIR           where results go (default: out/cost-of-accuracy-<name of the scene>)
-  --set PATH=VALUE    change one parameter of the scene; may be repeated
-  --thresholds=LIST   error tolerances of the adaptive runs (default: 0.3,0.1,0.03,0.01,0.003,0.001), or none
-  --sizes=LIST        factors on the element size of the scene (default: 2,1,0.5,0.25 as far as affordable), or none
-  --draw=SCRIPT       what draws the picture (default: drivers/report/draw_accuracy.py of the source), or none
-  --help
-Leaves DIR/accuracy.csv and its picture, DIR/accuracy.png and DIR/accuracy.svg; those of an earlier study are replaced.
+const char* const closing =
+    R"(Leaves DIR/accuracy.csv and its picture, DIR/accuracy.png and DIR/accuracy.svg.
+Those of an earlier study are replaced.
 Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing.
 )";
 
@@ -38,18 +32,18 @@ struct Arguments {
   std::vector<std::string> overrides;
   std::vector<double> thresholds{0.3, 0.1, 0.03, 0.01, 0.003, 0.001}, sizes{2, 1, 0.5, 0.25};
   double affordable = affordable_unknowns;
-  bool help = false;
+  std::string help;  ///< to print instead of computing, when it was asked for
 };
 
-std::vector<double> numbers(const std::string& option, const std::string& text, double below) {
+std::vector<double> numbers(const CommandLine& line, const std::string& option, const std::string& text, double below) {
   std::vector<double> values;
   if (text == "none") return values;
   for (const auto& word : split(text, ",")) {
     const auto value = number_in(trimmed(word));
     // Written so that NaN is refused.
     if (!value || !(*value > 0 && *value < below))
-      throw InputError("cost_of_accuracy: " + option + " = " + text + "\n  must be numbers above 0 and below " +
-                       number_text(below) + " between commas, or none.\n  See cost_of_accuracy --help.");
+      line.refuse(option, text,
+                  "must be numbers above 0 and below " + number_text(below) + " between commas, or none.");
     values.push_back(*value);
   }
   return values;
@@ -57,19 +51,26 @@ std::vector<double> numbers(const std::string& option, const std::string& text, 
 
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  const std::vector<std::string> known{"--xml", "--out", "--set", "--thresholds", "--sizes", "--draw"};
-  for (const auto& [option, value] : options_of("cost_of_accuracy", words, known)) {
-    if (option == "--help") a.help = true;
-    if (option == "--xml") a.xml = value;
-    if (option == "--out") a.folder = value;
-    if (option == "--set") a.overrides.push_back(value);
-    if (option == "--thresholds") a.thresholds = numbers(option, value, 1);
-    if (option == "--draw") a.draw = value;
-    if (option != "--sizes") continue;
-    a.sizes = numbers(option, value, 1e3);  // no block is a thousand cells long
-    a.affordable = std::numeric_limits<double>::infinity();
+  CommandLine line("cost_of_accuracy", "--xml=SCENE [options], alone or under mpirun");
+  line.add("--xml", "SCENE", a.xml, "the scene");
+  line.add("--out", "DIR", a.folder, "where results go (default: out/cost-of-accuracy-<name of the scene>)");
+  line.add_repeated("--set", "PATH=VALUE", a.overrides, "change one parameter of the scene; may be repeated");
+  line.add(
+      "--thresholds", "LIST", [&](const std::string& text) { a.thresholds = numbers(line, "--thresholds", text, 1); },
+      "error tolerances of the adaptive runs (default: 0.3,0.1,0.03,0.01,0.003,0.001), or none");
+  line.add(
+      "--sizes", "LIST",
+      [&](const std::string& text) {
+        a.sizes = numbers(line, "--sizes", text, 1e3);  // no block is a thousand cells long
+        a.affordable = std::numeric_limits<double>::infinity();
+      },
+      "factors on the element size of the scene (default: 2,1,0.5,0.25 as far as affordable), or none");
+  line.add("--draw", "SCRIPT", a.draw,
+           "what draws the picture (default: drivers/report/draw_accuracy.py of the source), or none");
+  if (!line.read(words)) {
+    a.help = line.help(closing);
+    return a;
   }
-  if (a.help) return a;
   if (a.xml.empty()) throw InputError("cost_of_accuracy: no scene given.\n  Give one with --xml=FILE.");
   if (a.folder.empty()) a.folder = "out/cost-of-accuracy-" + std::filesystem::path(a.xml).stem().string();
   return a;
@@ -89,8 +90,8 @@ void study(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& com
 void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                  std::ostream& say) {
   const auto a = parse(words);
-  if (a.help) {
-    say << usage;
+  if (!a.help.empty()) {
+    say << a.help;
     return;
   }
   study(a, comm, say);

@@ -14,13 +14,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/child_process.hpp"
+#include "base/command_line.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
@@ -33,60 +33,28 @@ namespace {
 
 using namespace voussoir;
 
-const char* const usage =
-    R"(minimum_thickness --friction=MU [options]
-  --friction=MU    friction coefficient of all joints [-]
-  --voussoirs=N    stones of the ring, the springings not counted (default 27)
-  --tolerance=T    accuracy of thickness / radius [-] (default 1e-4)
-  --from=A --to=B  thickness / radius to search [-] (default 0.04 to 0.4); the first thickness that stands counts
-  --cells=C        cells through the thickness (default 2)
-  --help
-Exit codes: 0 found, or shown that no thickness searched stands; 2 the input is wrong; 3 no convergence.
-)";
-
 struct Arguments {
   double friction = -1, tolerance = 1e-4, from = 0.04, to = 0.4;
   int voussoirs = 27, cells = 2;
-  bool help = false;
+  std::string help;  ///< to print instead of computing, when it was asked for
 };
-
-double number(const std::string& option, const std::string& text, double at_least) {
-  std::size_t used = 0;
-  double value = std::numeric_limits<double>::quiet_NaN();
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used == 0 || used != text.size() || !(value >= at_least) || !std::isfinite(value))
-    throw InputError("minimum_thickness: " + option + " = '" + text + "'\n  must be a number of at least " +
-                     std::to_string(at_least) + ".\n  See minimum_thickness --help.");
-  return value;
-}
 
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  for (const auto& word : words) {
-    const auto sign = word.find('=');
-    const std::string option = word.substr(0, sign), text = sign == std::string::npos ? "" : word.substr(sign + 1);
-    if (option == "--friction")
-      a.friction = number(option, text, 0);
-    else if (option == "--voussoirs")
-      a.voussoirs = static_cast<int>(number(option, text, 3));
-    else if (option == "--tolerance")
-      a.tolerance = number(option, text, 1e-8);
-    else if (option == "--from")
-      a.from = number(option, text, 1e-3);
-    else if (option == "--to")
-      a.to = number(option, text, 1e-3);
-    else if (option == "--cells")
-      a.cells = static_cast<int>(number(option, text, 1));
-    else if (option == "--help")
-      a.help = true;
-    else
-      throw InputError("minimum_thickness: '" + word + "' is no option.\n  See minimum_thickness --help.");
+  CommandLine line("minimum_thickness", "--friction=MU [options]");
+  line.add("--friction", "MU", a.friction, at_least(0), "friction coefficient of all joints [-]");
+  line.add("--voussoirs", "N", a.voussoirs, at_least(3), "stones of the ring, the springings not counted (default 27)");
+  line.add("--tolerance", "T", a.tolerance, at_least(1e-8), "accuracy of thickness / radius [-] (default 1e-4)");
+  line.add("--from", "A", a.from, at_least(1e-3), "least thickness / radius to search [-] (default 0.04)");
+  line.add("--to", "B", a.to, at_least(1e-3),
+           "largest thickness / radius to search [-] (default 0.4); the first thickness that stands counts");
+  line.add("--cells", "C", a.cells, at_least(1), "cells through the thickness (default 2)");
+  if (!line.read(words)) {
+    a.help = line.help(
+        "Exit codes: 0 found, or shown that no thickness searched stands; 2 the input is wrong; 3 no convergence.\n");
+    return a;
   }
-  if (a.friction < 0 && !a.help) throw InputError("minimum_thickness: no friction given.\n  Give --friction=MU.");
+  if (a.friction < 0) throw InputError("minimum_thickness: no friction given.\n  Give --friction=MU.");
   if (!(a.from < a.to && a.to < 2))
     throw InputError("minimum_thickness: --from = " + std::to_string(a.from) + ", --to = " + std::to_string(a.to) +
                      "\n  must be ascending and below 2 (the intrados would have no radius left).");
@@ -226,8 +194,8 @@ void search(const Arguments& a) {
 int run_program(const std::vector<std::string>& words) {
   try {
     const auto a = parse(words);
-    if (a.help)
-      std::cout << usage;
+    if (!a.help.empty())
+      std::cout << a.help;
     else
       search(a);
     return exit_done;

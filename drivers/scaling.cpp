@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/command_line.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drivers/study.hpp"
@@ -19,26 +20,9 @@ namespace {
 
 using namespace voussoir;
 
-const char* const usage =
-    R"(scaling [options], alone or under mpirun
-  --families=LIST     of walls, openings, storeys, arches, bridge (default: all)
-  --largest=N         walls of 16, 32, 64, ... up to N courses (default: 64), arches of 15, 31, 61, ... up to 2 N
-                      voussoirs; bridge, openings and storeys (walls 3 and 5 of Ferris and Tin-Loi: one and
-                      two storeys) with cells 1, 2, 4, ... times as fine up to N / 16
-  --smallest=N        leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)
-  --systems=LIST      instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,
-                      messages and bytes, on walls with more blocks, finer cells, larger contrast of stones (contrast),
-                      more open joints (open), resistances further apart (spread)
-  --motions=LIST      instead, time steps at these peak accelerations [m/s2] of the ground, beside bonded ones: 0.4 s of
-                      shaking at 2.5 Hz in steps of 5 ms, of the walls and the bridge that are asked for
-  --peers=LIST        instead, other programs on scenes W<courses> and A<voussoirs>, in turn with this one: GetFEM and
-                      CalculiX where they are installed; see drivers/peers/compare.py
-  --modes=LIST        of bonded, adaptive, all (default: adaptive,all)
-  --set PATH=VALUE    change one parameter of every scene; may be repeated
-  --out=DIR           where results go (default: out/scaling)
-  --draw=SCRIPT       what draws the picture (default: drivers/report/draw_scaling.py of the source), or none
-  --help
-Leaves DIR/scaling.csv, DIR/scaling.json, DIR/scaling.png and DIR/scaling.svg; those of an earlier study are replaced.
+const char* const closing =
+    R"(Leaves DIR/scaling.csv, DIR/scaling.json, DIR/scaling.png and DIR/scaling.svg.
+Those of an earlier study are replaced.
 Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is missing.
 )";
 
@@ -49,70 +33,87 @@ struct Arguments {
   std::vector<SelectionMode> modes{SelectionMode::adaptive, SelectionMode::all};
   std::vector<double> motions;
   int smallest = 1, largest = 64;
-  bool help = false;
+  std::string help;  ///< to print instead of computing, when it was asked for
   bool asks_for(const std::string& family) const {
     return std::find(families.begin(), families.end(), family) != families.end();
   }
 };
 
-[[noreturn]] void refuse(const std::string& what, const std::string& wanted) {
-  throw InputError("scaling: " + what + "\n  " + wanted + "\n  See scaling --help.");
-}
-
-std::vector<std::string> words_of(const std::string& option, const std::string& text,
+std::vector<std::string> words_of(const CommandLine& line, const std::string& option, const std::string& text,
                                   const std::vector<std::string>& known) {
   std::vector<std::string> words;
   for (const auto& part : split(text, ",")) {
     words.push_back(trimmed(part));
     if (std::find(known.begin(), known.end(), words.back()) == known.end())
-      refuse(option + " = " + text, "must be words between commas, of " + list_of(known) + ".");
+      line.refuse(option, text, "must be words between commas, of " + list_of(known) + ".");
   }
   return words;
 }
 
-std::vector<SelectionMode> modes_of(const std::string& text) {
+std::vector<SelectionMode> modes_of(const std::vector<std::string>& words) {
   std::vector<SelectionMode> modes;
-  for (const auto& word : words_of("--modes", text, {"bonded", "adaptive", "all"}))
+  for (const auto& word : words)
     modes.push_back(word == "bonded" ? SelectionMode::bonded
                     : word == "all"  ? SelectionMode::all
                                      : SelectionMode::adaptive);
   return modes;
 }
 
-int count_of(const std::string& option, const std::string& text) {
-  const auto value = whole_number_in(text);
-  if (!value || *value < 1) refuse(option + " = " + text, "must be a whole number above 0.");
-  return *value;
-}
-
-std::vector<double> peaks_of(const std::string& text) {
+std::vector<double> peaks_of(const CommandLine& line, const std::string& text) {
   std::vector<double> peaks;
   for (const auto& part : split(text, ",")) {
     const auto peak = number_in(trimmed(part));
-    if (!peak || !(*peak > 0)) refuse("--motions = " + text, "must be numbers above 0 between commas, in m/s2.");
+    if (!peak || !(*peak > 0)) line.refuse("--motions", text, "must be numbers above 0 between commas, in m/s2.");
     peaks.push_back(*peak);
   }
   return peaks;
 }
 
+void declare(CommandLine& line, Arguments& a) {
+  const auto words = [&line](const std::string& option, const std::vector<std::string>& known, auto take) {
+    return [=, &line](const std::string& text) { take(words_of(line, option, text, known)); };
+  };
+  using Words = std::vector<std::string>;
+  line.add("--families", "LIST", words("--families", a.families, [&a](const Words& given) { a.families = given; }),
+           "of walls, openings, storeys, arches, bridge (default: all)");
+  line.add("--largest", "N", a.largest, above(0),
+           "walls of 16, 32, 64, ... up to N courses (default: 64), arches of 15, 31, 61, ... up to 2 N\n"
+           "voussoirs; bridge, openings and storeys (walls 3 and 5 of Ferris and Tin-Loi: one and\n"
+           "two storeys) with cells 1, 2, 4, ... times as fine up to N / 16");
+  line.add("--smallest", "N", a.smallest, above(0),
+           "leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)");
+  line.add("--systems", "LIST",
+           words("--systems", {"blocks", "cells", "contrast", "open", "spread"},
+                 [&a](const Words& given) { a.systems = given; }),
+           "instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,\n"
+           "messages and bytes, on walls with more blocks, finer cells, larger contrast of stones (contrast),\n"
+           "more open joints (open), resistances further apart (spread)");
+  line.add(
+      "--motions", "LIST", [&](const std::string& text) { a.motions = peaks_of(line, text); },
+      "instead, time steps at these peak accelerations [m/s2] of the ground, beside bonded ones: 0.4 s of\n"
+      "shaking at 2.5 Hz in steps of 5 ms, of the walls and the bridge that are asked for");
+  line.add("--peers", "LIST", a.peers,
+           "instead, other programs on scenes W<courses> and A<voussoirs>, in turn with this one: GetFEM and\n"
+           "CalculiX where they are installed; see drivers/peers/compare.py");
+  line.add("--modes", "LIST",
+           words("--modes", {"bonded", "adaptive", "all"}, [&a](const Words& given) { a.modes = modes_of(given); }),
+           "of bonded, adaptive, all (default: adaptive,all)");
+  line.add_repeated("--set", "PATH=VALUE", a.overrides, "change one parameter of every scene; may be repeated");
+  line.add("--out", "DIR", a.folder, "where results go (default: out/scaling)");
+  line.add("--draw", "SCRIPT", a.draw,
+           "what draws the picture (default: drivers/report/draw_scaling.py of the source), or none");
+}
+
 Arguments parse(const std::vector<std::string>& words) {
   Arguments a;
-  const std::vector<std::string> known{"--families", "--largest", "--smallest", "--modes", "--systems",
-                                       "--motions",  "--peers",   "--set",      "--out",   "--draw"};
-  for (const auto& [option, value] : options_of("scaling", words, known)) {
-    if (option == "--help") a.help = true;
-    if (option == "--families") a.families = words_of(option, value, a.families);
-    if (option == "--largest") a.largest = count_of(option, value);
-    if (option == "--smallest") a.smallest = count_of(option, value);
-    if (option == "--modes") a.modes = modes_of(value);
-    if (option == "--systems") a.systems = words_of(option, value, {"blocks", "cells", "contrast", "open", "spread"});
-    if (option == "--motions") a.motions = peaks_of(value);
-    if (option == "--peers") a.peers = value;
-    if (option == "--set") a.overrides.push_back(value);
-    if (option == "--out") a.folder = value;
-    if (option == "--draw") a.draw = value;
-  }
+  CommandLine line("scaling", "[options], alone or under mpirun");
+  declare(line, a);
+  if (!line.read(words)) a.help = line.help(closing);
   return a;
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& why) {
+  throw InputError("scaling: " + option + "\n  " + why + "\n  See scaling --help.");
 }
 
 /// A scene of this repository, with changes of this study and then of the user.
@@ -229,8 +230,8 @@ void compare_with_peers(const Arguments& a) {
 void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                  std::ostream& say) {
   const auto a = parse(words);
-  if (a.help) {
-    say << usage;
+  if (!a.help.empty()) {
+    say << a.help;
     return;
   }
   if (!a.peers.empty()) {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <Tpetra_Core.hpp>
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/child_process.hpp"
@@ -17,26 +15,6 @@
 #include "base/leaks.hpp"
 
 namespace voussoir {
-
-/// Options in the order they were given, as "--name=value" or "--name value"; with --help that one alone.
-/// Throws InputError for one that is not among `known`, or lacks its value.
-inline std::vector<std::pair<std::string, std::string>> options_of(const std::string& program,
-                                                                   const std::vector<std::string>& words,
-                                                                   const std::vector<std::string>& known) {
-  const std::string advice = ".\n  See " + program + " --help.";
-  std::vector<std::pair<std::string, std::string>> options;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const auto equals = words[k].find('=');
-    const std::string option = words[k].substr(0, equals);
-    if (option == "--help") return {{option, ""}};
-    if (std::find(known.begin(), known.end(), option) == known.end())
-      throw InputError(program + ": '" + option + "' is no option" + advice);
-    if (equals == std::string::npos && k + 1 == words.size())
-      throw InputError(program + ": " + option + " needs a value" + advice);
-    options.emplace_back(option, equals == std::string::npos ? words[++k] : words[k].substr(equals + 1));
-  }
-  return options;
-}
 
 /// A word as the shell takes it for one.
 inline std::string quoted(const std::string& word) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/child_process.hpp"
+#include "base/command_line.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
@@ -27,24 +28,8 @@ namespace {
 
 using namespace voussoir;
 
-const char* const usage =
-    R"(voussoir --xml=FILE [options], alone or under mpirun
-  --xml=FILE          the scene
-  --out=DIR           where results go (default: out/<name of the scene>)
-  --set PATH=VALUE    change one parameter of the scene, such as selection/mode=all; may be repeated
-  --overwrite         remove earlier results of DIR instead of keeping them beside
-  --restart           go on with the run in DIR, interrupted or with further stages; without --xml, with its scene
-  --restart-from=DIR2 go on with the run in DIR2, and leave that as it is: results go to DIR
-  --trust             let a .geo run programs, and read and write other files, which is refused else
-  --validate          check scene and mesh, then stop
-  --dry-run           also count unknowns and predict the cost, then stop
-  --limit-analysis    rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall
-  --print-parameters  print every parameter with unit, default and range, as a scene
-  --print-internals   print every number that decides how a step is solved, for studies of the program itself
-  --quiet             say nothing but errors
-  --verbose           a line for every linear solve
-  --version, --help
-SIGTERM and SIGUSR1 save the state and stop; so does a step that does not converge.
+const char* const closing =
+    R"(SIGTERM and SIGUSR1 save the state and stop; so does a step that does not converge.
 Exit codes: 0 done, 2 the input is wrong, 3 no convergence or out of range, 4 a resource is missing,
 5 stopped by a signal.
 )";
@@ -53,50 +38,36 @@ struct Arguments {
   std::string xml;
   std::vector<std::string> overrides;
   RunOptions run;
-  bool quiet = false;
-  std::string print;  ///< text to print instead of running
+  bool quiet = false, trust = false;
+  bool version = false, parameters = false, internals = false;  ///< to print instead of running
+  std::string help;                                             ///< the same, when it was asked for
+  bool prints() const { return version || parameters || internals || !help.empty(); }
 };
 
-Arguments parse(const std::vector<std::string>& words) {
-  Arguments a;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const std::string& word = words[k];
-    const auto value_of = [&](const std::string& option, std::string& value) {
-      if (word.rfind(option + "=", 0) == 0) {
-        value = word.substr(option.size() + 1);
-        return true;
-      }
-      if (word != option) return false;
-      if (k + 1 == words.size()) throw InputError("voussoir: " + option + " needs a value.\n  See voussoir --help.");
-      value = words[++k];
-      return true;
-    };
-    std::string value;
-    if (value_of("--xml", a.xml) || value_of("--out", a.run.folder) || value_of("--restart-from", a.run.restart_from))
-      continue;
-    if (value_of("--set", value))
-      a.overrides.push_back(value);
-    else if (word == "--overwrite")
-      a.run.overwrite = true;
-    else if (word == "--restart")
-      a.run.restart = true;
-    else if (word == "--trust")
-      a.run.trust = Trust::yes;
-    else if (word == "--validate")
-      a.run.validate = true;
-    else if (word == "--dry-run")
-      a.run.dry_run = true;
-    else if (word == "--limit-analysis")
-      a.run.limit_analysis = true;
-    else if (word == "--quiet")
-      a.quiet = true;
-    else if (word == "--verbose")
-      a.run.verbose = true;
-    else if (word == "--print-parameters" || word == "--print-internals" || word == "--help" || word == "--version")
-      a.print = word;
-    else
-      throw InputError("voussoir: '" + word + "' is no option.\n  See voussoir --help.");
-  }
+void declare(CommandLine& line, Arguments& a) {
+  line.add("--xml", "FILE", a.xml, "the scene");
+  line.add("--out", "DIR", a.run.folder, "where results go (default: out/<name of the scene>)");
+  line.add_repeated("--set", "PATH=VALUE", a.overrides,
+                    "change one parameter of the scene, such as selection/mode=all; may be repeated");
+  line.add_flag("--overwrite", a.run.overwrite, "remove earlier results of DIR instead of keeping them beside");
+  line.add_flag("--restart", a.run.restart,
+                "go on with the run in DIR, interrupted or with further stages; without --xml, with its scene");
+  line.add("--restart-from", "DIR2", a.run.restart_from,
+           "go on with the run in DIR2, and leave that as it is: results go to DIR");
+  line.add_flag("--trust", a.trust, "let a .geo run programs, and read and write other files, which is refused else");
+  line.add_flag("--validate", a.run.validate, "check scene and mesh, then stop");
+  line.add_flag("--dry-run", a.run.dry_run, "also count unknowns and predict the cost, then stop");
+  line.add_flag("--limit-analysis", a.run.limit_analysis,
+                "rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall");
+  line.add_flag("--print-parameters", a.parameters, "print every parameter with unit, default and range, as a scene");
+  line.add_flag("--print-internals", a.internals,
+                "print every number that decides how a step is solved, for studies of the program itself");
+  line.add_flag("--quiet", a.quiet, "say nothing but errors");
+  line.add_flag("--verbose", a.run.verbose, "a line for every linear solve");
+  line.add_flag("--version", a.version, "the version of the program");
+}
+
+void check(const Arguments& a) {
   if (a.run.restart && a.run.overwrite)
     throw InputError(
         "voussoir: --restart and --overwrite\n  contradict each other: one goes on with what the other "
@@ -109,12 +80,22 @@ Arguments parse(const std::vector<std::string>& words) {
     throw InputError(
         "voussoir: --restart and --restart-from\n  contradict each other: one goes on in the folder of the "
         "run, the other leaves it as it is.\n  Leave one of them out.");
-  const bool branch = !a.run.restart_from.empty() && a.print.empty();
+}
+
+Arguments parse(const std::vector<std::string>& words) {
+  Arguments a;
+  CommandLine line("voussoir", "--xml=FILE [options], alone or under mpirun");
+  declare(line, a);
+  if (!line.read(words)) a.help = line.help(closing);
+  if (a.prints()) return a;
+  if (a.trust) a.run.trust = Trust::yes;
+  check(a);
+  const bool branch = !a.run.restart_from.empty();
   if (branch && a.xml.empty() && a.run.folder.empty())
     throw InputError("voussoir: --restart-from\n  needs a place for its results.\n  Give one with --out=DIR.");
   if (branch && a.xml.empty()) a.xml = a.run.restart_from + "/scene.xml";
   if (a.run.restart && a.xml.empty() && !a.run.folder.empty()) a.xml = a.run.folder + "/scene.xml";
-  if (a.xml.empty() && a.print.empty()) throw InputError("voussoir: no scene given.\n  Give one with --xml=FILE.");
+  if (a.xml.empty()) throw InputError("voussoir: no scene given.\n  Give one with --xml=FILE.");
   if (a.run.folder.empty()) a.run.folder = "out/" + std::filesystem::path(a.xml).stem().string();
   return a;
 }
@@ -174,6 +155,17 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
   return summary.outcome == Outcome::collapse && wanted ? exit_done : exit_no_convergence;
 }
 
+void print(const Arguments& a) {
+  if (!a.help.empty())
+    std::cout << a.help;
+  else if (a.version)
+    std::cout << "voussoir " << version() << "\n";
+  else if (a.parameters)
+    print_reference(std::cout);
+  else
+    print_internals_reference(std::cout);
+}
+
 int run_program(const std::vector<std::string>& words) {
   const auto comm = Tpetra::getDefaultComm();
   std::ofstream nowhere;
@@ -181,11 +173,8 @@ int run_program(const std::vector<std::string>& words) {
   try {
     const auto a = parse(words);
     std::ostream& say = first && !a.quiet ? std::cout : nowhere;
-    if (!a.print.empty()) {
-      if (first && a.print == "--help") std::cout << usage;
-      if (first && a.print == "--version") std::cout << "voussoir " << version() << "\n";
-      if (first && a.print == "--print-parameters") print_reference(std::cout);
-      if (first && a.print == "--print-internals") print_internals_reference(std::cout);
+    if (a.prints()) {
+      if (first) print(a);
       return exit_done;
     }
     listen_for_stop_signals();

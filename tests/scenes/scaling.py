@@ -174,7 +174,7 @@ class Peers(unittest.TestCase):
 
 class Command(unittest.TestCase):
     def test_wrong_options_are_refused_with_advice(self):
-        for option, words in (("--families=domes", "must be words between commas"), ("--largest=0", "above 0"),
+        for option, words in (("--families=domes", "must be words between commas"), ("--largest=0", "must be a whole number > 0"),
                               ("--modes=some", "must be words"), ("--motions=0.1,fast", "must be numbers above 0"),
                               ("--motions=0", "must be numbers above 0"), ("--unknown=1", "is no option")):
             done = study(FOLDER / "refused", option)
