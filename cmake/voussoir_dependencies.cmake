@@ -5,6 +5,7 @@
 find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(nlohmann_json 3 REQUIRED)
 find_package(CLI11 2 REQUIRED)
+find_package(pugixml 1.11 REQUIRED)
 find_package(Trilinos 13 REQUIRED COMPONENTS MueLu Ifpack2 Zoltan2 Belos Xpetra Tpetra Sacado Kokkos Teuchos)
 
 # Makes an imported target from one header and one library; names what to install when they are missing.

@@ -44,6 +44,13 @@ TEUCHOS_UNIT_TEST(SceneReader, InfinityIsAStrengthAndAByteOrderMarkIsNothing) {
   TEST_ASSERT(std::isinf(scene.joints.at(0).parameters.friction_coefficient));
 }
 
+TEUCHOS_UNIT_TEST(SceneReader, LettersMayBeEscapedAndALineMayEndWithinAValue) {
+  const Scene scene = read_scene_from_text(
+      changed("wall", "value=\"Running-bond wall", "value=\"l&#39;&#xe9;glise &amp; &lt;a&gt; &quot;b&quot;\nwall"),
+      path_of("wall"));
+  TEST_EQUALITY_CONST(scene.title, "l'\xc3\xa9glise & <a> \"b\" wall W(8) under 0.15 g");
+}
+
 TEUCHOS_UNIT_TEST(SceneReader, OverridesGoBeforeTheFileWhicheverWayTheyAreWritten) {
   const Scene scene =
       read_scene(path_of("wall"), {"selection/mode=bonded", "selection/mode=all", " mesh / wall/courses = 3",
