@@ -5,6 +5,7 @@
 find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(nlohmann_json 3 REQUIRED)
 find_package(CLI11 2 REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(pugixml 1.11 REQUIRED)
 find_package(Trilinos 13 REQUIRED COMPONENTS MueLu Ifpack2 Zoltan2 Belos Xpetra Tpetra Sacado Kokkos Teuchos)
 

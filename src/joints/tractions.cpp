@@ -3,24 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense.hpp"
+
 namespace voussoir {
 namespace {
-
-/// Solves the dense symmetric system A x = b in place by elimination with diagonal pivots; A is a grounded graph
-/// Laplacian, so no pivot vanishes. A handful of unknowns: the blocks that meet at a vertex.
-void solve_grounded(std::vector<double>& a, std::vector<double>& b) {
-  const int n = static_cast<int>(b.size());
-  for (int k = 0; k < n; ++k)
-    for (int i = k + 1; i < n; ++i) {
-      const double factor = a[i * n + k] / a[k * n + k];
-      for (int j = k; j < n; ++j) a[i * n + j] -= factor * a[k * n + j];
-      b[i] -= factor * b[k];
-    }
-  for (int k = n - 1; k >= 0; --k) {
-    for (int j = k + 1; j < n; ++j) b[k] -= a[k * n + j] * b[j];
-    b[k] /= a[k * n + k];
-  }
-}
 
 // A tied point that stands open counts as if it had this share of its area: far more than round-off, far less than any
 // closed point.
@@ -111,7 +97,7 @@ void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& poin
         for (auto& value : b) value -= mean;  // what the linear solver left over
         ground(0);
       }
-      solve_grounded(a, b);
+      solve_positive(a, b);  // a grounded graph Laplacian, of the few blocks that meet at a vertex
       for (int i = 0; i < n; ++i) force[i * dim + c] = b[i];
     }
     for (std::size_t k = first; k < last; ++k) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/dense.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
 #include "dynamics/load_steps.hpp"
@@ -67,11 +68,10 @@ void warn_of_free_whole(const Model<2>& model, Warnings& all) {
   if (only_time(model.scene().stages)) return;  // stones may fly
   const auto g = held_of_whole(model);
   const bool x = g[0] > 0, y = g[4] > 0;
-  const double determinant =
-      g[0] * (g[4] * g[8] - g[5] * g[7]) - g[1] * (g[3] * g[8] - g[5] * g[6]) + g[2] * (g[3] * g[7] - g[4] * g[6]);
   constexpr double round_off = 1e-24;  // of the square of a lever
   const double mean = (g[0] + g[4] + g[8]) / 3;
-  if (determinant > round_off * mean * mean * mean) return;
+  if (determinant({{{g[0], g[1], g[2]}, {g[3], g[4], g[5]}, {g[6], g[7], g[8]}}}) > round_off * mean * mean * mean)
+    return;
   const std::string way = !x && !y ? "anywhere" : !x ? "along x" : !y ? "along y" : "round";
   all.push_back({"free_to_move", model.scene().file + ": scene > supports", "", 1.0,
                  "the supports leave the whole structure free to move " + way +

@@ -5,24 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "base/dense.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
-
-/// Solves the symmetric positive definite system a x = b in place of b.
-void solve_plane(std::array<StoneVector, 3>& a, StoneVector& b) {
-  for (int k = 0; k < 3; ++k)
-    for (int i = k + 1; i < 3; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (int j = k; j < 3; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  for (int k = 2; k >= 0; --k) {
-    for (int j = k + 1; j < 3; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-}
 
 /// Force of a spring whose ends have moved against each other.
 Vector<2> force_of(const StonePoint& spring, double stiffness, const Vector<2>& motion) {
@@ -108,7 +95,7 @@ StoneVector StoneRelaxation::lacking(int block, const StoneVector& at_first, Nei
 /// The step that would balance a stone if every spring held.
 StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack, Neighbours which) const {
   const auto& stone = stones_[block];
-  std::array<StoneVector, 3> matrix{};
+  Matrix<3> matrix{};
   bool held = false;
   for (const auto& link : links_[block]) {
     if (which == Neighbours::that_stay && link.rides) continue;
@@ -125,9 +112,7 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack, Neighbo
   matrix[0][0] += ground;
   matrix[1][1] += ground;
   matrix[2][2] += ground * stone.radius * stone.radius;
-  auto step = lack;
-  solve_plane(matrix, step);
-  return step;
+  return solve_positive(matrix, lack);
 }
 
 double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable) {

@@ -33,7 +33,7 @@ PURE = {"joints/contact_law.hpp", "joints/point_freedom.hpp", "joints/softening.
 
 # Libraries with one owner: each is included by at most one source file and by no header.
 ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp",
-             "CLI11": "CLI/", "pugixml": "pugixml"}
+             "CLI11": "CLI/", "pugixml": "pugixml", "Eigen": "Eigen/"}
 
 
 def reach(folder):
