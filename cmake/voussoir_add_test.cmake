@@ -4,7 +4,7 @@
 # number of ranks, called <folder>.<name>.np<ranks>. Defaults: RANKS 1, LABELS the folders below tests/ (tests/unit/mesh
 # has the labels unit and mesh), TIMEOUT 600. Limits are for hangs: ten times what
 # a test usually takes.
-# A test runs in its own build folder; files of the repository are found through the macro VOUSSOIR_SOURCE_DIR.
+# A test runs in its own build folder; files of the repository are found by repository() of tests/support.
 #
 # voussoir_add_script(NAME name SCRIPT a.py [ARGS ...] [LABELS ...] [TIMEOUT seconds] [PROCESSORS n])
 #
@@ -69,7 +69,6 @@ function(voussoir_add_test)
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE voussoir voussoir_test_main voussoir_warnings)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_compile_definitions(${target} PRIVATE VOUSSOIR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   foreach(ranks IN LISTS arg_RANKS)
     voussoir_register_test(
       ${kind}.${arg_NAME}.np${ranks}

@@ -12,6 +12,7 @@
 
 #include "mesh/block_source.hpp"
 #include "static_case.hpp"
+#include "support/repository.hpp"
 
 namespace {
 
@@ -37,7 +38,7 @@ TEUCHOS_UNIT_TEST(GrecoPlate, SlipsAsPublished) {
   base.parameters.young_modulus = 1e4 * young;
   scene.materials.push_back(base);
   scene.mesh.type = MeshType::gmsh;
-  scene.mesh.gmsh.file = VOUSSOIR_SOURCE_DIR "/meshes/greco-plate.geo";
+  scene.mesh.gmsh.file = repository("/meshes/greco-plate.geo");
   scene.mesh.gmsh.cells = CellType::quadrilateral;
   add_support(scene, "ground");
   add_support(scene, "symmetry", "x");

@@ -12,6 +12,7 @@
 
 #include "mesh/block_source.hpp"
 #include "static_case.hpp"
+#include "support/repository.hpp"
 
 namespace {
 
@@ -26,7 +27,7 @@ struct Fate {
 Fate on_slope(double slope, double width, double height, double friction) {
   auto scene = plain_scene(10e9, 2000, friction);
   scene.mesh.type = MeshType::gmsh;
-  scene.mesh.gmsh.file = VOUSSOIR_SOURCE_DIR "/meshes/incline.geo";
+  scene.mesh.gmsh.file = repository("/meshes/incline.geo");
   scene.mesh.gmsh.geometry = {{"slope", slope}, {"width", width}, {"height", height}};
   add_support(scene, "ground");
   add_acceleration(scene, "weight", 0, -9.81);

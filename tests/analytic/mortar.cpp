@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "results/effect_costs.hpp"
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -140,7 +141,7 @@ TEUCHOS_UNIT_TEST(Mortar, EveryPointOfAPushedWallIsASpringThatOpensAndSlips) {
 
 /// A stiff stone 1.0 x 0.5 m on a bed that is held, pushed sideways by a share of its weight.
 Scene stone_on_bed(double normal, double tangential, double friction, double share) {
-  Scene scene = gmsh_scene(VOUSSOIR_SOURCE_DIR "/meshes/incline.geo", 0.1, CellType::quadrilateral);
+  Scene scene = gmsh_scene(repository("/meshes/incline.geo"), 0.1, CellType::quadrilateral);
   scene.mesh.gmsh.geometry = {{"slope", 0}, {"width", 1.0}, {"height", 0.5}};
   scene.materials[0].parameters.young_modulus = 1e13;
   scene.joints[0].parameters.friction_coefficient = friction;

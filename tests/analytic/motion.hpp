@@ -12,6 +12,7 @@
 #include "dynamics/load_steps.hpp"
 #include "mesh/block_source.hpp"
 #include "scene/scene_reader.hpp"
+#include "support/repository.hpp"
 #include "time/dynamic_step.hpp"
 
 namespace voussoir::test {
@@ -20,7 +21,7 @@ class Motion {
  public:
   /// @param overrides  "path=value" as on the command line
   Motion(const std::string& scene, const std::vector<std::string>& overrides)
-      : scene_(read_scene(VOUSSOIR_SOURCE_DIR "/xml/" + scene + ".xml", overrides)),
+      : scene_(read_scene(repository("/xml/") + scene + ".xml", overrides)),
         source_(make_block_source<2>(scene_.mesh, *Tpetra::getDefaultComm())),
         model_(scene_, *source_, Tpetra::getDefaultComm()),
         load_step_(model_),

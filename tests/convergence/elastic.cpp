@@ -5,6 +5,7 @@
 
 #include "blocks/assembly.hpp"
 #include "blocks/element_matrices.hpp"
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -62,7 +63,7 @@ double energy_density(const std::array<std::array<double, 3>, 3>& elasticity, co
 }
 
 Errors errors(double element_size, CellType cells) {
-  Scene scene = gmsh_scene(VOUSSOIR_SOURCE_DIR "/tests/convergence/geo/quarter_ring.geo", element_size, cells);
+  Scene scene = gmsh_scene(repository("/tests/convergence/geo/quarter_ring.geo"), element_size, cells);
   scene.selection.mode = SelectionMode::bonded;
   add_support(scene, "on x axis", "y");
   add_support(scene, "on y axis", "x");

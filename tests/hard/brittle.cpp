@@ -2,6 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -12,7 +13,7 @@ using namespace voussoir::test;
 constexpr double gravity = 9.81, density = 2000;  // [m/s2, kg/m3]
 
 Scene two_stones(double width, double height, double angle) {
-  Scene scene = gmsh_scene(VOUSSOIR_SOURCE_DIR "/tests/hard/geo/two_stones.geo", 0.25, CellType::quadrilateral);
+  Scene scene = gmsh_scene(repository("/tests/hard/geo/two_stones.geo"), 0.25, CellType::quadrilateral);
   scene.mesh.gmsh.geometry = {{"width", width}, {"height", height}, {"angle", angle}};
   return scene;
 }

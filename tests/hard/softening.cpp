@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -15,7 +16,7 @@ constexpr double friction = 0.6;
 
 /// Two stones of 1 m x 1 m between plates that are moved: by 1 m apart and by 1 m along each other, times factors.
 Scene between_plates(SofteningShape shape, double cell) {
-  Scene scene = gmsh_scene(VOUSSOIR_SOURCE_DIR "/tests/hard/geo/two_stones.geo", cell, CellType::quadrilateral);
+  Scene scene = gmsh_scene(repository("/tests/hard/geo/two_stones.geo"), cell, CellType::quadrilateral);
   scene.mesh.gmsh.geometry = {{"width", 1}, {"height", 1}, {"angle", 0}};
   scene.newton.tolerance = 1e-10;
   scene.materials[0].parameters.young_modulus = modulus;

@@ -1,4 +1,5 @@
 #include "performance/count_table.hpp"
+#include "support/repository.hpp"
 
 #include <charconv>
 #include <fstream>
@@ -10,7 +11,7 @@
 namespace voussoir::test {
 namespace {
 
-constexpr auto table = VOUSSOIR_SOURCE_DIR "/tests/performance/solve_counts.csv";
+const std::string table = repository("/tests/performance/solve_counts.csv");
 constexpr auto head = "scene,solves,krylov,whole,patches";
 
 std::string difference(const char* name, const Range& kept, long long counted) {

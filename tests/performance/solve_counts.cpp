@@ -6,6 +6,7 @@
 #include "performance/count_table.hpp"
 #include "run/simulation.hpp"
 #include "scene/scene_reader.hpp"
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -150,13 +151,13 @@ RunSummary whole_run(const std::string& name, const Scene& scene, Teuchos::Fancy
 
 // The main job: its own weight, then the western pier settles and tilts, then the western abutment moves.
 TEUCHOS_UNIT_TEST(SolveCounts, TheBridge) {
-  whole_run("Clare College Bridge", read_scene(VOUSSOIR_SOURCE_DIR "/xml/clare-college-bridge.xml"), out, success);
+  whole_run("Clare College Bridge", read_scene(repository("/xml/clare-college-bridge.xml")), out, success);
 }
 
 // The bridge in mortar, its own weight and the first millimetre of the pier: cracks that compete, and a selection that
 // stays one. Were a rough round solved further than asked it would not arrive, and release every point.
 TEUCHOS_UNIT_TEST(SolveCounts, TheBridgeInMortar) {
-  Scene scene = read_scene(VOUSSOIR_SOURCE_DIR "/xml/clare-college-bridge-mortar.xml");
+  Scene scene = read_scene(repository("/xml/clare-college-bridge-mortar.xml"));
   scene.stages.resize(2);
   scene.stages[1].increments = 1;
   scene.stages[1].factors["pier settles"] = 0.25;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/scene_reader.hpp"
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -19,7 +20,7 @@ Vector<2> reaction(const Solution& s) {
   return sum;
 }
 
-Scene scene_of(const std::string& name) { return read_scene(VOUSSOIR_SOURCE_DIR "/xml/" + name + ".xml"); }
+Scene scene_of(const std::string& name) { return read_scene(repository("/xml/") + name + ".xml"); }
 
 // Newton stops at 1e-8 of the largest nodal force, of which there are some hundred.
 constexpr double tolerance = 1e-6;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -91,7 +92,7 @@ TEUCHOS_UNIT_TEST(Patch, AWallWhoseWeightGivesWayToPressureCarriesItUniformly) {
 TEUCHOS_UNIT_TEST(Patch, IrregularStonesUnderPressureFromTwoSidesCarryItUniformly) {
   for (const auto cells : {CellType::triangle, CellType::quadrilateral}) {
     for (const auto mode : {SelectionMode::all, SelectionMode::bonded}) {
-      Scene scene = gmsh_scene(VOUSSOIR_SOURCE_DIR "/tests/scenes/geo/three_stones.geo", 0.2, cells);
+      Scene scene = gmsh_scene(repository("/tests/scenes/geo/three_stones.geo"), 0.2, cells);
       scene.selection.mode = mode;
       scene.newton.tolerance = 1e-13;
       add_support(scene, "bottom", "y");

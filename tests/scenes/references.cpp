@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -16,7 +17,7 @@ using namespace voussoir;
 using namespace voussoir::test;
 
 std::vector<std::vector<double>> rows_of(const std::string& file) {
-  std::ifstream in(VOUSSOIR_SOURCE_DIR "/tests/scenes/reference/" + file);
+  std::ifstream in(repository("/tests/scenes/reference/") + file);
   std::string line;
   if (!std::getline(in, line)) throw std::runtime_error("cannot read " + file);
   std::vector<std::vector<double>> rows;

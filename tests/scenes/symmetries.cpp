@@ -2,6 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 
+#include "support/repository.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -95,7 +96,7 @@ TEUCHOS_UNIT_TEST(Symmetries, AReflectedArchMovesReflected) {
 
 /// Three stones and their loads, turned by an angle [degree].
 Solution turned(double angle, CellType cells) {
-  Scene scene = gmsh_scene(VOUSSOIR_SOURCE_DIR "/tests/scenes/geo/three_stones.geo", 0.25, cells);
+  Scene scene = gmsh_scene(repository("/tests/scenes/geo/three_stones.geo"), 0.25, cells);
   scene.mesh.gmsh.geometry = {{"angle", angle}, {"structured", 1}};
   add_support(scene, "bottom", "xy");
   const double a = angle * M_PI / 180, ax = 0.2 * 9.81, ay = -9.81;  // enough to open the upright joint

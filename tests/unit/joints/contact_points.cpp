@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "linalg/gather.hpp"
+#include "support/repository.hpp"
 #include "unit/blocks/lattice_block.hpp"
 #include "unit/linalg/systems.hpp"
 
@@ -55,7 +56,7 @@ using Pair = std::array<long, 6>;
 TEUCHOS_UNIT_TEST(ContactPoints, AreThePairsOfTheReferenceSceneAndThoseBetweenHeldNodes) {
   // The table leaves out the three pairs on the base, whose nodes are held. Its coordinates are multiples of 125 mm.
   std::set<Pair> expected{{0, 1, 500, 0, 1, 0}, {1, 2, 1000, 0, 1, 0}, {2, 3, 1500, 0, 1, 0}};
-  std::ifstream file(VOUSSOIR_SOURCE_DIR "/tests/unit/joints/reference/W4_points.csv");
+  std::ifstream file(repository("/tests/unit/joints/reference/W4_points.csv"));
   std::string line;
   std::getline(file, line);
   while (std::getline(file, line)) {

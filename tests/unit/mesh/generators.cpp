@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/repository.hpp"
 #include "unit/mesh/mesh_facts.hpp"
 
 namespace {
@@ -16,7 +17,7 @@ using namespace voussoir::test;
 /// Largest distance [m] between the nodes of a source and those of a table "block,x_m,y_m", which lists the nodes of a
 /// block in lattice order; infinite when a block has another number of nodes.
 double distance_to_reference(const BlockSource<2>& source, const std::string& name) {
-  std::ifstream file(VOUSSOIR_SOURCE_DIR "/tests/unit/mesh/reference/" + name);
+  std::ifstream file(repository("/tests/unit/mesh/reference/") + name);
   std::map<int, std::vector<Vector<2>>> table;
   std::string line;
   std::getline(file, line);

@@ -8,11 +8,12 @@
 #include <string>
 
 #include "mesh/gmsh_reader.hpp"
+#include "support/repository.hpp"
 #include "unit/mesh/mesh_facts.hpp"
 
 namespace voussoir::test {
 
-inline const std::string geo_folder = VOUSSOIR_SOURCE_DIR "/tests/unit/mesh/geo/";
+inline const std::string geo_folder = repository("/tests/unit/mesh/geo/");
 
 inline std::unique_ptr<BlockSource<2>> read(const GmshParameters& p, Trust trust = Trust::no) {
   return read_gmsh(p, *Tpetra::getDefaultComm(), trust);

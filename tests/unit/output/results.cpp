@@ -14,6 +14,7 @@
 #include "output/output_folder.hpp"
 #include "output/result_json.hpp"
 #include "output/safe_file.hpp"
+#include "support/repository.hpp"
 #include "unit/output/folders.hpp"
 
 namespace voussoir {
@@ -75,7 +76,7 @@ void collect_keys(const Json& json, const std::string& prefix, std::set<std::str
 
 /// The words in backquotes in the first column of the table "result.json" of the README.
 std::set<std::string> documented_keys() {
-  std::istringstream readme(content(std::string(VOUSSOIR_SOURCE_DIR) + "/src/output/README.md"));
+  std::istringstream readme(content(repository("/src/output/README.md")));
   std::set<std::string> keys;
   bool inside = false;
   for (std::string line; std::getline(readme, line);) {

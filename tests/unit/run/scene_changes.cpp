@@ -5,12 +5,13 @@
 
 #include "base/error.hpp"
 #include "scene/scene_reader.hpp"
+#include "support/repository.hpp"
 
 namespace {
 
 using namespace voussoir;
 
-const std::string folder = VOUSSOIR_SOURCE_DIR "/xml/";
+const std::string folder = repository("/xml/");
 
 SceneValues values_of(const Scene& scene) {
   return scene_values(scene, [](const std::string& file) { return file; });

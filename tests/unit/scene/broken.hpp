@@ -7,10 +7,11 @@
 
 #include "base/error.hpp"
 #include "scene/scene_reader.hpp"
+#include "support/repository.hpp"
 
 namespace voussoir::test {
 
-inline std::string path_of(const std::string& scene) { return VOUSSOIR_SOURCE_DIR "/xml/" + scene + ".xml"; }
+inline std::string path_of(const std::string& scene) { return repository("/xml/") + scene + ".xml"; }
 
 /// A scene of xml/ where the first `from` is replaced; "" when there is no `from`, which no scene survives.
 inline std::string changed(const std::string& scene, const std::string& from, const std::string& to) {

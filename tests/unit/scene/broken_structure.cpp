@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/repository.hpp"
 #include "unit/scene/broken.hpp"
 
 namespace {
@@ -239,7 +240,7 @@ TEUCHOS_UNIT_TEST(BrokenScenes, FilesThatAreNoScenesAreRefused) {
     return "";
   };
   TEST_INEQUALITY_CONST(said_of_file("no/such.xml").find("no/such.xml: scene\n  cannot be found."), std::string::npos);
-  TEST_INEQUALITY_CONST(said_of_file(VOUSSOIR_SOURCE_DIR "/xml").find("is a folder"), std::string::npos);
+  TEST_INEQUALITY_CONST(said_of_file(repository("/xml")).find("is a folder"), std::string::npos);
   std::ofstream("empty.xml").close();
   TEST_INEQUALITY_CONST(said_of_file("empty.xml").find("the file is empty"), std::string::npos);
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/repository.hpp"
 #include "unit/scene/broken.hpp"
 
 namespace {
@@ -92,7 +93,7 @@ TEUCHOS_UNIT_TEST(SceneReader, OverridesThatAreWrongAreRefused) {
 
 TEUCHOS_UNIT_TEST(SceneReader, TheFileOfTheMeshIsFoundInTheFoldersBesideTheScene) {
   const Scene scene = read_scene(path_of("reference"));
-  TEST_EQUALITY_CONST(scene.mesh.gmsh.file, VOUSSOIR_SOURCE_DIR "/meshes/clare-college-bridge.geo");
+  TEST_EQUALITY_CONST(scene.mesh.gmsh.file, repository("/meshes/clare-college-bridge.geo"));
   const Scene other = read_scene(path_of("reference"), {"mesh/gmsh/file=meshes/clare-college-bridge.geo"});
   TEST_EQUALITY(other.mesh.gmsh.file, scene.mesh.gmsh.file);
 }

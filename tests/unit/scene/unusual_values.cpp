@@ -7,12 +7,13 @@
 
 #include "base/text.hpp"
 #include "scene/scene_reader.hpp"
+#include "support/repository.hpp"
 
 namespace {
 
 using namespace voussoir;
 
-const std::string folder = VOUSSOIR_SOURCE_DIR "/xml/";
+const std::string folder = repository("/xml/");
 
 /// Keys that are warned of, and that nothing else is.
 std::vector<std::string> keys(const std::string& scene, const std::vector<std::string>& settings) {
