@@ -152,15 +152,30 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
   return pieces;
 }
 
+namespace {
+
+/// Bytes of UTF-8 that follow a first one beyond ASCII; 0 where nothing begins so.
+std::size_t bytes_that_follow(unsigned char lead) {
+  if (lead >= 0xc2 && lead < 0xe0) return 1;
+  if (lead >= 0xe0 && lead < 0xf0) return 2;
+  return lead >= 0xf0 && lead < 0xf5 ? 3 : 0;
+}
+
+/// Whether a character of so many further bytes is one of Unicode, in as few bytes as it needs.
+bool is_character(unsigned code, std::size_t follow) {
+  constexpr unsigned least[] = {0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  return code >= least[follow] && code <= 0x10ffff && !surrogate;
+}
+
+}  // namespace
+
 bool is_plain_text(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto lead = static_cast<unsigned char>(text[i]);
     if (lead < 0x20 || lead == 0x7f) return false;
     if (lead < 0x80) continue;
-    const std::size_t follow = lead >= 0xc2 && lead < 0xe0   ? 1
-                               : lead >= 0xe0 && lead < 0xf0 ? 2
-                               : lead >= 0xf0 && lead < 0xf5 ? 3
-                                                             : 0;
+    const std::size_t follow = bytes_that_follow(lead);
     if (follow == 0 || i + follow >= text.size()) return false;
     unsigned code = lead & (0x3fu >> follow);
     for (std::size_t k = 1; k <= follow; ++k) {
@@ -168,8 +183,7 @@ bool is_plain_text(const std::string& text) {
       if ((next & 0xc0u) != 0x80u) return false;
       code = code << 6 | (next & 0x3fu);
     }
-    const unsigned least = follow == 1 ? 0x80 : follow == 2 ? 0x800 : 0x10000;
-    if (code < least || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
+    if (!is_character(code, follow)) return false;
     i += follow;
   }
   return true;

@@ -64,6 +64,24 @@ struct LinearSolver::Data {
   Teuchos::RCP<Manager> manager[2];  ///< for symmetric systems and others
 };
 
+namespace {
+
+/// What Belos is asked of one system.
+Teuchos::RCP<Teuchos::ParameterList> asked_of_belos(const SolverParameters& given, bool symmetric,
+                                                    double relative_tolerance, int largest_iterations) {
+  auto list = Teuchos::parameterList(symmetric ? given.belos : given.belos_unsymmetric);
+  list->set("Convergence Tolerance", relative_tolerance);
+  const int most = largest_iterations > 0 ? largest_iterations : given.largest_iterations;
+  list->set("Maximum Iterations", std::min(most, given.largest_iterations));
+  const bool restarts = !symmetric && given.unsymmetric_method != "BICGSTAB";
+  if (restarts && !list->isParameter("Num Blocks")) list->set("Num Blocks", restart);
+  // Relative to the right-hand side, not to a first residual that a good start makes small.
+  if (!list->isParameter("Implicit Residual Scaling")) list->set("Implicit Residual Scaling", "Norm of RHS");
+  return list;
+}
+
+}  // namespace
+
 LinearSolver::LinearSolver(const SolverParameters& parameters) : data_(std::make_unique<Data>()) {
   data_->parameters = parameters;
 }
@@ -75,6 +93,10 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
                                       const Teuchos::RCP<const TpetraVector>& b, const Teuchos::RCP<TpetraVector>& x,
                                       double relative_tolerance, Symmetry symmetry, int largest_iterations) {
   const TrafficScope sent_for(TrafficOf::krylov);
+  if (b->norm2() == 0) {
+    x->putScalar(0);
+    return {0, true, "", false};
+  }
   auto problem = Teuchos::rcp(new Data::Problem(a, x, b));
   const auto& given = data_->parameters;
   const bool symmetric = symmetry == Symmetry::symmetric;
@@ -87,18 +109,7 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   if (symmetric) problem->setHermitian();
   problem->setProblem();
 
-  auto list = Teuchos::parameterList(symmetric ? given.belos : given.belos_unsymmetric);
-  list->set("Convergence Tolerance", relative_tolerance);
-  const int most = largest_iterations > 0 ? largest_iterations : given.largest_iterations;
-  list->set("Maximum Iterations", std::min(most, given.largest_iterations));
-  if (!symmetric && method != "BICGSTAB" && !list->isParameter("Num Blocks")) list->set("Num Blocks", restart);
-  const double size = b->norm2();
-  if (size == 0) {
-    x->putScalar(0);
-    return {0, true, "", false};
-  }
-  // Relative to the right-hand side, not to a first residual that a good start makes small.
-  if (!list->isParameter("Implicit Residual Scaling")) list->set("Implicit Residual Scaling", "Norm of RHS");
+  const auto list = asked_of_belos(given, symmetric, relative_tolerance, largest_iterations);
   if (manager.is_null()) {
     Belos::SolverFactory<double, TpetraMultiVector, TpetraOperator> factory;
     manager = factory.create(method, list);

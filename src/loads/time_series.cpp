@@ -38,15 +38,24 @@ bool comma_within_number(const std::string& text) {
   return false;
 }
 
-/// @param alone  lines hold values alone, so that nothing but its form tells 0,5 from two numbers
+bool holds(const std::string& line, char c) { return line.find(c) != std::string::npos; }
+
+/// Whether commas of a line seem to be those of decimals.
+/// @param alone   lines hold values alone, so that nothing but its form tells 0,5 from two numbers
+/// @param spread  some field between separators holds more than one number
+bool has_decimal_commas(const std::string& line, bool alone, bool spread) {
+  if (!holds(line, ',')) return false;
+  if (holds(line, ';')) return true;
+  return comma_within_number(line) && (spread || (alone && !holds(line, '.')));
+}
+
+/// @param alone  lines hold values alone
 Row row_of(const std::string& line, bool alone) {
-  const bool semicolons = line.find(';') != std::string::npos, commas = line.find(',') != std::string::npos;
   const std::string decimal = "has commas in its numbers, it seems, where points are read";
-  if (semicolons && commas) return {{}, decimal};
-  if (alone && comma_within_number(line) && line.find('.') == std::string::npos) return {{}, decimal};
+  if (has_decimal_commas(line, alone, false)) return {{}, decimal};
   Row row;
-  const auto fields = split(line, semicolons ? ";" : ",");
-  bool spread = false;  // some field holds more than one number
+  const auto fields = split(line, holds(line, ';') ? ";" : ",");
+  bool spread = false;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     if (trimmed(fields[k]).empty() && k > 0 && k + 1 == fields.size()) break;  // a separator that ends the line
     const auto numbers = numbers_in(fields[k]);
@@ -55,7 +64,7 @@ Row row_of(const std::string& line, bool alone) {
     spread |= numbers->size() > 1;
     row.numbers.insert(row.numbers.end(), numbers->begin(), numbers->end());
   }
-  if (spread && commas && comma_within_number(line)) return {{}, decimal};
+  if (has_decimal_commas(line, alone, spread)) return {{}, decimal};
   for (const double number : row.numbers)
     if (!std::isfinite(number)) return {{}, "holds a number that is not finite"};
   return row;

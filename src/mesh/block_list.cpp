@@ -53,15 +53,15 @@ void broadcast_warnings(const Teuchos::Comm<int>& comm, Warnings& warnings) {
     warnings.push_back({words[4 * k], words[4 * k + 1], words[4 * k + 2], amounts[k], words[4 * k + 3]});
 }
 
-}  // namespace
-
+/// All blocks of a list, end to end.
 template <int dim>
-void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
+struct Packed {
   std::vector<std::string> names;
-  std::vector<int> counts, sets, cells, facets;  // counts: nodes, sets, cells, facets of each block
+  std::vector<int> counts, sets, cells, facets;  ///< counts: nodes, sets, cells, facets of each block
   std::vector<double> positions;
   std::vector<VertexId> vertices;
-  for (const Block<dim>& block : list.blocks) {
+
+  void pack(const Block<dim>& block) {
     names.push_back(block.name);
     counts.insert(counts.end(), {static_cast<int>(block.position.size()), static_cast<int>(block.sets.size()),
                                  static_cast<int>(block.cells.size()), static_cast<int>(block.facets.size())});
@@ -77,46 +77,61 @@ void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
       facets.insert(facets.end(), facet.node.begin(), facet.node.end());
     }
   }
+
+  void broadcast(const Teuchos::Comm<int>& comm) {
+    broadcast_strings(comm, names);
+    broadcast_values(comm, counts);
+    broadcast_values(comm, positions);
+    broadcast_values(comm, vertices);
+    broadcast_values(comm, sets);
+    broadcast_values(comm, cells);
+    broadcast_values(comm, facets);
+  }
+
+  std::vector<Block<dim>> unpacked() const {
+    std::vector<Block<dim>> blocks(names.size());
+    auto x = positions.begin();
+    auto v = vertices.begin();
+    auto s = sets.begin(), c = cells.begin(), f = facets.begin();
+    for (std::size_t b = 0; b < names.size(); ++b) {
+      Block<dim>& block = blocks[b];
+      const int* count = &counts[4 * b];
+      block.id = static_cast<BlockId>(b);
+      block.name = names[b];
+      block.position.resize(count[0]);
+      for (Vector<dim>& position : block.position)
+        for (double& component : position) component = *x++;
+      block.vertex.assign(v, v + count[0]);
+      v += count[0];
+      block.sets.assign(s, s + count[1]);
+      s += count[1];
+      block.cells.resize(count[2]);
+      for (Cell& cell : block.cells) {
+        cell.count = *c++;
+        for (int& node : cell.node) node = *c++;
+      }
+      block.facets.resize(count[3]);
+      for (TaggedFacet& facet : block.facets) {
+        facet.count = *f++;
+        facet.set = *f++;
+        for (int& node : facet.node) node = *f++;
+      }
+    }
+    return blocks;
+  }
+};
+
+}  // namespace
+
+template <int dim>
+void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
+  Packed<dim> packed;
+  for (const Block<dim>& block : list.blocks) packed.pack(block);
   broadcast_strings(comm, list.block_sets);
   broadcast_strings(comm, list.facet_sets);
   broadcast_warnings(comm, list.warnings);
-  broadcast_strings(comm, names);
-  broadcast_values(comm, counts);
-  broadcast_values(comm, positions);
-  broadcast_values(comm, vertices);
-  broadcast_values(comm, sets);
-  broadcast_values(comm, cells);
-  broadcast_values(comm, facets);
-  if (comm.getRank() == 0) return;
-
-  list.blocks.assign(names.size(), {});
-  auto x = positions.begin();
-  auto v = vertices.begin();
-  auto s = sets.begin(), c = cells.begin(), f = facets.begin();
-  for (std::size_t b = 0; b < names.size(); ++b) {
-    Block<dim>& block = list.blocks[b];
-    const int* count = &counts[4 * b];
-    block.id = static_cast<BlockId>(b);
-    block.name = names[b];
-    block.position.resize(count[0]);
-    for (Vector<dim>& position : block.position)
-      for (double& component : position) component = *x++;
-    block.vertex.assign(v, v + count[0]);
-    v += count[0];
-    block.sets.assign(s, s + count[1]);
-    s += count[1];
-    block.cells.resize(count[2]);
-    for (Cell& cell : block.cells) {
-      cell.count = *c++;
-      for (int& node : cell.node) node = *c++;
-    }
-    block.facets.resize(count[3]);
-    for (TaggedFacet& facet : block.facets) {
-      facet.count = *f++;
-      facet.set = *f++;
-      for (int& node : facet.node) node = *f++;
-    }
-  }
+  packed.broadcast(comm);
+  if (comm.getRank() != 0) list.blocks = packed.unpacked();
 }
 
 template <int dim>

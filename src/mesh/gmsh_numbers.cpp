@@ -50,6 +50,27 @@ void read_code(const std::filesystem::path& path, std::set<std::string>& seen, C
   }
 }
 
+/// Refuses a number that the geometry file cannot be given.
+void check_number(const GmshParameters& p, const std::string& name, double value, const Code& code,
+                  const std::set<std::string>& defined) {
+  const bool in_geometry = p.geometry.count(name) > 0;
+  const std::string key = in_geometry              ? "gmsh > geometry > " + name
+                          : name == "element_size" ? "gmsh > element size"
+                                                   : "gmsh > cells";
+  const std::string shown = name == "recombine" && !in_geometry ? "quadrilateral" : in_words(value);
+  if (!std::isfinite(value))
+    refuse_mesh(key, shown, "must be a finite number.", "Give the value in the units of the file.");
+  if (!std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")))
+    refuse_mesh(key, shown, "is no name a .geo file can have.", "Use letters, digits and _.");
+  if (!code.complete || defined.count(name) > 0) return;
+  std::string offered;
+  for (const std::string& other : defined) offered += (offered.empty() ? "" : ", ") + other;
+  refuse_mesh(key, shown,
+              "cannot be set: " + p.file + " has no DefineConstant for " + name +
+                  (offered.empty() ? "." : " (it has: " + offered + ")."),
+              "Write DefineConstant[ " + name + " = ... ]; in the file and use the number there, or remove the key.");
+}
+
 }  // namespace
 
 std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std::string& path) {
@@ -60,28 +81,9 @@ std::map<std::string, double> numbers_to_set(const GmshParameters& p, const std:
   std::set<std::string> seen;
   read_code(path, seen, code);
   const std::set<std::string> defined = defined_constants(code.text);
-  const bool may_be_elsewhere = !code.complete;
-  if (p.element_size > 0 && (may_be_elsewhere || defined.count("element_size")))
+  if (p.element_size > 0 && (!code.complete || defined.count("element_size")))
     numbers["element_size"] = p.element_size / p.unit;
-  std::string offered;
-  for (const std::string& name : defined) offered += (offered.empty() ? "" : ", ") + name;
-  for (const auto& [name, value] : numbers) {
-    const bool in_geometry = p.geometry.count(name) > 0;
-    const std::string key = in_geometry              ? "gmsh > geometry > " + name
-                            : name == "element_size" ? "gmsh > element size"
-                                                     : "gmsh > cells";
-    const std::string shown = name == "recombine" && !in_geometry ? "quadrilateral" : in_words(value);
-    if (!std::isfinite(value))
-      refuse_mesh(key, shown, "must be a finite number.", "Give the value in the units of the file.");
-    if (!std::regex_match(name, std::regex("[A-Za-z_][A-Za-z0-9_]*")))
-      refuse_mesh(key, shown, "is no name a .geo file can have.", "Use letters, digits and _.");
-    if (!may_be_elsewhere && defined.count(name) == 0)
-      refuse_mesh(
-          key, shown,
-          "cannot be set: " + p.file + " has no DefineConstant for " + name +
-              (offered.empty() ? "." : " (it has: " + offered + ")."),
-          "Write DefineConstant[ " + name + " = ... ]; in the file and use the number there, or remove the key.");
-  }
+  for (const auto& [name, value] : numbers) check_number(p, name, value, code, defined);
   return numbers;
 }
 

@@ -31,6 +31,21 @@ std::vector<BlockId> groups_of_joined_blocks(const BlockGraph& graph) {
   return group;
 }
 
+/// The first of a group of blocks that nothing holds.
+InputError without_support(const std::string& name, int blocks, bool meets_in_a_point,
+                           const std::vector<FacetNames>& supported) {
+  std::string message = "mesh: " + name;
+  if (blocks > 1)
+    message += " and " + std::to_string(blocks - 1) + " more blocks joined to it have no support";
+  else
+    message += " has neither support nor joint";
+  message += "\n  (nothing holds ";
+  message += blocks > 1 ? "them" : meets_in_a_point ? "it; it touches other blocks in single points only" : "it";
+  message += ", so there is no equilibrium).\n  Add one of its curves to a supported set (now: ";
+  for (std::size_t k = 0; k < supported.size(); ++k) message += (k == 0 ? "" : ", ") + supported[k].on;
+  return InputError(message + "), or let it share a curve with a neighbour.");
+}
+
 }  // namespace
 
 template <int dim>
@@ -53,20 +68,9 @@ void check_supports(const BlockSource<dim>& source, const std::vector<FacetNames
       for (const FacetSet& set : sets)
         if (set.has(block, facet)) held[group[b]] = 1;
   }
-  for (BlockId b = 0; b < source.block_count(); ++b) {
-    if (group[b] != b || held[b]) continue;
-    const bool meets_in_a_point = graph.start[b + 1] > graph.start[b];
-    std::string message = "mesh: " + source.block(b).name;
-    if (size[b] > 1)
-      message += " and " + std::to_string(size[b] - 1) + " more blocks joined to it have no support";
-    else
-      message += " has neither support nor joint";
-    message += "\n  (nothing holds ";
-    message += size[b] > 1 ? "them" : meets_in_a_point ? "it; it touches other blocks in single points only" : "it";
-    message += ", so there is no equilibrium).\n  Add one of its curves to a supported set (now: ";
-    for (std::size_t k = 0; k < supported.size(); ++k) message += (k == 0 ? "" : ", ") + supported[k].on;
-    throw InputError(message + "), or let it share a curve with a neighbour.");
-  }
+  for (BlockId b = 0; b < source.block_count(); ++b)
+    if (group[b] == b && !held[b])
+      throw without_support(source.block(b).name, size[b], graph.start[b + 1] > graph.start[b], supported);
 }
 
 template <int dim>

@@ -108,6 +108,33 @@ void print_internals(std::ostream& os, const Scene& scene) {
   os << '\n';
 }
 
+std::string material_text(const MaterialParameters& m) {
+  return in_quotes(m.blocks) + ": E " + number_text(m.young_modulus) + " Pa, nu " + number_text(m.poisson_ratio) +
+         ", density " + number_text(m.density) + " kg/m3";
+}
+
+std::string joint_text(const JointLawParameters& j) {
+  std::string text = in_quotes(j.between) + " and " + in_quotes(j.and_) + ": mu " +
+                     number_text(j.friction_coefficient) + ", cohesion " + number_text(j.cohesion) +
+                     " Pa, tension strength " + number_text(j.tension_strength) + " Pa";
+  if (j.fracture_energy > 0 || j.shear_fracture_energy > 0)
+    text += ", fracture energies " + number_text(j.fracture_energy) + " and " + number_text(j.shear_fracture_energy) +
+            " J/m2";
+  if (j.has_mortar())
+    text += ", stiffness " + number_text(j.normal_stiffness) + " and " + number_text(j.tangential_stiffness) + " Pa/m";
+  return text;
+}
+
+std::string velocity_text(const InitialVelocityParameters& v) {
+  return in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) + ") m/s" +
+         (v.rotation == 0 ? "" : ", turning by " + number_text(v.rotation) + " rad/s");
+}
+
+std::string construction_text(const ConstructionParameters& c) {
+  return in_quotes(c.blocks) + (c.appears.empty() ? "" : " appears with " + in_quotes(c.appears)) +
+         (c.disappears.empty() ? "" : ", disappears with " + in_quotes(c.disappears));
+}
+
 }  // namespace
 
 void print_internals_reference(std::ostream& os) {
@@ -130,32 +157,12 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
   row("model", "",
       std::string("plane ") + (scene.model.plane == Plane::stress ? "stress" : "strain") + ", thickness " +
           number_text(scene.model.thickness) + " m");
-  for (const auto& [name, m] : scene.materials)
-    row("material", name,
-        in_quotes(m.blocks) + ": E " + number_text(m.young_modulus) + " Pa, nu " + number_text(m.poisson_ratio) +
-            ", density " + number_text(m.density) + " kg/m3");
-  for (const auto& [name, j] : scene.joints)
-    row("joints", name,
-        in_quotes(j.between) + " and " + in_quotes(j.and_) + ": mu " + number_text(j.friction_coefficient) +
-            ", cohesion " + number_text(j.cohesion) + " Pa, tension strength " + number_text(j.tension_strength) +
-            " Pa" +
-            (j.fracture_energy > 0 || j.shear_fracture_energy > 0
-                 ? ", fracture energies " + number_text(j.fracture_energy) + " and " +
-                       number_text(j.shear_fracture_energy) + " J/m2"
-                 : "") +
-            (j.has_mortar() ? ", stiffness " + number_text(j.normal_stiffness) + " and " +
-                                  number_text(j.tangential_stiffness) + " Pa/m"
-                            : ""));
+  for (const auto& [name, material] : scene.materials) row("material", name, material_text(material));
+  for (const auto& [name, joint] : scene.joints) row("joints", name, joint_text(joint));
   for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");
   for (const LoadParameters& load : scene.loads) row("load", load.name, load.summary());
-  for (const auto& [name, v] : scene.velocities)
-    row("velocity", name,
-        in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) + ") m/s" +
-            (v.rotation == 0 ? "" : ", turning by " + number_text(v.rotation) + " rad/s"));
-  for (const auto& [name, c] : scene.construction)
-    row("built", name,
-        in_quotes(c.blocks) + (c.appears.empty() ? "" : " appears with " + in_quotes(c.appears)) +
-            (c.disappears.empty() ? "" : ", disappears with " + in_quotes(c.disappears)));
+  for (const auto& [name, velocity] : scene.velocities) row("velocity", name, velocity_text(velocity));
+  for (const auto& [name, stones] : scene.construction) row("built", name, construction_text(stones));
   for (const StageParameters& stage : scene.stages) row("stage", stage.name, stage_text(stage));
   if (scene.load_factor.asked()) row("load factor", "", load_factor_text(scene.load_factor));
   row("selection", "", selection_text(scene.selection));

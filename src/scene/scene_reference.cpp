@@ -6,19 +6,8 @@
 namespace voussoir {
 namespace {
 
-Scene example() {
-  Scene scene;
-  scene.title = "Every parameter of a scene, shown on Clare College Bridge";
-  scene.mesh.gmsh.file = "clare-college-bridge.geo";
-  scene.mesh.gmsh.geometry = {{"deformed", 0.0}};
-  scene.model.thickness = 0.2;
-  scene.materials = {{"stone", {}}};
-  scene.joints = {{"dry", {}}};
-  for (const char* part : {"abutment west", "pier west", "pier east", "abutment east"}) {
-    SupportParameters support;
-    support.on = std::string("foundation ") + part;
-    scene.supports.push_back({part, support});
-  }
+/// A load of every type.
+void add_loads(Scene& scene) {
   using Time = TimeFunctionType;
   const auto load = [&scene](const char* name, auto kind, Time time = Time::constant) {
     LoadParameters p;
@@ -70,6 +59,22 @@ Scene example() {
   TemperatureParameters summer;
   summer.change = 25;
   load("summer", summer, Time::pulse);
+}
+
+Scene example() {
+  Scene scene;
+  scene.title = "Every parameter of a scene, shown on Clare College Bridge";
+  scene.mesh.gmsh.file = "clare-college-bridge.geo";
+  scene.mesh.gmsh.geometry = {{"deformed", 0.0}};
+  scene.model.thickness = 0.2;
+  scene.materials = {{"stone", {}}};
+  scene.joints = {{"dry", {}}};
+  for (const char* part : {"abutment west", "pier west", "pier east", "abutment east"}) {
+    SupportParameters support;
+    support.on = std::string("foundation ") + part;
+    scene.supports.push_back({part, support});
+  }
+  add_loads(scene);
   scene.construction = {{"centring", {"ring west", "", "crowd"}}};
   scene.stages = {{"own weight", 1, {{"weight", 1.0}}},
                   {"crowd", 2, {{"crowd", 1.0}}},

@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/tensor.hpp"
 #include "joints/contact_law.hpp"
 
@@ -32,6 +33,7 @@ struct AdmissibleForces {
 constexpr double endless_friction = 100;
 
 inline AdmissibleForces admissible_forces(const PointLaw& law) {
+  VOUSSOIR_EXPECT(law.friction >= 0 && law.cohesion >= 0 && law.tension >= 0 && "a law bounds forces from both sides");
   constexpr double endless = std::numeric_limits<double>::infinity();
   const bool cone = law.friction > 0 && law.friction < endless_friction && std::isfinite(law.cohesion);
   const double least = cone ? std::max(-law.tension, -law.cohesion / law.friction) : -law.tension;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
 #include "statics/admissible_forces.hpp"
 #include "statics/linear_programme.hpp"
 
@@ -203,6 +204,8 @@ class MotionProgramme {
 
 CoulombMotion coulomb_motion(const RigidStructure& s, const std::vector<Wrench>& mechanism,
                              const std::vector<Wrench>& driving) {
+  VOUSSOIR_EXPECT(mechanism.size() == s.stones.size() && "mechanism: per stone");
+  VOUSSOIR_EXPECT(driving.size() == s.stones.size() && "driving loads: per stone");
   MotionProgramme programme(s, mechanism, driving);
   if (!programme.slides()) return {mechanism, false};
   auto motion = programme.solve();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.hpp"
 #include "statics/coulomb_motion.hpp"
 #include "statics/limit_programme.hpp"
 
@@ -16,24 +17,12 @@ constexpr double against_the_law = 1e-8;
 // Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium of
 // the elastic structure may be out of balance.
 constexpr double clear_gain = 1e-6;
-// Friction that hardly dilates: this share of Coulomb's slope is left, so that programmes keep an inside.
-constexpr double slope_left = 1e-3;
 // What the normal forces of the last programme weigh in the next, and when the sequence has settled, as in the source.
 constexpr double weight_of_last = 0.6;
 constexpr double settled = 1e-4;
 constexpr int most_programmes = 100;
 
-Wrench scaled(const Wrench& w, double radius, double unit) {
-  return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)};
-}
-
 double size_of(const Wrench& w, double radius) { return std::max(std::hypot(w[0], w[1]), std::abs(w[2]) / radius); }
-
-double power(const Wrench& load, const Wrench& motion) {
-  return load[0] * motion[0] + load[1] * motion[1] + load[2] * motion[2];
-}
-
-bool dry(const PointLaw& law) { return law.cohesion == 0 && law.tension == 0; }
 
 /// Whether contacts [first, last) of an order are dry and on one line.
 bool on_a_line(const RigidStructure& s, const std::vector<int>& order, std::size_t first, std::size_t last) {
@@ -73,6 +62,22 @@ double closes(const RigidStructure& s, const std::vector<Wrench>& motion) {
   return most;
 }
 
+/// The contract of a structure.
+void expect_structure(const RigidStructure& s) {
+  const auto is_stone = [&](int stone) { return stone >= 0 && stone < static_cast<int>(s.stones.size()); };
+  const auto is_unit = [](const Vector<2>& v) { return std::abs(norm(v) - 1) < straight; };
+  for (const auto& stone : s.stones) VOUSSOIR_EXPECT(stone.radius > 0 && "radius of a stone: positive");
+  for (const auto& c : s.contacts) {
+    VOUSSOIR_EXPECT(is_stone(c.stone_i) && is_stone(c.stone_j) && "stones of a contact: of the structure");
+    VOUSSOIR_EXPECT(is_unit(c.axis[0]) && is_unit(c.axis[1]) && "axes of a contact: of length one");
+    VOUSSOIR_EXPECT(std::abs(dot(c.axis[0], c.axis[1])) < straight && "axes of a contact: at right angles");
+  }
+  for (const auto& held : s.supports) {
+    VOUSSOIR_EXPECT(is_stone(held.stone) && "stone of a support: of the structure");
+    VOUSSOIR_EXPECT(is_unit(held.direction) && "direction of a support: of length one");
+  }
+}
+
 }  // namespace
 
 /// Contacts that bear whatever all of them can bear, in pairs where a joint is dry and straight.
@@ -101,6 +106,7 @@ void LimitAnalysis::keep_ends_of_joints() {
 }
 
 LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
+  expect_structure(s_);
   keep_ends_of_joints();
   for (const auto& stone : s_.stones) {
     unit_ = std::max(unit_, size_of(stone.fixed, stone.radius));
@@ -110,88 +116,9 @@ LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
   if (raised_unit_ == 0) raised_unit_ = unit_;
 }
 
-/// Balance of every stone, rows in units of the largest load: forces of contacts and supports + factor x raised loads
-/// = - fixed loads.
-/// @param share_of_joints  of dry straight joints, about their middle, that may bear
-/// @param sliding  friction with hardly any slope beside a bound on shear that the caller sets
-/// @param most  at which the forces of joints end, times the largest load
-LimitAnalysis::Programme LimitAnalysis::programme(double share_of_joints, bool sliding, double most) const {
-  Programme p;
-  p.move = (1 - share_of_joints) / 2;
-  for (const auto& stone : s_.stones) {
-    const auto load = scaled(stone.fixed, stone.radius, unit_);
-    for (const double l : load) p.lp.add_row(-l, -l);
-  }
-  const auto entries = [&](int stone, const Wrench& wrench, double sign, std::vector<ProgrammeEntry>& list) {
-    const auto w = scaled(wrench, s_.stones[static_cast<std::size_t>(stone)].radius, 1);
-    for (int c = 0; c < 3; ++c) list.push_back({3 * stone + c, sign * w[static_cast<std::size_t>(c)]});
-  };
-  std::vector<double> apex(3 * s_.stones.size(), 0.0);
-  for (std::size_t k = 0; k < kept_.size(); ++k) {
-    const auto& c = s_.contacts[static_cast<std::size_t>(kept_[k])];
-    std::array<Vector<2>, 2> arm{c.arm_i, c.arm_j};
-    if (partner_[k] >= 0) {
-      const auto& other = s_.contacts[static_cast<std::size_t>(partner_[k])];
-      arm = {c.arm_i + p.move * (other.arm_i - c.arm_i), c.arm_j + p.move * (other.arm_j - c.arm_j)};
-    }
-    auto law = c.law;
-    const bool slides = sliding && law.friction > 0 && std::isfinite(law.friction) && dry(law);
-    if (slides) law = {slope_left * law.friction, 1, 0};
-    p.forces.push_back(admissible_forces(law));
-    p.arm.push_back(arm);
-    const auto column = [&](const Vector<2>& direction) {
-      const Vector<2> f = direction[0] * c.axis[0] + direction[1] * c.axis[1];
-      std::vector<ProgrammeEntry> list;
-      entries(c.stone_j, wrench_of(arm[1], f), 1, list);
-      entries(c.stone_i, wrench_of(arm[0], f), -1, list);
-      return list;
-    };
-    p.first_column.push_back(p.lp.columns());
-    for (const auto& g : p.forces.back().generators)
-      p.lp.add_column(column(g.direction), std::max(g.lower / unit_, -most), std::min(g.upper / unit_, most), 0);
-    for (const auto& e : column(p.forces.back().apex)) apex[static_cast<std::size_t>(e.row)] += e.value / unit_;
-  }
-  for (std::size_t row = 0; row < apex.size(); ++row) {
-    if (apex[row] == 0) continue;
-    const auto& stone = s_.stones[row / 3];
-    const double b = -scaled(stone.fixed, stone.radius, unit_)[row % 3] - apex[row];
-    p.lp.set_row(static_cast<int>(row), b, b);
-  }
-  p.held_column = p.lp.columns();
-  std::vector<std::vector<Wrench>> of_stone(s_.stones.size());
-  for (const auto& support : s_.supports) {
-    auto& basis = of_stone[static_cast<std::size_t>(support.stone)];
-    const double radius = s_.stones[static_cast<std::size_t>(support.stone)].radius;
-    auto w = scaled(wrench_of(support.arm, support.direction), radius, 1);
-    for (const auto& b : basis) {
-      const double share = power(b, w);
-      for (std::size_t c = 0; c < 3; ++c) w[c] -= share * b[c];
-    }
-    const double left = std::sqrt(power(w, w));
-    if (left < straight) continue;
-    for (auto& x : w) x /= left;
-    basis.push_back(w);
-    std::vector<ProgrammeEntry> list;
-    for (int c = 0; c < 3; ++c) list.push_back({3 * support.stone + c, w[static_cast<std::size_t>(c)]});
-    p.lp.add_column(list, -endless, endless, 0);
-    p.held.push_back({support.stone, support.name, w});
-  }
-  std::vector<ProgrammeEntry> raised;
-  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
-    const auto w = scaled(s_.stones[b].raised, s_.stones[b].radius, raised_unit_);
-    for (int c = 0; c < 3; ++c) raised.push_back({3 * static_cast<int>(b) + c, w[static_cast<std::size_t>(c)]});
-  }
-  p.factor_column = p.lp.add_column(raised, 0, 0, 0);
-  return p;
-}
-
-/// What a programme says, checked with the structure's own numbers: forces against balance, the mechanism against the
-/// laws, and the factors that both give against each other.
-LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& found, double largest) const {
-  LimitAnswer answer;
-  answer.iterations = found.iterations;
-  if (found.end != ProgrammeEnd::optimal) return answer;
-  const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
+/// Forces of contacts as a programme has them, and by how much they and what holds leave stones out of balance.
+void LimitAnalysis::tell_forces(const Programme& p, const ProgrammeSolution& found, double factor,
+                                LimitAnswer& answer) const {
   answer.force.assign(s_.contacts.size(), Vector<2>{});
   std::vector<Wrench> left(s_.stones.size());
   for (std::size_t b = 0; b < left.size(); ++b)
@@ -221,6 +148,36 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
   }
   for (std::size_t b = 0; b < left.size(); ++b)
     answer.out_of_balance = std::max(answer.out_of_balance, size_of(left[b], s_.stones[b].radius) / unit_);
+}
+
+/// The factor that a mechanism bears by its power; none where it is no mechanism, or loads gain nothing along it.
+std::optional<LimitAnalysis::Bound> LimitAnalysis::bound_of(const std::vector<Wrench>& mechanism) const {
+  double of_fixed = 0, of_raised = 0, turned_over = 0, absorbed = 0, against = 0;
+  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
+    of_fixed += power(s_.stones[b].fixed, mechanism[b]);
+    of_raised += power(s_.stones[b].raised, mechanism[b]);
+    turned_over += std::abs(power(s_.stones[b].raised, mechanism[b]));
+  }
+  for (const auto& c : s_.contacts) {
+    const auto most = absorbed_at_most(admissible_forces(c.law), relative_velocity(c, mechanism));
+    absorbed += most.power;
+    against = std::max(against, most.against);
+  }
+  for (const auto& h : s_.supports)
+    against =
+        std::max(against, std::abs(dot(velocity_at(mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
+  if (against > against_the_law || !(of_raised > clear_gain * turned_over)) return {};
+  return Bound{(absorbed - of_fixed) / of_raised, of_raised};
+}
+
+/// What a programme says, checked with the structure's own numbers: forces against balance, the mechanism against the
+/// laws, and the factors that both give against each other.
+LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& found, double largest) const {
+  LimitAnswer answer;
+  answer.iterations = found.iterations;
+  if (found.end != ProgrammeEnd::optimal) return answer;
+  const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
+  tell_forces(p, found, factor, answer);
   answer.factor = factor;
   if (answer.out_of_balance > out_of_balance) return answer;
   if (factor >= largest * (1 - clear_gain)) {
@@ -229,24 +186,11 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
   }
   answer.mechanism = motion_of(s_, found.price);
   if (answer.mechanism.empty()) return answer;
-  double of_fixed = 0, of_raised = 0, turned_over = 0, absorbed = 0, against = 0;
-  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
-    of_fixed += power(s_.stones[b].fixed, answer.mechanism[b]);
-    of_raised += power(s_.stones[b].raised, answer.mechanism[b]);
-    turned_over += std::abs(power(s_.stones[b].raised, answer.mechanism[b]));
-  }
-  for (const auto& c : s_.contacts) {
-    const auto most = absorbed_at_most(admissible_forces(c.law), relative_velocity(c, answer.mechanism));
-    absorbed += most.power;
-    against = std::max(against, most.against);
-  }
-  for (const auto& h : s_.supports)
-    against = std::max(
-        against, std::abs(dot(velocity_at(answer.mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
-  if (against > against_the_law || !(of_raised > clear_gain * turned_over)) return answer;
-  answer.factor = (absorbed - of_fixed) / of_raised;
+  const auto bound = bound_of(answer.mechanism);
+  if (!bound) return answer;
+  answer.factor = bound->factor;
   // The mechanism proves by itself. Forces agree as well as balance lets them, which of light stones is little.
-  const double apart = clear_gain * std::max(1.0, factor) + out_of_balance * unit_ / of_raised;
+  const double apart = clear_gain * std::max(1.0, factor) + out_of_balance * unit_ / bound->power;
   if (std::abs(answer.factor - factor) <= apart && answer.factor < largest * (1 - clear_gain))
     answer.verdict = LimitVerdict::limited;
   return answer;
@@ -304,6 +248,7 @@ LimitAnswer LimitAnalysis::in_motion(double largest, LimitAnswer answer) const {
 }
 
 LimitAnswer LimitAnalysis::largest_factor(double largest) const {
+  VOUSSOIR_EXPECT(largest > 0 && "largest factor: positive");
   bool balanced_unraised = true;
   auto answer = raised_up_to(largest, 1, &balanced_unraised);
   if (balanced_unraised) return in_motion(largest, std::move(answer));
@@ -320,6 +265,7 @@ bool LimitAnalysis::borne_at_any_factor() const {
 }
 
 LimitAnswer LimitAnalysis::bears(double factor) const {
+  VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
   bool balanced = true;
   const auto loaded = under_loads(factor);
   auto answer = loaded.in_motion(1, loaded.raised_up_to(1, 1, &balanced));

@@ -73,12 +73,21 @@ class LimitAnalysis {
 
  private:
   struct Programme;
+  /// What a mechanism proves: the factor of raised loads [-], and their power along it [N m].
+  struct Bound {
+    double factor, power;
+  };
   void keep_ends_of_joints();
   Programme programme(double share_of_joints, bool sliding, double most) const;
+  void add_forces_of_joints(Programme&, bool sliding, double most) const;
+  void add_forces_of_supports(Programme&) const;
+  void add_raised_loads(Programme&) const;
   LimitAnswer raised_up_to(double largest, double share_of_joints, bool* balanced_unraised,
                            ProgrammeBasis* basis = nullptr) const;
   LimitAnswer least_pressed(double share_of_joints, const ProgrammeBasis&) const;
   LimitAnswer in_motion(double largest, LimitAnswer) const;
+  void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer&) const;
+  std::optional<Bound> bound_of(const std::vector<Wrench>& mechanism) const;
   LimitAnswer judge(const Programme&, const ProgrammeSolution&, double largest) const;
   /// The same structure under its fixed loads and a factor of the raised ones, all of them raised from nothing.
   LimitAnalysis under_loads(double factor) const;

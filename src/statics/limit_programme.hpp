@@ -18,6 +18,19 @@ constexpr double out_of_balance = 1e-8;
 // Stones that are held, or jam between such, may press on each other as much as one likes. Forces end at so many times
 // the largest load: their round-off is as large as the programme's tolerance there.
 constexpr double most_force = 1e6;
+// Friction that hardly dilates: this share of Coulomb's slope is left, so that programmes keep an inside.
+constexpr double slope_left = 1e-3;
+
+inline bool dry(const PointLaw& law) { return law.cohesion == 0 && law.tension == 0; }
+
+/// Forces over a unit, moments over the unit times a radius too.
+inline Wrench scaled(const Wrench& w, double radius, double unit) {
+  return {w[0] / unit, w[1] / unit, w[2] / (radius * unit)};
+}
+
+inline double power(const Wrench& load, const Wrench& motion) {
+  return load[0] * motion[0] + load[1] * motion[1] + load[2] * motion[2];
+}
 
 struct LimitAnalysis::Programme {
   /// What holds a stone in one direction; moments over the radius of the stone.

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -48,12 +50,14 @@ LinearProgramme::LinearProgramme(LinearProgramme&&) noexcept = default;
 LinearProgramme& LinearProgramme::operator=(LinearProgramme&&) noexcept = default;
 
 int LinearProgramme::add_row(double lower, double upper) {
+  VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   parts_->row_lower.push_back(bound(lower));
   parts_->row_upper.push_back(bound(upper));
   return rows() - 1;
 }
 
 int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lower, double upper, double cost) {
+  VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   auto& p = *parts_;
   for (const auto& e : entries) {
     if (e.value == 0) continue;
@@ -68,18 +72,23 @@ int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lowe
 }
 
 void LinearProgramme::set_row(int row, double lower, double upper) {
+  VOUSSOIR_EXPECT(row >= 0 && row < rows() && "row: of the programme");
+  VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   parts_->row_lower[static_cast<std::size_t>(row)] = bound(lower);
   parts_->row_upper[static_cast<std::size_t>(row)] = bound(upper);
   if (parts_->loaded) parts_->simplex.setRowBounds(row, bound(lower), bound(upper));
 }
 
 void LinearProgramme::set_column(int column, double lower, double upper) {
+  VOUSSOIR_EXPECT(column >= 0 && column < columns() && "column: of the programme");
+  VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   parts_->lower[static_cast<std::size_t>(column)] = bound(lower);
   parts_->upper[static_cast<std::size_t>(column)] = bound(upper);
   if (parts_->loaded) parts_->simplex.setColumnBounds(column, bound(lower), bound(upper));
 }
 
 void LinearProgramme::set_cost(int column, double cost) {
+  VOUSSOIR_EXPECT(column >= 0 && column < columns() && "column: of the programme");
   parts_->cost[static_cast<std::size_t>(column)] = cost;
   if (parts_->loaded) parts_->simplex.setObjectiveCoefficient(column, cost);
 }

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/check.hpp"
 #include "statics/limit_programme.hpp"
 
 namespace voussoir {
@@ -89,6 +90,7 @@ LimitAnswer LimitAnalysis::least_pressed(double share_of_joints, const Programme
 /// Forces that balance loads are found first, without a cost; from them the simplex method goes from one extreme to the
 /// next, which takes it a tenth of what each alone does.
 std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports, double factor) const {
+  VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
   std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
   auto p = programme(1, false, most_force);
   const double f = factor * raised_unit_ / unit_;

@@ -1,5 +1,5 @@
-"""Files stay short enough to hold one idea, lines short enough to be read side by side, and functions of the solver and
-of the run short and plain enough to be read at once."""
+"""Files stay short enough to hold one idea, lines short enough to be read side by side, and functions short and plain
+enough to be read at once."""
 
 import re
 
@@ -10,7 +10,9 @@ LARGEST_README = 120  # lines, for the README of a folder of src/
 LONGEST_LINE = 120  # columns, as in .clang-format
 LONGEST_FUNCTION = 60  # lines
 MOST_BRANCHES = 15  # in a function
-FOLDERS_OF_SHORT_FUNCTIONS = ("nonlinear", "model", "ties", "step", "time", "range", "results", "run", "study")
+# Functions that are longer or branch more: none is to be added.
+LONGER = {"BlockMotions::set_pattern", "MergedSpace::MergedSpace", "SystemMatrix::update", "in_series",
+          "JointLawParameters::declare", "SharedForces::SharedForces", "SharedForces::split", "recover_tied_forces"}
 
 
 def problems_of(path, text):
@@ -52,6 +54,7 @@ def name_of(signature):
 
 def branches_of(lines):
     code = "\n".join(line.split("//")[0] for line in lines)
+    code = re.sub(r"VOUSSOIR_[A-Z]+\(.*?\);", "", code, flags=re.DOTALL)  # a contract is no way through the function
     return len(re.findall(r"\b(?:if|for|while|case)\b|\?|&&|\|\|", code))
 
 
@@ -59,7 +62,7 @@ def problems_of_functions(path, text):
     problems = []
     for number, signature, lines in functions_of(text):
         branches = branches_of(lines)
-        if len(lines) > LONGEST_FUNCTION or branches > MOST_BRANCHES:
+        if (len(lines) > LONGEST_FUNCTION or branches > MOST_BRANCHES) and name_of(signature) not in LONGER:
             problems.append(f"{path}:{number}: {name_of(signature)} has {len(lines)} lines and {branches} branches, at "
                             f"most {LONGEST_FUNCTION} and {MOST_BRANCHES}.")
     return problems
@@ -70,7 +73,7 @@ def main():
     files += [path for path in house.code_files("README.md") if path.parts[0] == "src" and len(path.parts) > 2]
     problems = [problem for path in files for problem in problems_of(path, house.read(path))]
     problems += [problem for path in house.code_files(".cpp")
-                 if path.parts[0] == "src" and path.parts[1] in FOLDERS_OF_SHORT_FUNCTIONS
+                 if path.parts[0] == "src"
                  for problem in problems_of_functions(path, house.read(path))]
     house.finish("Files, lines and functions are short", problems)
 
