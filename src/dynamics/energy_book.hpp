@@ -13,6 +13,7 @@
 
 #include <string>
 
+#include "base/check.hpp"
 #include "base/energies.hpp"
 
 namespace voussoir {
@@ -53,6 +54,7 @@ class EnergyBook {
   double imbalance_in_time() const { return imbalance_in_time_; }
   /// The velocities a structure is given before its first time step.
   void give(double kinetic) {
+    VOUSSOIR_EXPECT(kinetic >= 0 && "kinetic energy: not negative");
     sum_.kinetic += kinetic;
     sum_.external_work += kinetic;
     sum_.work_within_steps += kinetic;

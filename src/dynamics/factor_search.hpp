@@ -15,11 +15,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "dynamics/load_factor_parameters.hpp"
 
 namespace voussoir {
@@ -35,7 +37,11 @@ struct FactorAttempt {
 
 class FactorSearch {
  public:
-  explicit FactorSearch(const LoadFactorParameters& parameters) : p_(parameters) {}
+  explicit FactorSearch(const LoadFactorParameters& parameters) : p_(parameters) {
+    VOUSSOIR_EXPECT(p_.first > 0 && "first factor: positive");
+    VOUSSOIR_EXPECT(p_.largest > 0 && "largest factor: positive");
+    VOUSSOIR_EXPECT(p_.accuracy > 0 && "accuracy: positive");
+  }
 
   /// The factor to try next; none when the search is over.
   std::optional<double> next() const {
@@ -63,6 +69,7 @@ class FactorSearch {
 
   /// What became of the factor that next() gave.
   void add(Verdict verdict, int linear_solves) {
+    VOUSSOIR_EXPECT(linear_solves >= 0 && "linear solves: a count");
     const auto tried = next();
     if (!tried) return;
     const double factor = *tried;
@@ -92,10 +99,16 @@ class FactorSearch {
   }
 
   /// No equilibrium exists above this factor, which is no larger than the largest to be tried.
-  void certify(double factor) { certified_ = factor; }
+  void certify(double factor) {
+    VOUSSOIR_EXPECT(factor >= 0 && "factor: not negative");
+    certified_ = factor;
+  }
   double certified() const { return certified_; }
   /// About where the search may end; infinite when nothing is known.
-  void guess(double factor) { guess_ = factor; }
+  void guess(double factor) {
+    VOUSSOIR_EXPECT(!std::isnan(factor) && "factor: a number");
+    guess_ = factor;
+  }
   double guess() const { return guess_; }
 
   bool finished() const { return !next(); }

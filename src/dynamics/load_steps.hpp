@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "dynamics/load_step_parameters.hpp"
 
 namespace voussoir {
@@ -15,20 +16,31 @@ class LoadSteps {
  public:
   LoadSteps(const std::vector<StageParameters>& stages, const LoadStepParameters& parameters)
       : stages_(stages), parameters_(parameters) {
-    for (const auto& stage : stages) planned_ += weight(stage);
+    for (const auto& stage : stages) {
+      VOUSSOIR_EXPECT((stage.dynamic() ? stage.duration > 0 : stage.increments > 0) && "a stage has steps");
+      planned_ += weight(stage);
+    }
   }
 
   bool finished() const { return stage_ == stages_.size(); }
+  const std::vector<StageParameters>& stages() const { return stages_; }
   /// Stages that are over.
   std::size_t passed() const { return stage_; }
-  const std::string& stage() const { return stages_[stage_].name; }
-  const StageParameters& stage_parameters() const { return stages_[stage_]; }
-  bool dynamic() const { return stages_[stage_].dynamic(); }
+  const std::string& stage() const { return stage_parameters().name; }
+  const StageParameters& stage_parameters() const {
+    VOUSSOIR_EXPECT(!finished() && "a stage is left");
+    return stages_[stage_];
+  }
+  bool dynamic() const { return stage_parameters().dynamic(); }
   /// The time step of a stage with duration [s]; must be set before its steps.
-  void set_time_step(double time_step) { time_step_ = time_step; }
+  void set_time_step(double time_step) {
+    VOUSSOIR_EXPECT(time_step > 0 && "time step: positive");
+    time_step_ = time_step;
+  }
   /// Share of the stage that the next step ends at, 0 < . <= 1.
   double target() const {
-    const auto& stage = stages_[stage_];
+    const auto& stage = stage_parameters();
+    VOUSSOIR_EXPECT((!stage.dynamic() || time_step_ > 0) && "the time step is set before its steps");
     const double step = stage.dynamic() ? time_step_ / stage.duration : 1.0 / stage.increments / (1 << halvings_);
     return reached_ + step > 1 - step / 1e6 ? 1.0 : reached_ + step;
   }
@@ -39,6 +51,7 @@ class LoadSteps {
   double time() const { return time(finished() ? 0 : reached_); }
   /// Factors of the loads at a share of this stage.
   std::map<std::string, double> factors(double share) const {
+    VOUSSOIR_EXPECT(share >= 0 && share <= 1 && "a share of a stage");
     auto factors = before_;
     const double part = dynamic() && stages_[stage_].at_once ? 1.0 : share;
     for (const auto& [load, end] : stages_[stage_].factors) {
@@ -81,6 +94,7 @@ class LoadSteps {
   std::map<std::string, double> last_factors() const { return stage_reached() ? before_ : factors(reached_); }
   /// The load step failed: halve it. False when it has been halved often enough.
   bool halve() {
+    VOUSSOIR_EXPECT(!finished() && "a step of a stage has failed");
     if (halvings_ >= parameters_.largest_halvings) return false;
     ++halvings_;
     successes_ = 0;

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+#include "base/check.hpp"
+
 namespace voussoir {
 
 struct MidpointRule {
@@ -31,6 +33,7 @@ struct MidpointRule {
 /// @param square  1/2 d.M d of the direction, > 0
 /// @param slope   v.M d
 inline double least_change(double square, double slope, double wanted) {
+  VOUSSOIR_EXPECT(square > 0 && "a direction that moves mass");
   const double discriminant = slope * slope + 4 * square * wanted;
   if (!(discriminant > 0)) return -slope / (2 * square);
   const double root = std::sqrt(discriminant);

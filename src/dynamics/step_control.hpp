@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
+
 namespace voussoir {
 
 /// What a stage that is left and taken up again must remember of its time step.
@@ -39,6 +41,12 @@ class StepControl {
         automatic_(fixed == 0),
         tolerance_(tolerance),
         largest_halvings_(largest_halvings) {
+    VOUSSOIR_EXPECT(duration > 0 && std::isfinite(duration) && "duration: positive");
+    VOUSSOIR_EXPECT(fixed >= 0 && "given time step: positive, or 0");
+    VOUSSOIR_EXPECT(courant_time > 0 && "Courant time: positive");
+    VOUSSOIR_EXPECT(longest > 0 && "longest step: positive");
+    VOUSSOIR_EXPECT(tolerance > 0 && "tolerance: positive");
+    VOUSSOIR_EXPECT(largest_halvings >= 0 && "halvings: a count");
     // An automatic stage has at least 20 steps: loads that ramp over it are seen.
     const double largest = automatic_ ? std::min(longest, duration / 20) : fixed;
     base_steps_ = std::max(1LL, static_cast<long long>(std::ceil(duration / largest * (1 - 1e-12))));
@@ -65,6 +73,8 @@ class StepControl {
   /// The step was solved with this error; `reached` [s] is the end of it in the stage.
   /// @return true when the time step changes
   bool accept(double error, double reached) {
+    VOUSSOIR_EXPECT(reached >= 0 && reached <= duration_ * (1 + round_off) && "reached: a time of the stage");
+    VOUSSOIR_EXPECT(!std::isnan(error) && "error: a number");
     now_.failures = 0;
     ++now_.calm;
     const int before = now_.level;

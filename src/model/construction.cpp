@@ -7,16 +7,25 @@
 #include "base/check.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/scene_fit.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 template <int dim>
-Construction<dim>::Construction(const Model<dim>& model)
-    : scene_(model.scene()), source_(model.source()), structure_(model.structure()) {
-  if (scene_.construction.empty()) return;
+Construction<dim>::Construction(const Scene& scene, const Model<dim>& model)
+    : structure_(model.structure()),
+      builds_(model.settings().builds),
+      all_selected_(model.settings().selection.mode == SelectionMode::all) {
+  if (!builds_) return;
   drawn_gap_ = model.initial_gap();
   absent_.assign(structure_.blocks().size(), 0);
+  for (std::size_t number = 0; number < scene.stages.size(); ++number) {
+    auto& absent = absent_in_[scene.stages[number].name];
+    for (const auto& block : structure_.blocks())
+      absent.push_back(!is_there(scene, model.source(), block.mesh, number));
+  }
 }
 
 template <int dim>
@@ -53,7 +62,8 @@ void Construction<dim>::take(const Model<dim>& model, const ContactState& state)
 
 template <int dim>
 double Construction<dim>::taken(const ContactState& start, const ContactState& after) const {
-  if (scene_.construction.empty()) return 0;  // of the scene: a rank may have no block
+  VOUSSOIR_EXPECT(start.displacement.size() == after.displacement.size() && "states of one structure");
+  if (!builds_) return 0;  // of the scene: a rank may have no block
   double work = 0;
   for (int i = 0; i < dim * structure_.owned_nodes(); ++i)
     work += let_go_[i] * (after.displacement[i] - start.displacement[i]) / 2;
@@ -75,7 +85,7 @@ void Construction<dim>::give_birth(int k, const Vector<dim>& between, ContactSta
   for (int a = 1; a < dim && !state.slip_origin.empty(); ++a) state.slip_origin[dim * k + a] = between[a];
   // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
   const bool moved = std::any_of(between.begin(), between.end(), [](double motion) { return motion != 0; });
-  state.selected[k] = moved || drawn(k) > 0 || scene_.selection.mode == SelectionMode::all;
+  state.selected[k] = moved || drawn(k) > 0 || all_selected_;
   if (!state.opened.empty()) state.opened[k] = state.slipped[k] = 0;
 }
 
@@ -85,16 +95,16 @@ template <int dim>
 void Construction<dim>::close(int k, const Vector<dim>& between, ContactState& state) const {
   const double gap = state.initial_gap[k] + between[0];
   if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
-  if (scene_.selection.mode == SelectionMode::all) state.selected[k] = 1;
+  if (all_selected_) state.selected[k] = 1;
 }
 
 template <int dim>
 void Construction<dim>::begin(const std::string& stage, Model<dim>& model, ContactState& state) {
-  if (scene_.construction.empty()) return;
-  std::size_t number = 0;
-  while (scene_.stages[number].name != stage) ++number;
-  for (std::size_t b = 0; b < absent_.size(); ++b)
-    absent_[b] = !is_there(scene_, source_, structure_.blocks()[b].mesh, number);
+  if (!builds_) return;
+  VOUSSOIR_EXPECT(absent_in_.count(stage) == 1 && "stage: one of the scene");
+  expect_state(model, state);
+  VOUSSOIR_EXPECT(is_per_point(model, state.initial_gap) && "initial_gap: per point, of what is built");
+  absent_ = absent_in_.at(stage);
   model.set_initial_gap(state.initial_gap);
   take(model, state);
   model.set_absent(absent_);
@@ -118,6 +128,9 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
 template <int dim>
 void Construction<dim>::restrict(const ContactState& state, std::vector<double>& force,
                                  std::vector<double>& prescribed) const {
+  VOUSSOIR_EXPECT(force.size() == state.displacement.size() && "force: of node copies, as the state");
+  VOUSSOIR_EXPECT(prescribed.size() == state.displacement.size() &&
+                  "prescribed displacement: of node copies, as the state");
   for (std::size_t b = 0; b < absent_.size(); ++b) {
     if (!absent_[b]) continue;
     const auto& block = structure_.blocks()[b];

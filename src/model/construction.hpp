@@ -6,6 +6,8 @@
 // along, and lets go of those that stay: what it holds of their motion until it is gone, it takes along as well.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "model/contact_problem.hpp"
@@ -13,10 +15,16 @@
 
 namespace voussoir {
 
+struct Scene;
+
 template <int dim>
 class Construction {
  public:
-  explicit Construction(const Model<dim>&);
+  /// Of the scene that the model was built of.
+  Construction(const Scene&, const Model<dim>&);
+
+  /// Whether the scene builds anything: the same on all ranks.
+  bool builds() const { return builds_; }
 
   /// Lets blocks appear and disappear as a stage wants them; nothing happens when they are as they should be. To be
   /// called before every step.
@@ -45,9 +53,9 @@ class Construction {
   void give_birth(int k, const Vector<dim>& between, ContactState&) const;
   void close(int k, const Vector<dim>& between, ContactState&) const;
 
-  const Scene& scene_;
-  const BlockSource<dim>& source_;
   const Structure<dim>& structure_;
+  const bool builds_, all_selected_;
+  std::map<std::string, std::vector<char>> absent_in_;  ///< by stage, per local block
   std::vector<double> drawn_gap_;  ///< [m] per point, of joints as the scene draws them; empty when all are closed
   std::vector<char> absent_;       ///< per local block; empty when a scene builds nothing
   double energy_gone_ = 0;         ///< [J] of the blocks of this rank that disappeared as this step began

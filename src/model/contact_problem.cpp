@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/check.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "joints/tractions.hpp"
@@ -18,6 +19,14 @@ namespace voussoir {
 template <int dim>
 ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>& selected, const Asked& asked)
     : parts_(parts), selection_(selected) {
+  const auto points = static_cast<std::size_t>(parts.points.size());
+  VOUSSOIR_EXPECT(selected.size() == points && "selected: per point");
+  VOUSSOIR_EXPECT(parts.local_stiffness.size() == points && "local stiffness: per point");
+  VOUSSOIR_EXPECT((parts.initial_gap.empty() || parts.initial_gap.size() == points) &&
+                  "initial gap: per point, or none");
+  VOUSSOIR_EXPECT((parts.compliance.empty() || parts.compliance.size() == points) && "compliance: per point, or none");
+  VOUSSOIR_EXPECT(parts.held.size() == static_cast<std::size_t>(dim) * parts.structure.nodes() &&
+                  "held: of node copies");
   space_ = std::make_unique<MergedSpace<dim>>(parts.structure, parts.points, selection_, parts.held);
   matrix_ = std::make_unique<SystemMatrix<dim>>(parts.structure, parts.points, selection_, *space_);
   make_preconditioner();
@@ -34,6 +43,11 @@ void ContactProblem<dim>::make_preconditioner() {
 
 template <int dim>
 void ContactProblem<dim>::begin(const Asked& asked) {
+  VOUSSOIR_EXPECT(asked.law.size() == selection_.size() && "laws: per point");
+  VOUSSOIR_EXPECT((asked.slip_origin.empty() || asked.slip_origin.size() == dim * selection_.size()) &&
+                  "slips: of points, or none");
+  VOUSSOIR_EXPECT(asked.load.size() == parts_.held.size() && "load: of node copies");
+  VOUSSOIR_EXPECT(asked.prescribed.size() == parts_.held.size() && "prescribed displacement: of node copies");
   if (!coarse_->begin_step()) make_preconditioner();
   asked_.emplace(asked);
   if (asked.softening) coarse_->factor_on_first_rank();  // round-off decides which of two cracks runs

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "base/text.hpp"
 #include "joints/crack_work.hpp"
 #include "joints/friction_work.hpp"
+#include "model/handed_over.hpp"
 
 namespace voussoir {
 
@@ -14,6 +16,9 @@ template <int dim>
 void wear(const Model<dim>& model, const ContactState& before, ContactState& after, const PointField& gap,
           const PointField& slip) {
   if (model.softening().empty()) return;
+  VOUSSOIR_EXPECT(is_of_points(model, gap) && "gap: of points");
+  VOUSSOIR_EXPECT(is_of_points(model, slip) && "slip: of points");
+  VOUSSOIR_EXPECT(is_per_point(model, before.slipped) && is_per_point(model, after.opened) && "wear: per point");
   SofteningPoints points(model.law(), model.softening(), after.opened, before.slipped);
   for (int k = 0; k < model.points().size(); ++k) {
     if (!after.selected[k]) continue;

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.hpp"
+#include "scene/scene.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -44,6 +47,7 @@ LoadsAtWork<dim>::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source
 template <int dim>
 void LoadsAtWork<dim>::add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                            std::vector<double>& prescribed) const {
+  VOUSSOIR_EXPECT(force.size() == prescribed.size() && "force and prescribed displacement: of one structure");
   std::fill(force.begin(), force.end(), 0.0);
   std::fill(prescribed.begin(), prescribed.end(), 0.0);
   for (const auto& n : loads_) {
@@ -85,6 +89,8 @@ std::vector<LoadMoment> LoadsAtWork<dim>::moments_of(const Named& n, double begi
 
 template <int dim>
 void LoadsAtWork<dim>::add_mean(const StepInTime& step, std::vector<double>& force) const {
+  VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
+  VOUSSOIR_EXPECT(std::isfinite(step.from) && std::isfinite(step.to) && "times of a step: finite");
   std::fill(force.begin(), force.end(), 0.0);
   std::vector<double> unused(force.size(), 0.0);  // supports go to where they are at the end of the step
   for (const auto& n : loads_) {
@@ -120,6 +126,7 @@ double LoadsAtWork<dim>::resolution() const {
 template <int dim>
 typename LoadsAtWork<dim>::Shortest LoadsAtWork<dim>::resolution(const std::map<std::string, double>& factors,
                                                                  double from, double to) const {
+  VOUSSOIR_EXPECT(from <= to && "times: ascending");
   Shortest shortest;
   for (const auto& n : loads_) {
     if (factors.count(n.name) == 0) continue;
@@ -131,6 +138,7 @@ typename LoadsAtWork<dim>::Shortest LoadsAtWork<dim>::resolution(const std::map<
 
 template <int dim>
 bool LoadsAtWork<dim>::jumps(const std::string& load, double from, double to) const {
+  VOUSSOIR_EXPECT(from <= to && "times: ascending");
   return std::any_of(loads_.begin(), loads_.end(),
                      [&](const Named& n) { return n.name == load && n.time_function.jumps(from, to); });
 }

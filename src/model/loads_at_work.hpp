@@ -12,9 +12,10 @@
 #include "loads/load.hpp"
 #include "loads/time_function.hpp"
 #include "output/result_json.hpp"
-#include "scene/scene.hpp"
 
 namespace voussoir {
+
+struct Scene;
 
 /// A step from one time to another, along which load factors go linearly.
 struct StepInTime {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/finite.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
@@ -12,6 +14,7 @@
 #include "mesh/partition.hpp"
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {
@@ -39,7 +42,7 @@ constexpr double smallest_force = 1e-130, largest_force = 1e130;
 template <int dim>
 Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
                   const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-    : scene_(scene), source_(source) {
+    : settings_(scene), file_(scene.file), families_(scene.joints), supports_(scene.supports), source_(source) {
   {
     Phase phase("blocks");
     structure_ = std::make_unique<Structure<dim>>(
@@ -51,7 +54,7 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
     points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
     hold_supports();
     find_between_supports();
-    set_laws();
+    set_laws(scene);
   }
   {
     Phase phase("loads");
@@ -65,15 +68,10 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
 
 template <int dim>
 Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule& rule, double tolerance)
-    : own_scene_(std::make_unique<const Scene>([&] {
-        Scene scene = at_rest.scene_;
-        scene.newton.tolerance = tolerance;
-        scene.newton.has_inertia = true;
-        scene.newton.largest_iterations =
-            std::min(scene.newton.largest_iterations, scene.internals.time_step.largest_iterations);
-        return scene;
-      }())),
-      scene_(*own_scene_),
+    : settings_(at_rest.settings_.of_time_step(tolerance)),
+      file_(at_rest.file_),
+      families_(at_rest.families_),
+      supports_(at_rest.supports_),
       source_(at_rest.source_),
       points_(at_rest.points_),
       held_(at_rest.held_),
@@ -86,29 +84,32 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       softening_(at_rest.softening_),
       weakens_(at_rest.weakens_),
       inertia_(rule.mass_factor()) {
+  VOUSSOIR_EXPECT(mass.nodes() == at_rest.structure().nodes() && "mass: of the structure at rest");
+  VOUSSOIR_EXPECT(tolerance > 0 && tolerance < 1 && "tolerance: a share of the largest force");
   const auto& rest = *at_rest.structure_;
   structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
     return sum(rule.stiffness_factor(), *rest.blocks()[b].stiffness, rule.mass_factor(), *mass.blocks()[b].stiffness);
   }));
   set_local_stiffness(&mass, rule);
   Phase phase("continuum");
-  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene_.solver.muelu,
-                                                scene_.internals.preconditioner);
+  continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, settings_.solver.muelu,
+                                                settings_.internals.preconditioner);
 }
 
 template <int dim>
-void Model<dim>::set_laws() {
+void Model<dim>::set_laws(const Scene& scene) {
   const auto& blocks = structure_->blocks();
   auto& joints = points_->joints();
   for (auto& joint : joints) {
     const auto& i = blocks[structure_->local_block(joint.block_i)].mesh;
     const auto& j = blocks[structure_->local_block(joint.block_j)].mesh;
-    joint.family = family_of(scene_, source_, i, j);
+    joint.family = family_of(scene, source_, i, j);
+    VOUSSOIR_EXPECT(joint.family >= 0 && "every joint of the mesh has a law");
   }
   law_ = PointLaws(points_->points().size());
   for (std::size_t k = 0; k < law_.size(); ++k) initial_gap_.push_back(joint_law(k).initial_gap);
   // Of the scene, not of the points here: every rank must come to the same.
-  for (const auto& [name, law] : scene_.joints) {
+  for (const auto& [name, law] : families_) {
     weakens_ |= std::max(law.cohesion, law.tension_strength) > 0 &&
                 std::min(law.cohesion, law.tension_strength) < JointLawParameters::infinity;
     rubs_ |= law.friction_coefficient > 0 || law.cohesion > 0 || law.tension_strength > 0;
@@ -122,14 +123,14 @@ void Model<dim>::set_laws() {
     }
   set_local_stiffness(nullptr, {});
   set_strengths();
-  const bool closed = std::all_of(scene_.joints.begin(), scene_.joints.end(),
+  const bool closed = std::all_of(families_.begin(), families_.end(),
                                   [](const auto& joint) { return joint.parameters.initial_gap == 0; });
   if (closed) initial_gap_.clear();
 }
 
 template <int dim>
 const JointLawParameters& Model<dim>::joint_law(std::size_t point) const {
-  return scene_.joints[points_->joints()[points_->points()[point].joint].family].parameters;
+  return families_[points_->joints()[points_->points()[point].joint].family].parameters;
 }
 
 /// What stands open as drawn, or beside a stone that is not there, is not bonded: it can rub, no more.
@@ -164,7 +165,7 @@ Softening Model<dim>::softening_of(std::size_t k) const {
     const double lost = strength > 0 ? strength : other;  // what a mode without strength of its own takes
     if (!(lost > 0) || lost == infinity) return 0.0;
     const double c = compliance_.empty() ? 0.0 : compliance_[k].along(component), stone = local_stiffness_[k];
-    const double steepest = scene_.internals.step.steepest_softening * stone / (1 + c * stone);
+    const double steepest = settings_.internals.step.steepest_softening * stone / (1 + c * stone);
     const double fastest = (exponential ? 1 : 2) * steepest / lost;
     const double asked = energy > 0 ? lost / (energy * area) : infinity;
     brittle = asked > fastest;
@@ -193,7 +194,7 @@ void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointR
     return (mass ? rule.stiffness_factor() : 1.0) * material.young_modulus * structure_->model().thickness +
            inertia[node];
   };
-  const auto& numbers = scene_.internals.step;
+  const auto& numbers = settings_.internals.step;
   local_stiffness_.clear();
   for (const auto& p : points_->points()) {
     const double i = side(p.node_i), j = side(p.node_j);
@@ -208,6 +209,7 @@ void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointR
 
 template <int dim>
 std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
+  VOUSSOIR_EXPECT(u.size() == static_cast<std::size_t>(dim) * structure_->nodes() && "displacement: of node copies");
   std::vector<double> gap;
   relative_motions(*points_, u, gap);
   for (std::size_t k = 0; k < initial_gap_.size(); ++k) gap[dim * k] += initial_gap_[k];
@@ -216,6 +218,7 @@ std::vector<double> Model<dim>::gaps(const std::vector<double>& u) const {
 
 template <int dim>
 std::vector<double> Model<dim>::gaps(const std::vector<double>& u, const std::vector<double>& lambda) const {
+  VOUSSOIR_EXPECT((compliance_.empty() || lambda.size() == dim * compliance_.size()) && "lambda: of points");
   auto gap = gaps(u);
   for (std::size_t k = 0; k < compliance_.size(); ++k)
     for (int c = 0; c < dim; ++c) gap[dim * k + c] += compliance_[k].along(c) * lambda[dim * k + c];
@@ -224,6 +227,7 @@ std::vector<double> Model<dim>::gaps(const std::vector<double>& u, const std::ve
 
 template <int dim>
 double Model<dim>::mortar_energy(const std::vector<double>& lambda) const {
+  VOUSSOIR_EXPECT((compliance_.empty() || lambda.size() == dim * compliance_.size()) && "lambda: of points");
   double energy = 0;
   const auto owned = std::min<std::size_t>(compliance_.size(), points_->owned());
   for (std::size_t k = 0; k < owned; ++k)
@@ -234,7 +238,7 @@ double Model<dim>::mortar_energy(const std::vector<double>& lambda) const {
 template <int dim>
 void Model<dim>::hold_supports() {
   held_.assign(static_cast<std::size_t>(dim) * structure_->nodes(), 0);
-  for (const auto& [name, support] : scene_.supports)
+  for (const auto& [name, support] : supports_)
     hold(*structure_, support, facet_set(source_, {support.on, support.blocks}), held_);
 }
 
@@ -242,12 +246,12 @@ void Model<dim>::hold_supports() {
 /// by others.
 template <int dim>
 void Model<dim>::find_between_supports() {
-  if (scene_.supports.size() < 2) return;
+  if (supports_.size() < 2) return;
   const auto& s = *structure_;
   constexpr std::size_t one_more = 1000003;  // a prime, so that sets of supports have numbers of their own
   std::vector<std::size_t> holders(held_.size(), 0);
   std::size_t number = 0;
-  for (const auto& [name, support] : scene_.supports) {
+  for (const auto& [name, support] : supports_) {
     std::vector<char> here(held_.size(), 0);
     hold(s, support, facet_set(source_, {support.on, support.blocks}), here);
     ++number;
@@ -276,6 +280,7 @@ void Model<dim>::find_between_supports() {
 
 template <int dim>
 void Model<dim>::set_absent(const std::vector<char>& absent) {
+  VOUSSOIR_EXPECT(absent.size() == structure_->blocks().size() && "absent: per local block");
   ++arrangement_;
   hold_supports();
   for (std::size_t i = 0; i < held_.size(); ++i)
@@ -294,6 +299,9 @@ bool Model<dim>::joined(int point) const {
 
 template <int dim>
 double Model<dim>::follow(const std::vector<double>& displacement) {
+  VOUSSOIR_EXPECT(displacement.size() == static_cast<std::size_t>(dim) * structure_->nodes() &&
+                  "displacement: of node copies");
+  VOUSSOIR_EXPECT(all_finite(displacement) && "displacement: finite");
   Phase phase("blocks");
   ++arrangement_;
   const double turned = structure_->follow(displacement);
@@ -304,6 +312,8 @@ double Model<dim>::follow(const std::vector<double>& displacement) {
 template <int dim>
 void Model<dim>::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                        std::vector<double>& prescribed) const {
+  VOUSSOIR_EXPECT(std::isfinite(time) && "time: finite");
+  for (const auto& [load, factor] : factors) VOUSSOIR_EXPECT(std::isfinite(factor) && "factors of loads: finite");
   force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
   prescribed.resize(force.size());
   loads_->add(factors, time, force, prescribed);
@@ -312,6 +322,7 @@ void Model<dim>::loads(const std::map<std::string, double>& factors, double time
 
 template <int dim>
 void Model<dim>::mean_loads(const StepInTime& step, std::vector<double>& force) const {
+  VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
   force.resize(static_cast<std::size_t>(dim) * structure_->nodes());
   loads_->add_mean(step, force);
   check_size(force);
@@ -324,7 +335,7 @@ void Model<dim>::check_size(const std::vector<double>& force) const {
   for (const double f : force) largest = std::isfinite(f) ? std::max(largest, std::abs(f)) : largest_force;
   largest = largest_over_ranks(*structure_->comm(), largest);
   if (largest == 0 || (largest > smallest_force && largest < largest_force)) return;
-  throw InputError(scene_.file + ": scene > loads\n  " +
+  throw InputError(file_ + ": scene > loads\n  " +
                    (largest < largest_force ? "press no node with more than " + number_text(largest) + " N"
                                             : "press a node with " + number_text(largest_force) + " N or more") +
                    " (squares of such forces are beyond the numbers a computer holds, " + number_text(smallest_force) +

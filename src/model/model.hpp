@@ -9,16 +9,17 @@
 #include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/continuum.hpp"
 #include "joints/contact_law.hpp"
+#include "joints/joint_law_parameters.hpp"
 #include "joints/softening.hpp"
 #include "model/loads_at_work.hpp"
-#include "scene/scene.hpp"
+#include "model/model_settings.hpp"
 
 namespace voussoir {
 
 template <int dim>
 class Model {
  public:
-  /// Builds blocks, joints and the continuum of a scene whose mesh has been checked. Collective.
+  /// Builds blocks, joints and the continuum of a scene whose mesh has been checked. The scene may go. Collective.
   Model(const Scene&, const BlockSource<dim>&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
   /// The model of one time step: blocks have the matrix S of the midpoint rule, the continuum is that of S, and points
   /// see it. Loads are those of the model at rest. Collective.
@@ -26,7 +27,15 @@ class Model {
   /// @param tolerance  of Newton
   Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule&, double tolerance);
 
-  const Scene& scene() const { return scene_; }
+  /// How its steps are solved.
+  const ModelSettings& settings() const { return settings_; }
+  /// Selects points otherwise in steps that are made from here on: nothing else of the model depends on it.
+  void set_selection(const SelectionParameters& selection) { settings_.selection = selection; }
+  /// The scene's file, for messages.
+  const std::string& file() const { return file_; }
+  /// Laws by family of joints.
+  const std::vector<Named<JointLawParameters>>& families() const { return families_; }
+  const std::vector<Named<SupportParameters>>& supports() const { return supports_; }
   const BlockSource<dim>& source() const { return source_; }
   const Structure<dim>& structure() const { return *structure_; }
   const ContactPoints<dim>& points() const { return *points_; }
@@ -84,7 +93,7 @@ class Model {
   double inertia() const { return inertia_; }
 
  private:
-  void set_laws();
+  void set_laws(const Scene&);
   void set_strengths();
   Softening softening_of(std::size_t point) const;
   const JointLawParameters& joint_law(std::size_t point) const;
@@ -94,8 +103,10 @@ class Model {
   void find_between_supports();
   void check_size(const std::vector<double>& force) const;
 
-  std::unique_ptr<const Scene> own_scene_;  ///< of a time step: the scene with another tolerance
-  const Scene& scene_;
+  ModelSettings settings_;
+  std::string file_;
+  std::vector<Named<JointLawParameters>> families_;
+  std::vector<Named<SupportParameters>> supports_;
   const BlockSource<dim>& source_;
   std::unique_ptr<Structure<dim>> structure_;
   std::shared_ptr<ContactPoints<dim>> points_;

@@ -1,4 +1,6 @@
 #include "model/point_status.hpp"
+#include "base/check.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 
 #include <cmath>
@@ -12,6 +14,9 @@ static_assert(static_cast<char>(PointStatus::open) == static_cast<char>(ContactS
 template <int dim>
 std::vector<char> point_statuses(const Model<dim>& model, const ContactState& state, const PointField& gap,
                                  const PointField& slip_before) {
+  VOUSSOIR_EXPECT(is_of_points(model, gap) && "gap: of points");
+  VOUSSOIR_EXPECT((slip_before.empty() || is_of_points(model, slip_before)) && "slips before: of points, or none");
+  VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
   std::vector<char> status(model.points().size());
   for (int k = 0; k < model.points().size(); ++k) {
     const auto law = law_now(model, state, gap[dim * k], k);

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/scene_reader.hpp"
@@ -84,6 +85,7 @@ void check_construction(const Scene& scene, const BlockSource<dim>& source) {
 
 template <int dim>
 bool is_there(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& block, std::size_t stage) {
+  VOUSSOIR_EXPECT(stage < scene.stages.size() && "stage: one of the scene");
   for (const auto& [name, c] : scene.construction) {
     if (!in_set(source, block, c.blocks)) continue;
     if (!c.appears.empty() && stage < number_of(scene, c.appears)) return false;

@@ -8,6 +8,7 @@
 #include "linalg/reduce.hpp"
 #include "model/scene_fit.hpp"
 #include "results/observations.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {
@@ -44,8 +45,7 @@ struct Stage {
   std::vector<char> absent;  ///< per local block
 };
 
-std::vector<Stage> stages_of(const Model<2>& model) {
-  const auto& scene = model.scene();
+std::vector<Stage> stages_of(const Scene& scene, const Model<2>& model) {
   std::vector<Stage> stages;
   std::map<std::string, double> factors;
   for (std::size_t k = 0; k < scene.stages.size(); ++k) {
@@ -62,7 +62,8 @@ std::vector<Stage> stages_of(const Model<2>& model) {
   return stages;
 }
 
-void warn_of_load(const Model<2>& model, const LoadParameters& load, const std::vector<Stage>& stages, Warnings& all) {
+void warn_of_load(const Scene& scene, const Model<2>& model, const LoadParameters& load,
+                  const std::vector<Stage>& stages, Warnings& all) {
   constexpr double round_off = 1e-12;
   const bool moves = load_as<SettlementParameters>(load) != nullptr;
   std::vector<std::string> in;
@@ -79,8 +80,7 @@ void warn_of_load(const Model<2>& model, const LoadParameters& load, const std::
   }
   if (in.empty()) return;
   const double percent = 100 * worst.gone / worst.all;
-  all.push_back({"load_on_absent_stones", model.scene().file + ": scene > loads > " + load.name, "",
-                 worst.gone / worst.all,
+  all.push_back({"load_on_absent_stones", scene.file + ": scene > loads > " + load.name, "", worst.gone / worst.all,
                  "acts on stones that are not there in " + list_of(in) + ": " +
                      (moves ? number_text(percent) + " % of what it moves; stones that appear later are moved by it as "
                                                      "they appear"
@@ -88,8 +88,7 @@ void warn_of_load(const Model<2>& model, const LoadParameters& load, const std::
                                   " N are left out; let it act in stages that have these stones")});
 }
 
-void warn_of_observations(const Model<2>& model, const std::vector<Stage>& stages, Warnings& all) {
-  const auto& scene = model.scene();
+void warn_of_observations(const Scene& scene, const Model<2>& model, const std::vector<Stage>& stages, Warnings& all) {
   const Observations<2> observations(scene, model.source(), model.structure());
   const std::vector<double> ones(2 * static_cast<std::size_t>(model.structure().nodes()), 1.0);
   for (const auto& observation : scene.observations) {
@@ -111,13 +110,13 @@ void warn_of_observations(const Model<2>& model, const std::vector<Stage>& stage
 
 }  // namespace
 
-Warnings warnings_of_absent_stones(const Model<2>& model) {
+Warnings warnings_of_absent_stones(const Scene& scene, const Model<2>& model) {
   Warnings all;
-  if (model.scene().construction.empty()) return all;
-  const auto stages = stages_of(model);
-  for (const auto& load : model.scene().loads)
-    if (!is_of_all_stones(load)) warn_of_load(model, load, stages, all);
-  warn_of_observations(model, stages, all);
+  if (scene.construction.empty()) return all;
+  const auto stages = stages_of(scene, model);
+  for (const auto& load : scene.loads)
+    if (!is_of_all_stones(load)) warn_of_load(scene, model, load, stages, all);
+  warn_of_observations(scene, model, stages, all);
   return all;
 }
 

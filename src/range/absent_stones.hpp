@@ -8,6 +8,6 @@ namespace voussoir {
 
 /// Loads and settlements that act on stones which have gone or not appeared yet, and places observed there. Weight and
 /// its kind act on the stones that are there, whichever they are. Collective.
-Warnings warnings_of_absent_stones(const Model<2>&);
+Warnings warnings_of_absent_stones(const Scene&, const Model<2>&);
 
 }  // namespace voussoir

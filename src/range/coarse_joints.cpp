@@ -4,9 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "base/check.hpp"
 #include "base/text.hpp"
 #include "joints/coarse_joint.hpp"
 #include "linalg/gather.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 
 namespace voussoir {
@@ -34,7 +36,7 @@ std::vector<Found> found_here(const Model<2>& model, const ContactState& state) 
   for (std::size_t j = 0; j < of_joint.size(); ++j) {
     const auto& here = of_joint[j];
     const auto& joint = points.joints()[j];
-    const auto& law = model.scene().joints[joint.family].parameters;
+    const auto& law = model.families()[joint.family].parameters;
     if (here.size() < 2 || here.size() > most_points || !model.weakens() || !model.softening()[here[0]].brittle())
       continue;
     const auto& axis = points.points()[here[0]].axis;
@@ -58,6 +60,7 @@ std::string percent(double share) { return std::to_string(std::lround(100 * shar
 }  // namespace
 
 Warnings coarse_joints(const Model<2>& model, const ContactState& state, const std::string& when) {
+  VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
   std::map<int, std::vector<Found>> families;
   for (const auto& found : all_gather(found_here(model, state), *model.structure().comm()))
     families[found.family].push_back(found);
@@ -78,8 +81,7 @@ Warnings coarse_joints(const Model<2>& model, const ContactState& state, const s
     text += ": its strength may be overrated by " + percent(joint.overrating);
     if (found.size() > 1) text += ", that of " + std::to_string(found.size() - 1) + " others of the family by less";
     text += "; give it six cells or more";
-    all.push_back(
-        {"coarse_joint", "scene > joints > " + model.scene().joints[family].name, when, joint.overrating, text});
+    all.push_back({"coarse_joint", "scene > joints > " + model.families()[family].name, when, joint.overrating, text});
   }
   return all;
 }

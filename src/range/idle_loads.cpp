@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {
@@ -38,8 +39,7 @@ bool is_used(const Scene& scene, const std::string& load) {
 
 }  // namespace
 
-Warnings warnings_of_idle_loads(const Model<2>& model) {
-  const auto& scene = model.scene();
+Warnings warnings_of_idle_loads(const Scene& scene, const Model<2>& model) {
   Warnings all;
   for (const auto& load : scene.loads) {
     if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;

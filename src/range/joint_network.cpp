@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.hpp"
 #include "linalg/sparse_cholesky.hpp"
 
 namespace voussoir {
@@ -73,6 +74,11 @@ LocalCsr matrix_of(int stones, const std::vector<NetworkJoint>& joints) {
 
 std::vector<NetworkForce> borne_by_network(int stones, const std::vector<NetworkJoint>& joints,
                                            const std::vector<std::array<double, 3>>& load) {
+  VOUSSOIR_EXPECT(load.size() == static_cast<std::size_t>(stones) && "loads: per stone");
+  for (const auto& joint : joints) {
+    VOUSSOIR_EXPECT(joint.i < stones && joint.j < stones && "stones of a joint: of the network");
+    VOUSSOIR_EXPECT(std::abs(norm(joint.normal) - 1) < 1e-9 && "normal of a joint: of length one");
+  }
   std::vector<NetworkForce> forces(joints.size(), NetworkForce{});
   if (stones == 0 || joints.empty()) return forces;
   std::vector<double> x;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/check.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "model/phase.hpp"
 #include "range/slip_range.hpp"
 #include "range/stone_overlap.hpp"
@@ -59,6 +61,10 @@ void RangeCheck::measure() {
 }
 
 std::string RangeCheck::beyond(const StepEnd& end) {
+  expect_state(model_, end.state);
+  VOUSSOIR_EXPECT(is_of_nodes(model_, end.load) && "load: of node copies");
+  VOUSSOIR_EXPECT((end.absent.empty() || end.absent.size() == model_.structure().blocks().size()) &&
+                  "absent: per block, or none");
   Phase phase("range");
   if (!measured_) measure();
   RangeFindings found;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "base/check.hpp"
 #include "linalg/gather.hpp"
 #include "mesh/box_tree.hpp"
+#include "model/handed_over.hpp"
 #include "range/stone_places.hpp"
 #include "ties/error_estimate.hpp"
 
@@ -245,6 +247,7 @@ std::vector<LongSlip> slips_of_all(const Model<2>& model, const StepEnd& end) {
 }  // namespace
 
 RangeFindings look_at_slips(const Model<2>& model, const StepEnd& end) {
+  VOUSSOIR_EXPECT(is_of_points(model, end.state.lambda) && "lambda: of points");
   const auto slips = slips_of_all(model, end);
   if (slips.empty()) return {};
   const auto on_others = std::count_if(slips.begin(), slips.end(), [](const LongSlip& s) { return s.on_others; });

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/check.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
@@ -65,7 +66,7 @@ double spread(const Model<2>& model, const StepEnd& end) {
 std::vector<StoneBox> boxes_here(const Model<2>& model, const StepEnd& end, const std::vector<double>& shortest_side) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
-  const bool followed = !end.in_time && model.scene().model.rotations == Rotations::finite;
+  const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
   std::vector<StoneBox> boxes;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!end.absent.empty() && end.absent[b]) continue;
@@ -162,6 +163,9 @@ struct Overlap {
 
 RangeFindings look_at_outlines(const Model<2>& model, const StepEnd& end, const std::vector<double>& shortest_side,
                                double smallest_side) {
+  VOUSSOIR_EXPECT(shortest_side.size() == static_cast<std::size_t>(model.structure().owned_blocks()) &&
+                  "sides: per owned block");
+  VOUSSOIR_EXPECT(smallest_side > 0 && "smallest side: positive");
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
   if (spread(model, end) <= counts_as_touching * smallest_side) return {};
   const auto& comm = *model.structure().comm();

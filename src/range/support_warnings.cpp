@@ -10,6 +10,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {
@@ -64,8 +65,8 @@ std::array<double, 9> held_of_whole(const Model<2>& model) {
 }
 
 /// Supports that leave the whole free to move in some way: where it ends up is then round-off, or nothing holds it.
-void warn_of_free_whole(const Model<2>& model, Warnings& all) {
-  if (only_time(model.scene().stages)) return;  // stones may fly
+void warn_of_free_whole(const Scene& scene, const Model<2>& model, Warnings& all) {
+  if (only_time(scene.stages)) return;  // stones may fly
   const auto g = held_of_whole(model);
   const bool x = g[0] > 0, y = g[4] > 0;
   constexpr double round_off = 1e-24;  // of the square of a lever
@@ -73,17 +74,16 @@ void warn_of_free_whole(const Model<2>& model, Warnings& all) {
   if (determinant({{{g[0], g[1], g[2]}, {g[3], g[4], g[5]}, {g[6], g[7], g[8]}}}) > round_off * mean * mean * mean)
     return;
   const std::string way = !x && !y ? "anywhere" : !x ? "along x" : !y ? "along y" : "round";
-  all.push_back({"free_to_move", model.scene().file + ": scene > supports", "", 1.0,
+  all.push_back({"free_to_move", scene.file + ": scene > supports", "", 1.0,
                  "the supports leave the whole structure free to move " + way +
                      ": where it comes to rest there is not told by equilibrium; hold it at one place more"});
 }
 
 }  // namespace
 
-Warnings support_warnings(const Model<2>& model) {
-  const auto& scene = model.scene();
+Warnings support_warnings(const Scene& scene, const Model<2>& model) {
   Warnings all;
-  warn_of_free_whole(model, all);
+  warn_of_free_whole(scene, model, all);
   for (const auto& load : scene.loads) {
     const auto* settlement = load_as<SettlementParameters>(load);
     if (!settlement) continue;

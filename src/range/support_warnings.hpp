@@ -8,6 +8,6 @@ namespace voussoir {
 
 /// Nodes of two supports of which a settlement moves one; a structure that is free to move as one. The same on every
 /// rank. Collective.
-Warnings support_warnings(const Model<2>&);
+Warnings support_warnings(const Scene&, const Model<2>&);
 
 }  // namespace voussoir

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/check.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
@@ -222,7 +223,7 @@ bool small_motion(const Model<2>& model, const StepEnd& end, double smallest_hal
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 4, range, all);
   if (std::hypot(all[0] + all[1], all[2] + all[3]) > worth_telling * smallest_half_joint) return false;
   double friction = INFINITY, turn = 0;
-  for (const auto& joint : model.scene().joints)
+  for (const auto& joint : model.families())
     if (const double mu = joint.parameters.friction_coefficient; mu > 0) friction = std::min(friction, mu);
   for (int b = 0; b < s.owned_blocks(); ++b) turn = std::max(turn, std::abs(turn_of(s, b, u)));
   return largest_over_ranks(comm, turn) <= worth_telling * friction;
@@ -241,7 +242,8 @@ std::string what_turned(const Model<2>& model, const Network& network, std::size
 }  // namespace
 
 RangeFindings look_at_turns(const Model<2>& model, const StepEnd& end, double smallest_half_joint) {
-  const bool followed = !end.in_time && model.scene().model.rotations == Rotations::finite;
+  VOUSSOIR_EXPECT(smallest_half_joint > 0 && "half a joint: of some length");
+  const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
   if (followed || model.points().total() == 0 || small_motion(model, end, smallest_half_joint)) return {};
   Network network(model, end);
   const auto touches = network.touching();

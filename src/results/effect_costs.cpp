@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include "joints/softening.hpp"
+#include "scene/scene.hpp"
 #include "scene/scene_effects.hpp"
 
 namespace voussoir {
@@ -47,8 +48,8 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   return costs;
 }
 
-std::map<std::string, EffectSummary> effect_costs(const Model<2>& model) {
-  return effect_costs(model.scene(), model.loads(), model.structure(), model.points().size());
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Model<2>& model) {
+  return effect_costs(scene, model.loads(), model.structure(), model.points().size());
 }
 
 }  // namespace voussoir

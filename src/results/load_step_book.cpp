@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "results/turning_supports.hpp"
 
@@ -49,7 +50,9 @@ LoadStepBook<dim>::LoadStepBook(const Model<dim>& model, const AdaptiveStep<dim>
       load_before_(load_before),
       let_go_(std::move(let_go)),
       reaction_before_(step.residual(before, load_before)),
-      gap_before_(step.stone_gaps(before)) {}
+      gap_before_(step.stone_gaps(before)) {
+  VOUSSOIR_EXPECT((let_go_.empty() || is_of_nodes(model, let_go_)) && "forces let go: of node copies, or none");
+}
 
 /// What strength takes along the law's own way, and what the mean of forces leaves out of it.
 template <int dim>
@@ -110,6 +113,8 @@ typename LoadStepBook<dim>::OfPoints LoadStepBook<dim>::of_points(const ContactS
 
 template <int dim>
 EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vector<double>& load, bool jumped) const {
+  expect_state(model_, after);
+  VOUSSOIR_EXPECT(is_of_nodes(model_, load) && "load: of node copies");
   const auto& s = model_.structure();
   const auto reaction = step_.residual(after, load);
   const auto deformation = s.deformation(after.displacement);

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.hpp"
 #include "joints/joint_statics.hpp"
 #include "linalg/gather.hpp"
 #include "mesh/border.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "output/joint_table.hpp"
 #include "output/output_folder.hpp"
@@ -115,6 +117,7 @@ std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& ste
 
 StaticsSummary write_statics(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state,
                              const std::vector<double>& load, const std::string& folder) {
+  expect_state(model, state);
   const auto rows = all_rows(model, step, state);
   on_first_rank(*model.structure().comm(), [&] { replace_file(folder + "/" + joints_file, joint_table(rows)); });
   StaticsSummary sum;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
@@ -90,7 +91,7 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
   std::vector<std::vector<HeldNode>> held;
   if (std::any_of(scene.observations.begin(), scene.observations.end(),
                   [](const auto& o) { return o.parameters.place == Place::support; }))
-    held = held_nodes(scene, source, s);
+    held = held_nodes(scene.supports, source, s);
   for (const auto& [name, p] : scene.observations) {
     const auto motion = motion_of(scene, name, p, source, s, held);
     const auto add = [&, name = name](Field field, const std::string& quantity, const auto& weight) {
@@ -120,6 +121,14 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
 
 template <int dim>
 std::vector<double> Observations<dim>::values(const Observed& observed) const {
+  const auto nodes = static_cast<std::size_t>(dim) * structure_.nodes();
+  VOUSSOIR_EXPECT(observed.displacement.size() == nodes && "displacement: of node copies");
+  VOUSSOIR_EXPECT((observed.velocity.empty() || observed.velocity.size() == nodes) &&
+                  "velocity: of node copies, or none");
+  VOUSSOIR_EXPECT((observed.reaction.empty() || observed.reaction.size() == nodes) &&
+                  "reaction: of node copies, or none");
+  VOUSSOIR_EXPECT((observed.absent.empty() || observed.absent.size() == structure_.blocks().size()) &&
+                  "absent: per block, or none");
   const auto of = [&](Field f) -> const std::vector<double>& {
     return f == Field::displacement ? observed.displacement
            : f == Field::velocity   ? observed.velocity

@@ -5,6 +5,7 @@
 
 #include "joints/contact_points.hpp"
 #include "results/effect_costs.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {

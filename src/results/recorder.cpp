@@ -6,8 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
 #include "blocks/stresses.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/phase.hpp"
 #include "results/step_warnings.hpp"
@@ -49,13 +51,13 @@ void add_counts(const StepCounts& counts, RunSummary& sum) {
 }  // namespace
 
 template <int dim>
-Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, const std::string& folder,
-                        const Record& so_far)
-    : model_(model), step_(step), observations_(model.scene(), model.source(), model.structure()), record_(so_far) {
+Recorder<dim>::Recorder(const Scene& scene, const Model<dim>& model, const AdaptiveStep<dim>& step,
+                        const std::string& folder, const Record& so_far)
+    : model_(model), step_(step), observations_(scene, model.source(), model.structure()), record_(so_far) {
   Phase phase("output");
   const auto& comm = model.structure().comm();
   history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps, observations_.columns());
-  if (model.scene().output.fields) {
+  if (scene.output.fields) {
     const std::string path = folder + "/fields.h5";
     const bool kept = so_far.written > 0 && cut_fields(path, so_far.written, *comm);
     fields_lost_ = so_far.written > 0 && !kept;
@@ -64,7 +66,7 @@ Recorder<dim>::Recorder(const Model<dim>& model, const AdaptiveStep<dim>& step, 
     write_tables();
   }
   auto& sum = record_.summary;
-  sum.scene = model.scene().file;
+  sum.scene = scene.file;
   sum.ranks = comm->getSize();
   sum.blocks = model.source().block_count();
   sum.joints = model.points().total_joints();
@@ -171,7 +173,7 @@ void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& af
                            const StepReport& report, const std::string& stage, double load_factor, bool write_fields,
                            double seconds) {
   Phase phase("output");
-  const bool jump = report.passed_in_time || jumped(report, model_.scene().internals.step);
+  const bool jump = report.passed_in_time || jumped(report, model_.settings().internals.step);
   record_.energy.advance(book.close(after, load, jump));
   const auto reaction = observations_.ask_reactions() ? step_.residual(after, load) : std::vector<double>{};
   finish(after, report, stage, load_factor, {}, reaction, write_fields, seconds);
@@ -197,6 +199,7 @@ void Recorder<dim>::record(const ContactState& after, const TimeStepReport& repo
 /// Points by status, of all ranks.
 template <int dim>
 void Recorder<dim>::count(const std::vector<int>& status) {
+  for (const int s : status) VOUSSOIR_EXPECT(s >= open && s <= bonded && "status: one of those of fields.h5");
   long long mine[4] = {0, 0, 0, 0}, all[4];
   for (int s : status) ++mine[s];
   Teuchos::reduceAll(*model_.structure().comm(), Teuchos::REDUCE_SUM, 4, mine, all);
@@ -277,6 +280,9 @@ template <int dim>
 void Recorder<dim>::finish(const ContactState& after, const StepReport& report, const std::string& stage,
                            double load_factor, std::optional<double> time, const std::vector<double>& reaction,
                            bool write_fields, double seconds) {
+  expect_state(model_, after);
+  VOUSSOIR_EXPECT((reaction.empty() || is_of_nodes(model_, reaction)) && "reactions: of node copies, or none");
+  VOUSSOIR_EXPECT(seconds >= 0 && "seconds: not negative");
   std::vector<int> status;
   for (int k = 0; k < model_.points().owned(); ++k)
     status.push_back(model_.joined(k) ? static_cast<int>(status_of(after, k)) : bonded);
@@ -312,6 +318,8 @@ std::vector<int> Recorder<dim>::statuses_of_motion(const PointField& opening) co
 template <int dim>
 void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const ContactState& state,
                                      const std::string& stage, double load_factor) {
+  VOUSSOIR_EXPECT(is_of_nodes(model_, mechanism) && "mechanism: of node copies");
+  VOUSSOIR_EXPECT(is_of_points(model_, state.lambda) && is_per_point(model_, state.selected) && "state: of the points");
   Phase phase("output");
   write_step(state, mechanism, mechanism, statuses_of_motion(step_.gaps(mechanism)), stage + ": mechanism", load_factor,
              {});
@@ -319,6 +327,7 @@ void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const
 
 template <int dim>
 void Recorder<dim>::record_forces(const PointField& force, const std::string& stage, double load_factor) {
+  VOUSSOIR_EXPECT(is_of_points(model_, force) && "force: of points");
   Phase phase("output");
   auto state = step_.initial_state();
   state.lambda = force;

@@ -38,7 +38,8 @@ class Recorder {
  public:
   /// Writes mesh and joints to folder/fields.h5, unless the scene wants no fields. Collective, like all its functions.
   /// @param so_far  of an earlier run to go on with: its files are cut behind the steps recorded here
-  Recorder(const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder, const Record& so_far = {});
+  Recorder(const Scene&, const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder,
+           const Record& so_far = {});
 
   /// Books and writes a load step that was solved.
   /// @param book  opened before it was;  @param after, load  state and nodal loads [N] at its end

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.hpp"
 #include "blocks/supports.hpp"
 #include "mesh/facet_set.hpp"
+#include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
@@ -31,10 +33,11 @@ std::vector<double> edges_at_nodes(const Structure<2>& s, const FacetSet& facets
 
 }  // namespace
 
-std::vector<std::vector<HeldNode>> held_nodes(const Scene& scene, const BlockSource<2>& source, const Structure<2>& s) {
+std::vector<std::vector<HeldNode>> held_nodes(const std::vector<Named<SupportParameters>>& supports,
+                                              const BlockSource<2>& source, const Structure<2>& s) {
   std::vector<std::vector<double>> edges;
   std::vector<double> edges_of_all(2 * s.nodes(), 0.0);  // that hold a component
-  for (const auto& [name, support] : scene.supports) {
+  for (const auto& [name, support] : supports) {
     edges.push_back(edges_at_nodes(s, facet_set(source, {support.on, support.blocks})));
     for (std::size_t i = 0; i < edges_of_all.size(); ++i)
       if (holds(support, static_cast<int>(i % 2))) edges_of_all[i] += edges.back()[i / 2];
@@ -45,16 +48,17 @@ std::vector<std::vector<HeldNode>> held_nodes(const Scene& scene, const BlockSou
       if (!(edges[k][node] > 0)) continue;
       HeldNode here{node, edges[k][node], {}};
       for (int c = 0; c < 2; ++c)
-        if (holds(scene.supports[k].parameters, c)) here.share[c] = edges[k][node] / edges_of_all[2 * node + c];
+        if (holds(supports[k].parameters, c)) here.share[c] = edges[k][node] / edges_of_all[2 * node + c];
       held[k].push_back(here);
     }
   return held;
 }
 
 std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, const std::vector<double>& residual) {
+  VOUSSOIR_EXPECT(is_of_nodes(model, residual) && "residual: of node copies");
   const auto& s = model.structure();
-  const auto& supports = model.scene().supports;
-  const auto held = held_nodes(model.scene(), model.source(), s);
+  const auto& supports = model.supports();
+  const auto held = held_nodes(supports, model.source(), s);
   const auto origin = s.middle();  // moments about it keep their digits wherever the structure stands
   std::map<std::string, ReactionSummary> found;
   double largest = 0;

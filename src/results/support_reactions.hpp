@@ -18,7 +18,8 @@ struct HeldNode {
 };
 
 /// By support, in the order of the scene. Local.
-std::vector<std::vector<HeldNode>> held_nodes(const Scene&, const BlockSource<2>&, const Structure<2>&);
+std::vector<std::vector<HeldNode>> held_nodes(const std::vector<Named<SupportParameters>>&, const BlockSource<2>&,
+                                              const Structure<2>&);
 
 /// Force of each support on the structure, and a point on its line of action: the one nearest to the support's middle.
 /// A force belongs, component by component, to the support that holds the component. Where two hold the same one of a

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.hpp"
 #include "blocks/rigid_motion.hpp"
+#include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
@@ -54,7 +56,8 @@ struct HeldPart {
 template <int dim>
 double beyond_the_chord(const Model<dim>& model, const ContactState& before, const ContactState& after,
                         const std::vector<double>& reaction_before, const std::vector<double>& reaction) {
-  if (model.scene().model.rotations == Rotations::small) return 0;
+  VOUSSOIR_EXPECT(is_of_nodes(model, reaction_before) && is_of_nodes(model, reaction) && "reactions: of node copies");
+  if (model.settings().rotations == Rotations::small) return 0;
   const auto& s = model.structure();
   const auto& held = model.held();
   double work = 0;

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "range/range_check.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {
@@ -39,7 +40,7 @@ Warnings warnings_of_time_step(const Model<2>& model, const LoadSteps& steps) {
   const double interval = 2 * shortest.time;  // two steps see it
   constexpr double round_off = 1e-6;
   if (stage.time_step <= interval * (1 + round_off)) return {};
-  return {{"time_step_over_load", model.scene().file + ": scene > steps > stages > " + stage.name + " > time step",
+  return {{"time_step_over_load", model.file() + ": scene > steps > stages > " + stage.name + " > time step",
            "stage " + in_quotes(stage.name), stage.time_step / interval,
            "time step = " + number_text(stage.time_step) + " s is longer than the " + number_text(interval) +
                " s in which load " + in_quotes(shortest.load) +
@@ -47,8 +48,7 @@ Warnings warnings_of_time_step(const Model<2>& model, const LoadSteps& steps) {
                "let the program choose"}};
 }
 
-void refuse_jumps_of_supports(const Model<2>& model) {
-  const auto& scene = model.scene();
+void refuse_jumps_of_supports(const Scene& scene, const Model<2>& model) {
   std::map<std::string, double> factors;
   double time = 0;
   for (const auto& stage : scene.stages) {

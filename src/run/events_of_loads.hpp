@@ -16,6 +16,6 @@ Warnings warnings_of_time_step(const Model<2>&, const LoadSteps&);
 
 /// A support that is elsewhere from one moment to the next has an infinite speed. Throws InputError on every rank alike
 /// where a scene asks for that in a stage with a duration.
-void refuse_jumps_of_supports(const Model<2>&);
+void refuse_jumps_of_supports(const Scene&, const Model<2>&);
 
 }  // namespace voussoir

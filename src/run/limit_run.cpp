@@ -49,13 +49,13 @@ class LimitRun {
  public:
   /// @param scene  as the user wrote it
   LimitRun(const Scene& scene, Model<2>& model, const std::string& folder, std::ostream& say)
-      : model_(model), scene_(scene), say_(say), step_(model), recorder_(model, step_, folder) {}
+      : model_(model), scene_(scene), say_(say), step_(model), recorder_(scene, model, step_, folder) {}
 
   RunSummary answer() {
     const auto stages = static_stages(scene_);
     std::vector<char> absent;
     if (!scene_.construction.empty() && stages > 0) {
-      Construction<2> construction(model_);
+      Construction<2> construction(scene_, model_);
       auto state = step_.initial_state();
       construction.begin(scene_.stages[stages - 1].name, model_, state);
       absent = construction.absent();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "results/mechanism_words.hpp"
@@ -46,7 +47,7 @@ void tell(const Attempting& run, const Warnings& warnings) {
 void LoadFactorAnalysis::certify(const Attempting& run) {
   asked_theorem_ = true;
   // Stones that turn far stand elsewhere when it comes to that.
-  if (!theorem_applies(run.model) || run.model.scene().model.rotations == Rotations::finite) return;
+  if (!theorem_applies(run.model) || run.model.settings().rotations == Rotations::finite) return;
   const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p_.pattern, run.steps.time());
   const RigidLimits limits(run.model, {&run.construction.absent(), &run.state, run.load, raised});
   const auto limit = limits.largest_factor(p_.largest);
@@ -75,7 +76,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
   StaticTheorem theorem(run.model);
   theorem.begin(run.construction.absent(), before, increment.load_before, increment.load, false);
   std::optional<Progress::Judging> asks;
-  const bool follows = run.model.scene().model.rotations == Rotations::finite;
+  const bool follows = run.model.settings().rotations == Rotations::finite;
   if (follows) asks.emplace(*run.step.progress(), [&theorem] { theorem.count_solve(); });
   try {
     found.report = follows ? theorem.solve(run.step, run.model, run.state, increment.prescribed)
@@ -132,6 +133,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
 }
 
 void LoadFactorAnalysis::attempt(const Attempting& run) {
+  VOUSSOIR_EXPECT(run.steps.finished() && "all stages are over");
   if (!asked_theorem_) certify(run);
   const auto next = search_.next();
   if (!next) return;
@@ -166,7 +168,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
-    tell(run, warnings_of(report, run.model.scene().internals.step, end.when));
+    tell(run, warnings_of(report, run.model.settings().internals.step, end.when));
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
     const double jumps = summary.energy.jump;
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
@@ -229,10 +231,11 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
 }
 
 void LoadFactorAnalysis::conclude(const Attempting& run) {
+  VOUSSOIR_EXPECT(run.steps.finished() && "all stages are over");
   judge(run);
   auto& summary = run.recorder.summary();
   const double share = summary.residual_displacement / run.model.structure().size();
-  if (share > small_displacements && run.model.scene().model.rotations == Rotations::small)
+  if (share > small_displacements && run.model.settings().rotations == Rotations::small)
     summary.message += "; by then displacements are " + six_digits(100 * share) +
                        " % of the structure, more than small displacements, which are all that is computed, can tell";
 }

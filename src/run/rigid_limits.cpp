@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.hpp"
 #include "blocks/supports.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 
 namespace voussoir {
@@ -54,7 +56,7 @@ StoneRow stone_of(const Structure<2>& s, int b, const RigidTask& task) {
 std::vector<SupportRow> supports_of(const Model<2>& model, const std::vector<StoneRow>& stones) {
   const auto& s = model.structure();
   std::vector<SupportRow> rows;
-  const auto& names = model.scene().supports;
+  const auto& names = model.supports();
   std::vector<char> known(model.held().size(), 0);
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::vector<char> held(model.held().size(), 0);
@@ -102,6 +104,10 @@ std::vector<PointRow> points_of(const Model<2>& model, const RigidTask& task) {
 }  // namespace
 
 RigidLimits::RigidLimits(const Model<2>& model, const RigidTask& task) : model_(model) {
+  VOUSSOIR_EXPECT((task.fixed.empty() || is_of_nodes(model, task.fixed)) && "loads that stay: of node copies");
+  VOUSSOIR_EXPECT((task.raised.empty() || is_of_nodes(model, task.raised)) && "raised loads: of node copies, or none");
+  VOUSSOIR_EXPECT((!task.absent || task.absent->empty() || task.absent->size() == model.structure().blocks().size()) &&
+                  "absent: per block, or none");
   const auto& s = model.structure();
   const auto& comm = *s.comm();
   std::vector<StoneRow> own;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "model/phase.hpp"
@@ -24,9 +25,9 @@ constexpr auto phases = {"mesh", "blocks", "joints", "continuum", "contact", "se
 
 /// The state that a load step starts from: the one before it, or a copy of the present one where that has other stones
 /// or no velocities any more.
-const ContactState& start_of(const Scene& scene, const ContactState& before, const ContactState& now,
+const ContactState& start_of(bool builds, const ContactState& before, const ContactState& now,
                              std::optional<ContactState>& copy) {
-  if (scene.construction.empty() && before.velocity.empty()) return before;
+  if (!builds && before.velocity.empty()) return before;
   return copy.emplace(now);
 }
 
@@ -34,16 +35,17 @@ struct StopWithinStep {};  ///< thrown when a signal is seen within a step, whic
 
 }  // namespace
 
-Run::Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branched, const Teuchos::Time& clock,
-         std::ostream& say)
+Run::Run(const Scene& scene, Model<2>& model, const RunOptions& options, const BranchedFolder* branched,
+         const Teuchos::Time& clock, std::ostream& say)
     : model_(model),
+      output_(scene.output),
       clock_(clock),
       say_(say),
       step_(model),
       progress_(*step_.progress()),
-      steps_(model.scene().stages, model.scene().load_steps),
+      steps_(scene.stages, scene.load_steps),
       state_(step_.initial_state()),
-      construction_(model),
+      construction_(scene, model),
       theorem_(model),
       refuse_(progress_, [this] { theorem_.count_solve(); }),
       stop_(progress_,
@@ -52,8 +54,8 @@ Run::Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branc
             }),
       range_(model, [this](const Warning& w) { warn(w); }),
       load_(state_.displacement.size(), 0.0),
-      saved_(model, options.folder, options.restart_from) {
-  const auto& search = model.scene().load_factor;
+      saved_(scene, model, options.folder, options.restart_from) {
+  const auto& search = scene.load_factor;
   if (search.asked()) load_factor_ = std::make_unique<LoadFactorAnalysis>(search);
   for (const char* phase : phases) seconds_[phase] = 0;
   seconds_["total"] = 0;
@@ -61,11 +63,11 @@ Run::Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branc
   if (options.restart || branched) restore(so_far);
   nothing_left_ = options.restart && finished() && holds_result(options.folder, *model.structure().comm());
   if (nothing_left_) return;
-  refuse_jumps_of_supports(model);
-  if (branched) branched->copy_records(model.scene().output.fields);
+  refuse_jumps_of_supports(scene, model);
+  if (branched) branched->copy_records(scene.output.fields);
   // What is looked up by place is looked up where the structure was drawn, then it goes to where it has moved to.
-  recorder_ = std::make_unique<Recorder<2>>(model, step_, options.folder, so_far);
-  if ((options.restart || branched) && model.scene().model.rotations == Rotations::finite)
+  recorder_ = std::make_unique<Recorder<2>>(scene, model, step_, options.folder, so_far);
+  if ((options.restart || branched) && model.settings().rotations == Rotations::finite)
     model_.follow(state_.displacement);
   if (recorder_->fields_lost())
     say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
@@ -89,7 +91,7 @@ const RunSummary& Run::all_steps() {
     if (stop_signal_on_any_rank(*model_.structure().comm())) return interrupted();
     saved_.save_when_due(here());
   }
-  const bool keep = model_.scene().output.checkpoint_at_end;
+  const bool keep = output_.checkpoint_at_end;
   if (keep) keep_last_state();  // without the mechanism, which is no step to go on from
   if (load_factor_) load_factor_->conclude(attempting());
   const bool undecided = summary.outcome == Outcome::not_converged || summary.outcome == Outcome::out_of_range;
@@ -99,7 +101,7 @@ const RunSummary& Run::all_steps() {
 
 bool Run::one_step() {
   const bool in_time = !steps_.finished() && steps_.dynamic();
-  const auto stage = steps_.finished() ? model_.scene().stages.back().name : steps_.stage();
+  const auto stage = steps_.finished() ? steps_.stages().back().name : steps_.stage();
   if (in_time) begin_time();  // initial velocities belong to the state a failed step goes back to
   const auto before = state_;
   construction_.begin(stage, model_, state_);
@@ -123,13 +125,13 @@ void Run::write_joints(const std::string& folder) {
   // The last equilibrium may be of the stage before the one that failed, with other stones.
   const auto passed = steps_.passed();
   if (passed > 0 && (steps_.finished() || steps_.reached() == 0))
-    construction_.begin(model_.scene().stages[passed - 1].name, model_, state_);
+    construction_.begin(steps_.stages()[passed - 1].name, model_, state_);
   if (!in_motion(*model_.structure().comm(), state_) && summary.steps > 0)
     summary.statics = write_statics(model_, step_, state_, load_, folder);
 }
 
 void Run::end() {
-  if (model_.scene().output.checkpoint_at_end) return;
+  if (output_.checkpoint_at_end) return;
   const auto& summary = recorder_->summary();
   const bool found = summary.collapse && summary.outcome == Outcome::collapse;
   if (summary.outcome == Outcome::equilibrium || found) saved_.remove();
@@ -161,7 +163,7 @@ bool Run::load_step(const ContactState& before) {
   narrator_->begin(summary.steps + 1, stage, target, steps_.progress());
   Teuchos::Time clock("step", true);
   std::optional<ContactState> changed;
-  const auto& start = start_of(model_.scene(), before, state_, changed);
+  const auto& start = start_of(construction_.builds(), before, state_, changed);
   const LoadStepBook<2> book(model_, step_, start, load_, construction_.let_go());
   theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
@@ -175,7 +177,7 @@ bool Run::load_step(const ContactState& before) {
     if (halve_step(start, next_load, prescribed)) return true;
     if (!pass_in_time(start, {load_, next_load, prescribed}, at_factor(stage, target), report))
       return fail(*failure_, target);
-  } else if (jumped(report, model_.scene().internals.step) && halve_step(start, next_load, prescribed)) {
+  } else if (jumped(report, model_.settings().internals.step) && halve_step(start, next_load, prescribed)) {
     recorder_->spend(report);
     narrator_->say("  Cracks grow in a jump: tried again with half the step.");
     state_ = before;
@@ -184,7 +186,7 @@ bool Run::load_step(const ContactState& before) {
   }
   const double seconds = clock.totalElapsedTime(true);
   if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
-  for (const auto& w : warnings_of(report, model_.scene().internals.step, at_factor(stage, target))) warn(w);
+  for (const auto& w : warnings_of(report, model_.settings().internals.step, at_factor(stage, target))) warn(w);
   for (const auto& w : dropped) warn(w);
   failure_.reset();
   recorder_->remove(construction_.taken(start, state_));
@@ -231,6 +233,7 @@ bool Run::pass_in_time(const ContactState& start, const LoadIncrement& increment
 }
 
 bool Run::time_step(const ContactState& before) {
+  VOUSSOIR_EXPECT(dynamics_ && control_ && "time has begun");
   look_ahead(*control_, model_, steps_);
   const double time_step = control_->time_step();
   steps_.set_time_step(time_step);
@@ -255,7 +258,7 @@ bool Run::time_step(const ContactState& before) {
   }
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
-  for (const auto& w : warnings_of(report.step, model_.scene().internals.step, at_time(stage, time))) warn(w);
+  for (const auto& w : warnings_of(report.step, model_.settings().internals.step, at_time(stage, time))) warn(w);
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
   const double duration = steps_.stage_parameters().duration;
   steps_.accept();
@@ -279,7 +282,7 @@ void Run::begin_time() {
   if (control_) return;
   for (const auto& w : warnings_of_time_step(model_, steps_)) warn(w);
   const auto& stage = steps_.stage_parameters();
-  const auto& time = model_.scene().time;
+  const auto& time = model_.settings().time;
   const double courant_time = dynamics_->courant_time();
   const double longest = std::min(time.largest_courant * courant_time, model_.loads().resolution());
   control_ = std::make_unique<StepControl>(level_, stage.duration, stage.time_step, courant_time, longest,
@@ -290,9 +293,7 @@ Attempting Run::attempting() {
   return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
 }
 
-bool Run::writes() const {
-  return steps_.finished() || (recorder_->summary().steps + 1) % model_.scene().output.every == 0;
-}
+bool Run::writes() const { return steps_.finished() || (recorder_->summary().steps + 1) % output_.every == 0; }
 
 bool Run::in_range(const StepEnd& end, const ContactState& before) {
   const auto beyond = range_.beyond(end);
@@ -351,7 +352,7 @@ void Run::restore(Record& so_far) {
   const auto changed = saved_.restore(state);
   say_ << words_of(state, changed);
   forget_input_warnings(so_far.summary.warnings);
-  const auto& stages = model_.scene().stages;
+  const auto& stages = steps_.stages();
   if (finished() && !stages.empty()) construction_.begin(stages.back().name, model_, state_);
 }
 

@@ -30,8 +30,8 @@ class Run {
  public:
   /// @param clock  of the whole run
   /// @param branched  the folder to go on from, where that is another
-  Run(Model<2>& model, const RunOptions& options, const BranchedFolder* branched, const Teuchos::Time& clock,
-      std::ostream& say);
+  Run(const Scene& scene, Model<2>& model, const RunOptions& options, const BranchedFolder* branched,
+      const Teuchos::Time& clock, std::ostream& say);
 
   const RunSummary& summary() const { return recorder_->summary(); }
   /// The run that was to be gone on with has come to its end, and the scene asks for no more: nothing was touched.
@@ -110,6 +110,7 @@ class Run {
   void restore(Record& so_far);
 
   Model<2>& model_;
+  const OutputParameters output_;
   const Teuchos::Time& clock_;
   std::ostream& say_;
   AdaptiveStep<2> step_;

@@ -9,14 +9,17 @@
 #include <limits>
 #include <sstream>
 
+#include "base/check.hpp"
 #include "base/digest.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "model/handed_over.hpp"
 #include "model/phase.hpp"
 #include "output/checkpoint.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
 #include "run/scene_changes.hpp"
+#include "scene/scene.hpp"
 
 namespace voussoir {
 namespace {
@@ -116,13 +119,13 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows_within("rest.steps", points, 1, state.rest.steps, 0, most_steps);
   checkpoint.rows_within("rest.needed", points, 1, state.rest.needed, 0, most_steps);
   checkpoint.rows_within("rest.bonded", points, 1, state.rest.bonded, 0, 1);
-  bool built = !model.scene().construction.empty();  // restored: that of the scene it was saved with
+  bool built = model.settings().builds;  // restored: that of the scene it was saved with
   checkpoint.value("built", built);
   if (built) {
     state.initial_gap.resize(model.points().size());
     checkpoint.rows("initial_gap", points, 1, state.initial_gap);
   }
-  if (model.scene().construction.empty()) state.initial_gap.clear();
+  if (!model.settings().builds) state.initial_gap.clear();
   bool searching = run.steps.finished() && run.load_factor && run.load_factor->begun();
   checkpoint.value("load_factor.begun", searching);
   if (searching && run.load_factor) run.load_factor->keep(checkpoint, nodes, points, dim, model.weakens());
@@ -242,26 +245,27 @@ std::string words_of(const RunState& run, const std::vector<std::string>& change
   return text.str();
 }
 
-SavedRun::SavedRun(const Model<2>& model, const std::string& folder, const std::string& from)
-    : model_(model),
+SavedRun::SavedRun(const Scene& scene, const Model<2>& model, const std::string& folder, const std::string& from)
+    : scene_(scene),
+      model_(model),
       path_(folder + "/" + checkpoint_file),
       source_((from.empty() ? folder : from) + "/" + checkpoint_file),
-      values_(scene_values(model.scene(),
-                           [&](const std::string& file) { return content_of(file, *model.structure().comm()); })) {}
+      values_(
+          scene_values(scene, [&](const std::string& file) { return content_of(file, *model.structure().comm()); })) {}
 
 void SavedRun::save(const RunState& run) {
+  VOUSSOIR_EXPECT(is_of_nodes(model_, run.load) && "load: of node copies");
   Phase phase("output");
   Checkpoint checkpoint(path_, model_.structure().comm(), Checkpoint::Way::save);
   check_identity(checkpoint, model_, path_);
-  const Scene& scene = model_.scene();
   const Passed passed{run.steps.passed(), !run.steps.finished() && run.steps.reached() > 0,
                       run.steps.finished() && run.load_factor && run.load_factor->begun()};
   auto lines = lines_of(values_);
   checkpoint.texts("scene", lines);
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < passed.stages; ++k) names.push_back(scene.stages[k].name);
+  for (std::size_t k = 0; k < passed.stages; ++k) names.push_back(scene_.stages[k].name);
   checkpoint.texts("stages passed", names);
-  auto sets = sets_digest(model_, sets_at_work(scene, passed)), pattern = number_of(pattern_of(scene));
+  auto sets = sets_digest(model_, sets_at_work(scene_, passed)), pattern = number_of(pattern_of(scene_));
   checkpoint.value("sets", sets);
   checkpoint.value("load_factor.pattern", pattern);
   std::string stage = run.steps.finished() ? "" : run.steps.stage();
@@ -275,7 +279,7 @@ void SavedRun::save(const RunState& run) {
 }
 
 void SavedRun::save_when_due(const RunState& run) {
-  const auto& output = model_.scene().output;
+  const auto& output = scene_.output;
   // The clock of one rank, so that all agree.
   int due = output.checkpoint_seconds > 0 && clock_.totalElapsedTime(true) >= output.checkpoint_seconds;
   Teuchos::broadcast(*model_.structure().comm(), 0, &due);
@@ -287,14 +291,14 @@ std::vector<std::string> SavedRun::restore(const RunState& run) const {
   Phase phase("output");
   Checkpoint checkpoint(source_, model_.structure().comm(), Checkpoint::Way::restore);
   check_identity(checkpoint, model_, source_);
-  const auto passed = passed_stages(checkpoint, model_.scene(), source_);
-  check_search(checkpoint, model_.scene(), passed, source_);
+  const auto passed = passed_stages(checkpoint, scene_, source_);
+  check_search(checkpoint, scene_, passed, source_);
   std::vector<std::string> lines;
   checkpoint.texts("scene", lines);
-  const auto changed = scene_changes(values_of(lines), values_, model_.scene(), passed, source_);
+  const auto changed = scene_changes(values_of(lines), values_, scene_, passed, source_);
   long long sets = 0;
   checkpoint.value("sets", sets);
-  if (sets != sets_digest(model_, sets_at_work(model_.scene(), passed)))
+  if (sets != sets_digest(model_, sets_at_work(scene_, passed)))
     throw another_structure(source_, "sets of blocks or edges");
   keep_state(checkpoint, model_, run);
   for (auto& [name, seconds] : run.seconds) checkpoint.value("seconds." + name, seconds);

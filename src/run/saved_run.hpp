@@ -36,7 +36,7 @@ class SavedRun {
   /// Collective.
   /// @param folder  where it is saved
   /// @param from    where it is taken up from, when that is another folder
-  SavedRun(const Model<2>&, const std::string& folder, const std::string& from = "");
+  SavedRun(const Scene&, const Model<2>&, const std::string& folder, const std::string& from = "");
 
   /// Saves, whatever the time. Collective.
   void save(const RunState&);
@@ -50,6 +50,7 @@ class SavedRun {
   void remove() const;
 
  private:
+  const Scene& scene_;
   const Model<2>& model_;
   std::string path_, source_;
   SceneValues values_;  ///< of the scene, with the content of the files its loads have read

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "step/finite_rotations.hpp"
 #include "time/dynamic_step.hpp"
 
@@ -75,12 +77,16 @@ bool can_settle_in_time(const Model<2>& model) {
   double lightest = INFINITY;
   for (const auto& block : model.structure().blocks()) lightest = std::min(lightest, block.material.density);
   const bool heavy = largest_over_ranks(*model.structure().comm(), -lightest) < 0;
-  return heavy && model.scene().model.rotations == Rotations::small &&
-         model.scene().selection.mode != SelectionMode::bonded;
+  return heavy && model.settings().rotations == Rotations::small &&
+         model.settings().selection.mode != SelectionMode::bonded;
 }
 
 Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactState& equilibrium,
                        const LoadIncrement& increment, int most_solves) {
+  expect_state(model, equilibrium);
+  VOUSSOIR_EXPECT(is_of_nodes(model, increment.load_before) && is_of_nodes(model, increment.load) &&
+                  "loads: of node copies");
+  VOUSSOIR_EXPECT(is_of_nodes(model, increment.prescribed) && "prescribed displacement: of node copies");
   const auto& s = model.structure();
   Settled settled;
   settled.state = equilibrium;

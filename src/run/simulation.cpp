@@ -38,12 +38,12 @@ void say_sizes(const Model<2>& model, std::ostream& say) {
 }
 
 /// All steps, then what is told at the end of a run that was not interrupted.
-RunSummary run_to_the_end(Run& run, const Model<2>& model, const std::string& folder) {
+RunSummary run_to_the_end(Run& run, const Scene& scene, const Model<2>& model, const std::string& folder) {
   if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
   run.write_joints(folder);
   auto summary = run.result();
   summary.seconds = run.seconds();
-  summary.effects = effect_costs(model);
+  summary.effects = effect_costs(scene, model);
   summary.partition = run.partition();
   const auto& comm = *model.structure().comm();
   summary.peak_memory = peak_memory_per_rank(comm);
@@ -69,16 +69,16 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   if (options.limit_analysis) return limit_run(scene, *source, options.folder, comm, say);
   Model<2> model(scene, *source, comm);
   say_sizes(model, say);
-  Run run(model, options, branched ? &*branched : nullptr, clock, say);
+  Run run(scene, model, options, branched ? &*branched : nullptr, clock, say);
   if (run.nothing_left()) {
     say << "Nothing is left to compute, and nothing was changed: the run in " << options.folder
         << " has come to its end.\nGive a scene with further stages to go on, or leave --restart out to compute it "
            "again.\n";
     return {};
   }
-  for (const auto& warning : input_warnings(model)) run.warn(warning);
+  for (const auto& warning : input_warnings(scene, model)) run.warn(warning);
   if (goes_on) write_scene_file(scene, options.folder, *comm);
-  return run_to_the_end(run, model, options.folder);
+  return run_to_the_end(run, scene, model, options.folder);
 }
 
 }  // namespace voussoir

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "step/release.hpp"
 
 namespace voussoir {
@@ -32,17 +34,21 @@ constexpr double nothing_borne = 1e-6;
 /// Thrown from within a step.
 struct Refused {};
 
-bool follows(const Model<2>& model) { return model.scene().model.rotations == Rotations::finite; }
+bool follows(const Model<2>& model) { return model.settings().rotations == Rotations::finite; }
 
 }  // namespace
 
 bool theorem_applies(const Model<2>& model) {
-  return model.scene().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
+  return model.settings().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
          model.source().block_count() <= most_stones;
 }
 
 void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& before,
                           const std::vector<double>& load_before, const std::vector<double>& load, bool ends_stage) {
+  expect_state(model_, before);
+  VOUSSOIR_EXPECT(is_of_nodes(model_, load_before) && is_of_nodes(model_, load) && "loads: of node copies");
+  VOUSSOIR_EXPECT((absent.empty() || absent.size() == model_.structure().blocks().size()) &&
+                  "absent: per block, or none");
   ends_stage_ = ends_stage;
   absent_ = &absent, state_ = &before, before_ = &load_before, load_ = &load;
   asked_ = !applies_;
@@ -66,6 +72,7 @@ void StaticTheorem::count_solve() {
 
 StepReport StaticTheorem::solve(AdaptiveStep<2>& step, Model<2>& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
+  VOUSSOIR_EXPECT(state_ && load_ && "a step has begun");
   StepReport report;
   try {
     const bool asks_first = follows(model_) && model_.source().block_count() <= most_stones_at_ends;

@@ -19,15 +19,10 @@
 #include "output/observation_parameters.hpp"
 #include "output/output_parameters.hpp"
 #include "scene/internals.hpp"
+#include "scene/named.hpp"
 #include "selection/selection_parameters.hpp"
 
 namespace voussoir {
-
-template <class Parameters>
-struct Named {
-  std::string name;
-  Parameters parameters;
-};
 
 struct Scene {
   std::string file;   ///< path of the XML, as given

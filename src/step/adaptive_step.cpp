@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "base/check.hpp"
 #include "joints/tractions.hpp"
+#include "model/handed_over.hpp"
 #include "model/point_status.hpp"
 
 namespace voussoir {
@@ -23,11 +25,11 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   const auto& gap = model_.initial_gap();
   // Nor those between supports that may part. Where some points are selected, mode all begins with all of them.
   const auto& apart = model_.between_supports();
-  const bool all = model_.scene().selection.mode == SelectionMode::all;
+  const bool all = model_.settings().selection.mode == SelectionMode::all;
   for (std::size_t k = 0; k < gap.size(); ++k) state.selected[k] = gap[k] > 0 || all;
   for (std::size_t k = 0; k < apart.size(); ++k)
     if (apart[k] || all) state.selected[k] = 1;
-  if (!model_.scene().construction.empty()) {
+  if (model_.settings().builds) {
     state.initial_gap = gap;
     state.initial_gap.resize(points, 0.0);
   }
@@ -39,6 +41,8 @@ ContactState AdaptiveStep<dim>::initial_state() const {
 
 template <int dim>
 std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const std::vector<double>& load) const {
+  VOUSSOIR_EXPECT(is_of_nodes(model_, load) && "load: of node copies");
+  VOUSSOIR_EXPECT(is_of_points(model_, state.lambda) && "lambda: of points");
   auto r = borne_by_joints(model_.structure(), state.displacement, load);
   add_contact_forces(model_.points(), {}, state.lambda, -1.0, r);
   const auto& absent = model_.absent();
@@ -57,6 +61,8 @@ StepReport AdaptiveStep<dim>::find_equilibrium(ContactState& state, const StepIn
 
 template <int dim>
 StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& input) {
+  expect_state(model_, before);
+  expect_input(model_, input);
   StepResult result{before, {}};
   auto& [state, report] = result;
   report = find_equilibrium(state, input);

@@ -1,5 +1,6 @@
 #include "step/finite_rotations.hpp"
 
+#include "base/check.hpp"
 #include "base/text.hpp"
 
 namespace voussoir {
@@ -7,8 +8,10 @@ namespace voussoir {
 template <int dim>
 StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactState& state,
                            const std::vector<double>& load, const std::vector<double>& prescribed) {
-  if (model.scene().model.rotations == Rotations::small) return advance(step, state, {load, prescribed});
-  const auto& numbers = model.scene().internals.step;
+  VOUSSOIR_EXPECT(load.size() == state.displacement.size() && "load: of node copies");
+  VOUSSOIR_EXPECT(prescribed.size() == state.displacement.size() && "prescribed displacement: of node copies");
+  if (model.settings().rotations == Rotations::small) return advance(step, state, {load, prescribed});
+  const auto& numbers = model.settings().internals.step;
   const auto start = state.displacement;
   const auto opened = state.opened, slipped = state.slipped;
   const auto slip_origin = state.slip_origin;  // one step: slip counts from its start, whatever the rounds were

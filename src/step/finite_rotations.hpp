@@ -17,7 +17,7 @@ StepReport solve_load_step(Model<dim>&, AdaptiveStep<dim>&, ContactState&, const
 /// Puts the stones of a model that has followed a step back to where a state has them. Collective.
 template <int dim>
 void go_back(Model<dim>& model, const ContactState& state) {
-  if (model.scene().model.rotations == Rotations::finite) model.follow(state.displacement);
+  if (model.settings().rotations == Rotations::finite) model.follow(state.displacement);
 }
 
 extern template StepReport solve_load_step<2>(Model<2>&, AdaptiveStep<2>&, ContactState&, const std::vector<double>&,

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
@@ -37,6 +39,8 @@ bool is_homogeneous(const Model<2>& model, const ContactState& before, bool at_t
 bool half_asks_the_same(const Model<2>& model, const Construction<2>& construction, const LoadSteps& steps,
                         const ContactState& before, const std::vector<double>& load,
                         const std::vector<double>& prescribed, bool at_the_start) {
+  VOUSSOIR_EXPECT(!steps.finished() && "a step of a stage has failed");
+  VOUSSOIR_EXPECT(is_of_nodes(model, load) && is_of_nodes(model, prescribed) && "load and supports: of node copies");
   LoadSteps half = steps;
   if (!half.halve()) return false;
   std::vector<double> half_load, half_prescribed;

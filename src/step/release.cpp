@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/check.hpp"
 #include "linalg/reduce.hpp"
 #include "selection/marking.hpp"
 
@@ -25,11 +26,14 @@ void admit(const PointLaws& law, ContactState& state) {
 template <int dim>
 long long release(const Model<dim>& model, const PointLaws& law, const std::vector<int>& cluster,
                   const std::vector<double>& eta, ContactState& state) {
+  VOUSSOIR_EXPECT(eta.size() == static_cast<std::size_t>(model.points().owned()) && "decreases: per owned point");
+  VOUSSOIR_EXPECT(cluster.size() == static_cast<std::size_t>(model.structure().nodes()) && "cluster: per node copy");
+  VOUSSOIR_EXPECT(law.size() == state.selected.size() && "laws: per point");
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
-  const auto& parameters = model.scene().selection;
+  const auto& parameters = model.settings().selection;
   const double share = parameters.error_tolerance > 0 ? parameters.bulk : 1.0;
-  const auto marked = mark_bulk(eta, share, comm, model.scene().internals.rest);
+  const auto marked = mark_bulk(eta, share, comm, model.settings().internals.rest);
   std::vector<double> flag(points.size(), 0.0);
   for (int k = 0; k < points.owned(); ++k) flag[k] = marked[k];
   points.exchange().update(flag, 1);
@@ -79,6 +83,7 @@ bool release_mortar(const Model<dim>& model, const PointLaws& law, ContactState&
 template <int dim>
 long long release_blocks(const Model<dim>& model, const PointLaws& law, const std::vector<char>& marked,
                          ContactState& state) {
+  VOUSSOIR_EXPECT(marked.size() == model.structure().blocks().size() && "marked: per local block");
   const auto before = count_selected(model, state);
   const auto& block = model.structure().block_of_node();
   std::vector<double> selected(state.selected.begin(), state.selected.end());

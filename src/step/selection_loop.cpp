@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/load_steps.hpp"
+#include "base/check.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
 #include "model/joint_strength.hpp"
@@ -33,9 +33,9 @@ void stones_of_point(const ContactPoints<dim>& points, const Teuchos::Comm<int>&
 bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
 
 /// Error of ties that may stay [-]: what many steps add up to must stay within what a scene asks for.
-double allowed_error(const Scene& scene, bool in_time) {
-  const double share = in_time || any_time(scene.stages) ? scene.internals.step.share_of_a_time_step : 1.0;
-  return share * scene.selection.error_tolerance;
+double allowed_error(const ModelSettings& settings, bool in_time) {
+  const double share = in_time || settings.any_time ? settings.internals.step.share_of_a_time_step : 1.0;
+  return share * settings.selection.error_tolerance;
 }
 
 }  // namespace
@@ -43,6 +43,7 @@ double allowed_error(const Scene& scene, bool in_time) {
 template <int dim>
 std::vector<double> borne_by_joints(const Structure<dim>& structure, const std::vector<double>& displacement,
                                     const std::vector<double>& load) {
+  VOUSSOIR_EXPECT(load.size() == displacement.size() && "load: of node copies");
   std::vector<double> r;
   structure.internal_forces(displacement, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] -= load[i];
@@ -51,10 +52,10 @@ std::vector<double> borne_by_joints(const Structure<dim>& structure, const std::
 
 template <int dim>
 typename ContactProblem<dim>::Parts SelectionTools<dim>::parts() {
-  const auto& scene = model_.scene();
-  return {model_.structure(),      model_.points(),         model_.continuum(), model_.held(), model_.local_stiffness(),
-          model_.initial_gap(),    scene.preconditioner,    scene.internals,    solver_,       model_.compliance(),
-          model_.softest_mortar(), scene.newton.has_inertia};
+  const auto& how = model_.settings();
+  return {model_.structure(),      model_.points(),       model_.continuum(), model_.held(), model_.local_stiffness(),
+          model_.initial_gap(),    how.preconditioner,    how.internals,      solver_,       model_.compliance(),
+          model_.softest_mortar(), how.newton.has_inertia};
 }
 
 template <int dim>
@@ -77,13 +78,13 @@ SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& stat
                                   Progress& progress)
     : tools_(tools),
       model_(tools.model()),
-      selection_(model_.scene().selection),
-      numbers_(model_.scene().internals.step),
+      selection_(model_.settings().selection),
+      numbers_(model_.settings().internals.step),
       input_(input),
       progress_(progress),
       law_(laws_left(model_, state)),
-      tolerance_(model_.scene().newton.tolerance),
-      allowed_(allowed_error(model_.scene(), in_time())),
+      tolerance_(model_.settings().newton.tolerance),
+      allowed_(allowed_error(model_.settings(), in_time())),
       before_(state),
       selected_before_(count_selected(model_, state)),
       known_gap_(model_.gaps(state.displacement)),
@@ -165,9 +166,8 @@ bool SelectionLoop<dim>::look() {
 
 template <int dim>
 NewtonParameters SelectionLoop<dim>::way_of_solving() const {
-  const auto& scene = model_.scene();
-  auto how = scene.newton;
-  how.time_follows = !how.has_inertia && any_time(scene.stages);
+  auto how = model_.settings().newton;
+  how.time_follows = !how.has_inertia && model_.settings().any_time;
   if (!all_selected() && selection_.mode == SelectionMode::adaptive)
     how.largest_iterations = std::min(how.largest_iterations, numbers_.solves_with_ties);
   return how;
@@ -179,7 +179,7 @@ template <int dim>
 bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
   auto& problem =
       tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
-  ContactSolver newton(problem, way_of_solving(), model_.scene().internals.methods, state_.fast_way);
+  ContactSolver newton(problem, way_of_solving(), model_.settings().internals.methods, state_.fast_way);
   newton.narrate = [this](const NewtonProgress& solve) { progress_.solved(solve); };
   const bool looks = hope_.wanted > tolerance_ && !in_time() && !cracks_;
   if (looks) newton.hold_strength();
@@ -278,7 +278,7 @@ template <int dim>
 void SelectionLoop<dim>::estimate() {
   auto& known = state_.rest.error;
   known.follow(seen_.root);
-  const double bound = known.bound(numbers_.error_by_indicator, model_.scene().internals.rest);
+  const double bound = known.bound(numbers_.error_by_indicator, model_.settings().internals.rest);
   const bool small = in_time() && (bound <= allowed_ || selection_.mode != SelectionMode::adaptive);
   report_.error_estimate = seen_.large ? beside_what_follows(seen_.root) : bound;
   if (!seen_.large && !small) solve_for_error();

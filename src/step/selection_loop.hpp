@@ -33,7 +33,7 @@ std::vector<double> borne_by_joints(const Structure<dim>&, const std::vector<dou
 template <int dim>
 class SelectionTools {
  public:
-  explicit SelectionTools(const Model<dim>& model) : model_(model), solver_(model.scene().solver), ties_(model) {}
+  explicit SelectionTools(const Model<dim>& model) : model_(model), solver_(model.settings().solver), ties_(model) {}
 
   const Model<dim>& model() const { return model_; }
   TieCriterion& ties() { return ties_; }

@@ -28,9 +28,9 @@ double largest_displacement(const Structure<dim>& structure, const std::vector<d
 }
 
 /// All load steps of the scene, with halving; the state at the end of the last one that was solved.
-ContactState solve(const Model<dim>& model, AccuracyRow& row, std::ostream& say) {
+ContactState solve(const Scene& scene, const Model<dim>& model, AccuracyRow& row, std::ostream& say) {
   AdaptiveStep<dim> step(model);
-  LoadSteps steps(model.scene().stages, model.scene().load_steps);
+  LoadSteps steps(scene.stages, scene.load_steps);
   auto state = step.initial_state();
   row.outcome = "equilibrium";
   while (!steps.finished()) {
@@ -80,7 +80,7 @@ AccuracyRow AccuracyStudy::run(const Scene& scene, Field* keep, const Field* tru
   Teuchos::Time clock("run", true);
   const auto source = checked_blocks(scene, comm_);
   const Model<dim> model(scene, *source, comm_);
-  const auto state = solve(model, row, say_);
+  const auto state = solve(scene, model, row, say_);
   row.seconds = largest_over_ranks(*comm_, clock.totalElapsedTime(true));
 
   const auto& structure = model.structure();

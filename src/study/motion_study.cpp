@@ -67,7 +67,7 @@ void MotionStudy::add(const std::string& family, double size, double peak, Scene
     row.blocks = source->block_count();
     row.candidate_points = model.points().total();
     row.mode = mode == SelectionMode::bonded ? "bonded" : "adaptive";
-    run(model, row);
+    run(scene, model, row);
     if (mode == SelectionMode::bonded) bonded = row;
     row.in_bonded = row.seconds / bonded.seconds;
     row.krylov_in_bonded = row.krylov / bonded.krylov;
@@ -77,10 +77,10 @@ void MotionStudy::add(const std::string& family, double size, double peak, Scene
   write();
 }
 
-void MotionStudy::run(const Model<2>& model, MotionRow& row) const {
+void MotionStudy::run(const Scene& scene, const Model<2>& model, MotionRow& row) const {
   AdaptiveStep<2> at_rest(model);
   DynamicStep<2> in_time(model);
-  LoadSteps steps(model.scene().stages, model.scene().load_steps);
+  LoadSteps steps(scene.stages, scene.load_steps);
   auto state = at_rest.initial_state();
   row.outcome = "done";
   std::vector<double> load, prescribed;

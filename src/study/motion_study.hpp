@@ -43,7 +43,7 @@ class MotionStudy {
   const std::vector<MotionRow>& rows() const { return rows_; }
 
  private:
-  void run(const Model<2>&, MotionRow&) const;
+  void run(const Scene&, const Model<2>&, MotionRow&) const;
   void say(const MotionRow&) const;
   void write() const;
 

@@ -124,7 +124,7 @@ ContinuumPrice continuum_price(const Model<2>& model, const std::vector<double>&
     assemble_blocks(structure);
     price.stiffness_seconds = std::min(price.stiffness_seconds, assembly.seconds());
     const ProcessorClock setup(comm);
-    const Continuum<2> continuum(structure, model.points(), model.held(), model.scene().solver.muelu);
+    const Continuum<2> continuum(structure, model.points(), model.held(), model.settings().solver.muelu);
     price.setup_seconds = std::min(price.setup_seconds, setup.seconds());
     // What supports prescribe acts as a load: its columns of the stiffness are on the right-hand side.
     std::vector<double> given(load.size(), 0.0), forces;
@@ -136,7 +136,7 @@ ContinuumPrice continuum_price(const Model<2>& model, const std::vector<double>&
     const auto x = Teuchos::rcp(new TpetraVector(continuum.space().map()));
     continuum.space().sum(forces, *b);
     price.unknowns = static_cast<long long>(continuum.space().map()->getGlobalNumElements());
-    LinearSolver solver(model.scene().solver);
+    LinearSolver solver(model.settings().solver);
     const ProcessorClock solve(comm);
     const auto solved = solver.solve(continuum.matrix(), continuum.preconditioner(), b, x, price_tolerance);
     if (!solved.converged) throw SolverFailure("scaling: the price of a continuum is unknown: " + solved.failure);
@@ -156,7 +156,7 @@ ScalingStudy::ScalingStudy(const std::string& folder, const Teuchos::RCP<const T
 void ScalingStudy::add(const std::string& family, double size, Scene scene, const std::vector<SelectionMode>& modes) {
   const auto source = checked_blocks(scene, comm_);
   // Nothing of the model depends on the mode: runs share it, and its price.
-  const Model<2> model(scene, *source, comm_);
+  Model<2> model(scene, *source, comm_);
   std::vector<double> load, prescribed;
   model.loads(LoadSteps(scene.stages, scene.load_steps).factors(), 0.0, load, prescribed);
   ScalingRow row;
@@ -169,14 +169,15 @@ void ScalingStudy::add(const std::string& family, double size, Scene scene, cons
   row.price = continuum_price(model, load, prescribed);
   for (const auto mode : modes) {
     scene.selection.mode = mode;
+    model.set_selection(scene.selection);
     row.mode = name_of(mode);
-    run(model, row);
+    run(scene, model, row);
   }
 }
 
-void ScalingStudy::run(const Model<2>& model, ScalingRow row) {
+void ScalingStudy::run(const Scene& scene, const Model<2>& model, ScalingRow row) {
   AdaptiveStep<2> step(model);
-  LoadSteps steps(model.scene().stages, model.scene().load_steps);
+  LoadSteps steps(scene.stages, scene.load_steps);
   auto state = step.initial_state();
   row.outcome = name_of(NewtonOutcome::converged);
   for (row.step = 1; !steps.finished() && row.outcome == name_of(NewtonOutcome::converged); ++row.step) {

@@ -72,7 +72,7 @@ class ScalingStudy {
   const std::vector<ScalingRow>& rows() const { return rows_; }
 
  private:
-  void run(const Model<2>&, ScalingRow);
+  void run(const Scene&, const Model<2>&, ScalingRow);
   void say(const ScalingRow&) const;
   void write() const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.hpp"
+
 namespace voussoir {
 
 namespace {
@@ -78,6 +80,8 @@ class Search {
 // A block whose descendants reach no higher than its parent depends on the parent.
 DependentStones::DependentStones(const BlockGraph& graph, const std::vector<int>& supported,
                                  const std::vector<int>& absent) {
+  VOUSSOIR_EXPECT(graph.start.size() == supported.size() + 1 && "supported: per block of the structure");
+  VOUSSOIR_EXPECT((absent.empty() || absent.size() == supported.size()) && "absent: per block, or none");
   const Search search(graph, supported, absent);
   for (const BlockId b : search.visited()) {
     const BlockId parent = search.parent(b);
@@ -94,6 +98,7 @@ DependentStones::DependentStones(const BlockGraph& graph, const std::vector<int>
 }
 
 std::map<BlockId, BlockSums> DependentStones::sums(std::vector<BlockSums> own) const {
+  VOUSSOIR_EXPECT(own.size() == dependants_.size() && "sums: of each that depends on another");
   std::map<BlockId, BlockSums> of;  // of all dependants of a block
   for (const BlockId b : leaves_first_) {
     const auto at = std::lower_bound(dependants_.begin(), dependants_.end(), b) - dependants_.begin();

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/check.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "nonlinear/point_update.hpp"
 
 namespace voussoir {
@@ -33,6 +35,7 @@ void release_violating(const ContactPoints<dim>& points, const std::vector<int>&
 
 template <int dim>
 double largest_normal_force(const Model<dim>& model, const PointField& lambda) {
+  VOUSSOIR_EXPECT(is_of_points(model, lambda) && "lambda: of points");
   double mine = 0;
   for (int k = 0; k < model.points().owned(); ++k) mine = std::max(mine, std::abs(lambda[dim * k]));
   return largest_over_ranks(*model.structure().comm(), mine);
@@ -41,10 +44,12 @@ double largest_normal_force(const Model<dim>& model, const PointField& lambda) {
 template <int dim>
 TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, const ContactState& state,
                                const std::vector<int>& cluster) {
+  VOUSSOIR_EXPECT(is_per_point(model, law) && "laws: per point");
+  VOUSSOIR_EXPECT(cluster.size() == static_cast<std::size_t>(model.structure().nodes()) && "cluster: per node copy");
   const auto& points = model.points();
   const auto& comm = *model.structure().comm();
-  const auto& numbers = model.scene().internals.step;
-  const double tolerance = numbers.noise * model.scene().newton.tolerance;
+  const auto& numbers = model.settings().internals.step;
+  const double tolerance = numbers.noise * model.settings().newton.tolerance;
   TiedViolations v;
   v.force.assign(points.owned(), 0.0);
   double worst = 0;
@@ -68,6 +73,7 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
 }
 
 std::vector<double> predicted_decrease(const TiedViolations& violations, const std::vector<double>& local_stiffness) {
+  VOUSSOIR_EXPECT(local_stiffness.size() >= violations.force.size() && "local stiffness: of every owned point");
   std::vector<double> eta;
   for (std::size_t k = 0; k < violations.force.size(); ++k)
     eta.push_back(violations.force[k] * violations.force[k] / (2 * local_stiffness[k]));
@@ -76,6 +82,7 @@ std::vector<double> predicted_decrease(const TiedViolations& violations, const s
 
 double root_of_decreases(const std::vector<double>& predicted_decrease, double energy, double largest,
                          const Teuchos::Comm<int>& comm) {
+  VOUSSOIR_EXPECT(largest > 0 && "largest error: more than none");
   const double sum = total_over_ranks(comm, std::accumulate(predicted_decrease.begin(), predicted_decrease.end(), 0.0));
   return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest;
 }
@@ -123,6 +130,10 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typen
 template <int dim>
 double relative_error(const Structure<dim>& structure, const std::vector<double>& displacement, const TieError& error,
                       double known_energy, double largest) {
+  VOUSSOIR_EXPECT(largest > 0 && "largest error: more than none");
+  VOUSSOIR_EXPECT(!std::isnan(known_energy) && "known energy: a number");
+  VOUSSOIR_EXPECT((error.change.empty() || error.change.size() == displacement.size()) &&
+                  "change: of node copies, or none");
   if (error.change.empty()) return 0.0;
   auto without = structure.deformation(displacement);
   for (std::size_t i = 0; i < without.size(); ++i) without[i] += error.change[i];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/dense.hpp"
 #include "linalg/reduce.hpp"
 
@@ -27,12 +28,15 @@ std::vector<long long> block_ids(const Structure<2>& s) {
 
 StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stones, double stiffness)
     : model_(model),
-      numbers_(model.scene().internals.ties),
+      numbers_(model.settings().internals.ties),
       stones_(std::move(stones)),
       stiffness_(stiffness),
       exchange_(block_ids(model.structure()), model.structure().owned_blocks(), model.structure().comm()),
       links_(stones_.size()),
       known_alone_(stones_.size()) {
+  VOUSSOIR_EXPECT(stones_.size() == model.structure().blocks().size() && "stones: per local block");
+  VOUSSOIR_EXPECT(stiffness > 0 && std::isfinite(stiffness) && "stiffness of springs: positive");
+  for (const auto& stone : stones_) VOUSSOIR_EXPECT(stone.radius > 0 && "radius of a stone: positive");
   const auto& s = model.structure();
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& p = model.points().points()[k];
@@ -43,6 +47,9 @@ StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stone
 }
 
 void StoneRelaxation::begin(std::vector<StonePoint> points, std::vector<StoneVector> lacks) {
+  VOUSSOIR_EXPECT(points.size() == static_cast<std::size_t>(model_.points().size()) && "points: per local point");
+  VOUSSOIR_EXPECT(lacks.size() == static_cast<std::size_t>(model_.structure().owned_blocks()) &&
+                  "lacks: per owned block");
   points_ = std::move(points);
   lacks_ = std::move(lacks);
   force_.resize(points_.size());
@@ -116,6 +123,8 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack, Neighbo
 }
 
 double StoneRelaxation::alone(int block, const StoneVector& lacks, double bearable) {
+  VOUSSOIR_EXPECT(block >= 0 && block < static_cast<int>(lack_.size()) && "block: an owned one");
+  VOUSSOIR_EXPECT(bearable >= 0 && "bearable: not negative");
   const double begun = size_of(lacks, stones_[block].radius);
   if (begun <= bearable) return begun;
   auto& place = place_[block];
@@ -214,6 +223,8 @@ StoneRelaxation::Lacking StoneRelaxation::measure(std::vector<double>& lacks) co
 }
 
 RelaxedStones StoneRelaxation::relax(const std::vector<double>& bearable, int loose) {
+  VOUSSOIR_EXPECT(bearable.size() == lack_.size() && "bearable: per owned block");
+  VOUSSOIR_EXPECT(loose >= 0 && "loose stones: a count");
   bearable_ = bearable;
   RelaxedStones relaxed;
   auto& lacks = relaxed.lacks;

@@ -6,9 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
+#include "base/finite.hpp"
 #include "base/text.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
+#include "model/handed_over.hpp"
 #include "ties/error_estimate.hpp"
 
 namespace voussoir {
@@ -228,7 +231,7 @@ std::vector<double> TieCriterion::left_alone(const Demands& demands, double unkn
                                              const std::map<BlockId, BlockSums>& below) {
   const auto& s = model_.structure();
   auto& relaxation = stones_->relaxation;
-  const double bearable = model_.scene().internals.ties.largest_share_alone;
+  const double bearable = model_.settings().internals.ties.largest_share_alone;
   std::vector<double> share(s.owned_blocks(), 0.0);
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& stone = relaxation.stones()[b];
@@ -274,7 +277,7 @@ TieCriterion::Demands TieCriterion::demands_of(const std::vector<StonePoint>& po
 std::vector<double> TieCriterion::measures(const Demands& demands, const std::vector<double>& load) const {
   const auto& s = model_.structure();
   const auto& relaxation = stones_->relaxation;
-  const double balanced = model_.scene().internals.ties.balanced;
+  const double balanced = model_.settings().internals.ties.balanced;
   std::vector<double> own;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     own.push_back(size_of(demands.loads[b], relaxation.stones()[b].radius));
@@ -286,8 +289,14 @@ std::vector<double> TieCriterion::measures(const Demands& demands, const std::ve
 TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, const std::vector<int>& cluster,
                                const std::vector<double>& borne, const std::vector<double>& load,
                                double largest_normal) {
+  VOUSSOIR_EXPECT(is_per_point(model_, law) && "laws: per point");
+  VOUSSOIR_EXPECT(is_of_points(model_, state.lambda) && all_finite(state.lambda) && "lambda: of points, finite");
+  VOUSSOIR_EXPECT(cluster.size() == static_cast<std::size_t>(model_.structure().nodes()) && "cluster: per node copy");
+  VOUSSOIR_EXPECT(is_of_nodes(model_, borne) && "borne: of node copies");
+  VOUSSOIR_EXPECT(is_of_nodes(model_, load) && "load: of node copies");
+  VOUSSOIR_EXPECT(largest_normal >= 0 && "largest force: not negative");
   const auto& s = model_.structure();
-  const auto& numbers = model_.scene().internals.ties;
+  const auto& numbers = model_.settings().internals.ties;
   if (!stones_ || stones_->arrangement != model_.arrangement()) arrange(absent_here(model_));
   auto points = springs(model_, law, state, cluster);
   auto demands = demands_of(points, borne, load);
@@ -295,7 +304,7 @@ TieBalance TieCriterion::judge(const PointLaws& law, const ContactState& state, 
   auto& relaxation = stones_->relaxation;
   relaxation.begin(std::move(points), demands.lacks);
   demands.own = measures(demands, load);
-  const double unknown = model_.scene().internals.step.noise * model_.scene().newton.tolerance * largest_normal;
+  const double unknown = model_.settings().internals.step.noise * model_.settings().newton.tolerance * largest_normal;
   std::vector<double> bearable;
   for (const double own : demands.own) bearable.push_back(std::max(unknown, numbers.largest_share * own));
   const auto alone = left_alone(demands, unknown, below);

@@ -6,10 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
 #include "blocks/assembly.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/mortar.hpp"
 #include "model/phase.hpp"
@@ -29,7 +31,7 @@ Structure<dim> structure_of_mass(const Model<dim>& model) {
     const auto& block = s.blocks()[b];
     auto mesh = block.mesh;  // around its first node, so that it is that of all blocks alike, to the last bit
     for (auto& x : mesh.position) x = x - block.mesh.position.front();
-    return block_mass(mesh, block.material.density, s.model().thickness, model.scene().time.mass);
+    return block_mass(mesh, block.material.density, s.model().thickness, model.settings().time.mass);
   });
 }
 
@@ -46,8 +48,8 @@ DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progres
       mass_(structure_of_mass(at_rest)),
       velocities_(at_rest, mass_),
       progress_(std::move(progress)) {
-  rule_.mass_damping = at_rest.scene().time.mass_damping;
-  rule_.stiffness_damping = at_rest.scene().time.stiffness_damping;
+  rule_.mass_damping = at_rest.settings().time.mass_damping;
+  rule_.stiffness_damping = at_rest.settings().time.stiffness_damping;
   std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
   const auto& absent = at_rest.absent();
   for (std::size_t i = 0; i < along_x.size(); i += dim)
@@ -86,9 +88,10 @@ double DynamicStep<dim>::courant_time() const {
 
 template <int dim>
 void DynamicStep<dim>::set_time_step(double time_step) {
+  VOUSSOIR_EXPECT(time_step > 0 && std::isfinite(time_step) && "time step: positive");
   if (model_ && rule_.time_step == time_step) return;
   rule_.time_step = time_step;
-  const double tolerance = std::min(at_rest_.scene().time.force_tolerance, at_rest_.scene().newton.tolerance);
+  const double tolerance = std::min(at_rest_.settings().time.force_tolerance, at_rest_.settings().newton.tolerance);
   step_.reset();
   velocities_.forget();
   model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
@@ -101,7 +104,7 @@ void DynamicStep<dim>::set_time_step(double time_step) {
 template <int dim>
 void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
   const double round_off = closed_gap * at_rest_.structure().size();
-  const double left = at_rest_.scene().internals.step.noise * at_rest_.scene().newton.tolerance *
+  const double left = at_rest_.settings().internals.step.noise * at_rest_.settings().newton.tolerance *
                       largest_normal_force(at_rest_, lambda);
   std::vector<double> offset(at_rest_.points().size());
   for (std::size_t k = 0; k < offset.size(); ++k) {
@@ -161,7 +164,7 @@ double DynamicStep<dim>::book(const ContactState& mid, const ContactState& befor
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
-  const double none = at_rest_.scene().internals.step.least_noise * largest_force(at_rest_, mid);
+  const double none = at_rest_.settings().internals.step.least_noise * largest_force(at_rest_, mid);
   double lost = 0;
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
     if (!mid.selected[k] || yields(at_rest_, k)) continue;  // springs give all back
@@ -184,7 +187,7 @@ template <int dim>
 double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
   double fastest = 0;
   for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
-  const auto& numbers = at_rest_.scene().internals.time_step;
+  const auto& numbers = at_rest_.settings().internals.time_step;
   return numbers.share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
          numbers.share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
 }
@@ -211,12 +214,12 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
 template <int dim>
 EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy,
                                                double resting) {
-  const auto& selection = at_rest_.scene().selection;
+  const auto& selection = at_rest_.settings().selection;
   if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
-  const auto& joints = at_rest_.scene().joints;
+  const auto& joints = at_rest_.families();
   const auto mortar = [](const auto& joint) { return joint.parameters.has_mortar(); };
   if (std::any_of(joints.begin(), joints.end(), mortar)) return {};
-  const double share = at_rest_.scene().internals.step.share_of_violation * selection.error_tolerance;
+  const double share = at_rest_.settings().internals.step.share_of_violation * selection.error_tolerance;
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   auto calm = velocities_.calm(state, negligible, resting);
@@ -225,7 +228,7 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   for (std::size_t k = 0; k < calm.size(); ++k)
     if (!at_rest_.joined(static_cast<int>(k))) calm[k] = 0;  // a tie would hold a stone by one that is not there
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,
-                                              negligible, selection.rest, at_rest_.scene().internals.rest);
+                                              negligible, selection.rest, at_rest_.settings().internals.rest);
   if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);
@@ -304,6 +307,10 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
 
 template <int dim>
 TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInput& input) {
+  VOUSSOIR_EXPECT(step_ && "a time step has been set");
+  expect_state(at_rest_, before);
+  VOUSSOIR_EXPECT(is_of_nodes(at_rest_, before.velocity) && "velocity: of node copies, in time");
+  expect_input(at_rest_, input);
   const auto gap = at_rest_.gaps(before.displacement);
   offset_gaps(gap, before.lambda);
   const auto midpoint = this->midpoint(before, input);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/check.hpp"
+#include "model/handed_over.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -58,6 +61,8 @@ std::vector<int> bodies_of(const Model<dim>& model, const std::vector<char>& sel
 template <int dim>
 FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass, const std::vector<char>& selected)
     : mass_(mass), turn_(static_cast<std::size_t>(dim) * mass.nodes(), 0.0) {
+  VOUSSOIR_EXPECT(is_per_point(model, selected) && "selected: per point");
+  VOUSSOIR_EXPECT(mass.nodes() == model.structure().nodes() && "mass: of the structure at rest");
   const auto first = bodies_of(model, selected);
   std::vector<int> number(first.size(), -1);  // of bodies that begin with a block
   int count = 0;
@@ -96,6 +101,7 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
 
 template <int dim>
 Vector<dim> FreeBodies<dim>::remove_motion(std::vector<double>& velocity) const {
+  VOUSSOIR_EXPECT(velocity.size() == turn_.size() && "velocity: of node copies");
   const auto& of_node = mass_.block_of_node();
   std::vector<double> momentum;
   mass_.apply_stiffness(velocity, momentum);

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/check.hpp"
 #include "blocks/assembly.hpp"
+#include "model/handed_over.hpp"
 #include "model/scene_fit.hpp"
 #include "time/dynamic_step.hpp"
 
@@ -38,13 +40,14 @@ Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityPar
 
 template <int dim>
 double DynamicStep<dim>::begin(ContactState& state, bool initial) {
+  expect_state(at_rest_, state);
   if (in_motion(*mass_.comm(), state)) return 0;
   const auto& s = at_rest_.structure();
   auto& v = state.velocity;
   v.assign(state.displacement.size(), 0.0);
   state.acceleration.clear();
   state.acceleration_before.clear();
-  for (const auto& [name, given] : at_rest_.scene().velocities) {
+  for (const auto& [name, given] : at_rest_.settings().velocities) {
     if (!initial) break;
     const auto centre = centre_of_rotation(at_rest_, given);
     for (const auto& b : s.blocks()) {
@@ -65,7 +68,7 @@ double DynamicStep<dim>::begin(ContactState& state, bool initial) {
   const double given = velocities_.kinetic_energy(v);
   if (given == 0) {  // what has stood so far has rested
     const auto gap = at_rest_.gaps(state.displacement);
-    state.rest = rested(gap, points.size(), at_rest_.scene().selection.rest);
+    state.rest = rested(gap, points.size(), at_rest_.settings().selection.rest);
     bond_what_rests(state, gap, 0.0, 0.0);
     state.rest.bonded.assign(points.size(), 0.0);  // those that soon let go need not rest longer for that
   }
@@ -75,6 +78,7 @@ double DynamicStep<dim>::begin(ContactState& state, bool initial) {
 template <int dim>
 void loads_of_time_step(const Model<dim>& model, const LoadSteps& steps, std::vector<double>& load,
                         std::vector<double>& prescribed) {
+  VOUSSOIR_EXPECT(!steps.finished() && steps.dynamic() && "the next step is one of time");
   const double begin = steps.reached(), end = steps.target();
   std::vector<double> unused;
   model.mean_loads({steps.time(begin), steps.time(end), steps.factors(begin), steps.factors(end)}, load);
@@ -83,6 +87,7 @@ void loads_of_time_step(const Model<dim>& model, const LoadSteps& steps, std::ve
 
 template <int dim>
 void untie_what_moved(const Model<dim>& model, ContactState& state) {
+  VOUSSOIR_EXPECT(is_per_point(model, state.selected) && "selected: per point");
   const auto gap = model.gaps(state.displacement);
   for (std::size_t k = 0; k < state.selected.size(); ++k)
     for (int c = 0; c < dim; ++c)

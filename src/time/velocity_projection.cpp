@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.hpp"
+#include "base/finite.hpp"
 #include "homogenisation/block_solves.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
+#include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
@@ -125,19 +128,23 @@ class VelocityProjection<dim>::ByMass : public Preconditioner {
 
 template <int dim>
 VelocityProjection<dim>::VelocityProjection(const Model<dim>& model, const Structure<dim>& mass)
-    : model_(model), mass_(mass), solver_(model.scene().solver), by_mass_(std::make_shared<ByMass>(model, mass)) {}
+    : model_(model), mass_(mass), solver_(model.settings().solver), by_mass_(std::make_shared<ByMass>(model, mass)) {}
 
 template <int dim>
 VelocityProjection<dim>::~VelocityProjection() = default;
 
 template <int dim>
 double VelocityProjection<dim>::mass(int point, int axis) const {
+  VOUSSOIR_EXPECT(point >= 0 && point < model_.points().size() && axis >= 0 && axis < dim && "a component of a point");
   return (*by_mass_)[dim * point + axis];
 }
 
 template <int dim>
 double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::vector<char>& held,
                                       const std::vector<double>* supports) {
+  VOUSSOIR_EXPECT(is_of_nodes(model_, velocity) && all_finite(velocity) && "velocity: of node copies, finite");
+  VOUSSOIR_EXPECT(held.size() == static_cast<std::size_t>(dim) * model_.points().size() && "held: of points");
+  VOUSSOIR_EXPECT((!supports || is_of_nodes(model_, *supports)) && "velocity of supports: of node copies, or none");
   if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
   impulses_->hold(held);
   const auto map = impulses_->getDomainMap();
@@ -146,7 +153,7 @@ double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::
   double fastest = 0;
   for (double v : velocity) fastest = std::max(fastest, std::abs(v));
   const double size = speed->norm2();
-  const auto& numbers = model_.scene().internals.time_step;
+  const auto& numbers = model_.settings().internals.time_step;
   const double known = numbers.velocity_round_off * largest_over_ranks(*map->getComm(), fastest) *
                        std::sqrt(static_cast<double>(map->getGlobalNumElements()));
   if (size <= known) return 0;

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.hpp"
 #include "dynamics/midpoint_rule.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
+#include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/mortar.hpp"
 #include "time/free_bodies.hpp"
@@ -22,7 +24,7 @@ using Held = std::vector<char>;
 /// Which points bear something: per point.
 template <int dim>
 std::vector<char> loaded_points(const Model<dim>& model, const ContactState& state) {
-  const double none = model.scene().internals.step.least_noise * largest_force(model, state);
+  const double none = model.settings().internals.step.least_noise * largest_force(model, state);
   std::vector<char> loaded(state.selected.size());
   for (std::size_t k = 0; k < loaded.size(); ++k) {
     const bool whole = state.opened.empty() || state.opened[k] == 0;
@@ -59,7 +61,7 @@ bool sticks(const Model<dim>& model, const ContactState& state, std::size_t k) {
   const auto law = law_left(model, state, static_cast<int>(k));
   double q = 0;
   for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
-  const double margin = model.scene().internals.step.least_noise;
+  const double margin = model.settings().internals.step.least_noise;
   return std::sqrt(q) < (1 - margin) * friction_bound(law, state.lambda[dim * k]);
 }
 
@@ -86,7 +88,8 @@ struct VelocityUpdate<dim>::Spread {
       : state(s),
         zero(s.displacement.size(), 0.0),
         problem({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
-                 at_rest.local_stiffness(), no_gap, at_rest.scene().preconditioner, at_rest.scene().internals, solver},
+                 at_rest.local_stiffness(), no_gap, at_rest.settings().preconditioner, at_rest.settings().internals,
+                 solver},
                 state.selected, {at_rest.law(), state.slip_origin, zero, zero}),
         bodies(at_rest, mass, state.selected) {}
 
@@ -98,6 +101,7 @@ struct VelocityUpdate<dim>::Spread {
 
 template <int dim>
 double largest_force(const Model<dim>& model, const ContactState& state) {
+  VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
   double mine = 0;
   for (int k = 0; k < model.points().owned(); ++k)
     if (state.selected[k]) mine = std::max(mine, state.lambda[dim * k]);
@@ -106,7 +110,7 @@ double largest_force(const Model<dim>& model, const ContactState& state) {
 
 template <int dim>
 VelocityUpdate<dim>::VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass)
-    : at_rest_(at_rest), mass_(mass), projection_(at_rest, mass), solver_(at_rest.scene().solver) {}
+    : at_rest_(at_rest), mass_(mass), projection_(at_rest, mass), solver_(at_rest.settings().solver) {}
 
 template <int dim>
 VelocityUpdate<dim>::~VelocityUpdate() = default;
@@ -118,6 +122,7 @@ void VelocityUpdate<dim>::forget() {
 
 template <int dim>
 double VelocityUpdate<dim>::product(const std::vector<double>& v, const std::vector<double>& w) const {
+  VOUSSOIR_EXPECT(is_of_nodes(at_rest_, v) && is_of_nodes(at_rest_, w) && "velocities: of node copies");
   std::vector<double> mw;
   mass_.apply_stiffness(w, mw);
   double mine = 0, all = 0;
@@ -177,7 +182,7 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& 
     if (closed[i] && (!any || std::abs(speed[i]) > resting)) impulse[i] = -lambda[i];
   problem.subtract_contact_forces(impulse, *b);
   const auto solved = problem.solve(std::vector<PointStiffness>(at_rest_.points().size()), 0.0, b, d,
-                                    {at_rest_.scene().internals.time_step.velocity_accuracy});
+                                    {at_rest_.settings().internals.time_step.velocity_accuracy});
   if (!solved.converged) throw SolverFailure("how impulses spread is not found: " + solved.failure);
   Way way;
   const auto& space = problem.space();
@@ -214,6 +219,9 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::within_bodies(Way way, co
 
 template <int dim>
 EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
+  VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
+  VOUSSOIR_EXPECT(std::isfinite(lost) && lost >= 0 && "energy of closing: not negative");
+  VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
   const auto& points = at_rest_.points();
   const auto speed = relative_velocities(points, state.velocity);
   const auto [closed, sticking] = contacts(at_rest_, state, speed, resting);
@@ -237,7 +245,7 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
       // Where closed points hold everything there is no way behind them: then they rebound.
       auto behind = within_bodies(way, supports);
       behind.work_of_supports += project(behind.velocity, closed, state.selected, supports);
-      if (kinetic_energy(behind.velocity) > at_rest_.scene().internals.time_step.no_way * whole) way = behind;
+      if (kinetic_energy(behind.velocity) > at_rest_.settings().internals.time_step.no_way * whole) way = behind;
       const double slope = product(v, way.velocity) - way.work_of_supports;
       const double change = least_change(kinetic_energy(way.velocity), slope, wanted);
       for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way.velocity[i];
@@ -255,6 +263,8 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
 
 template <int dim>
 std::vector<char> VelocityUpdate<dim>::calm(const ContactState& state, double energy, double resting) const {
+  VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
+  VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
   const auto speed = relative_velocities(at_rest_.points(), state.velocity);
   std::vector<char> is_calm(state.selected.size(), 1);
   for (int k = 0; k < at_rest_.points().size(); ++k) {

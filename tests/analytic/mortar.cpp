@@ -246,10 +246,10 @@ TEUCHOS_UNIT_TEST(Mortar, StoresWhatTheWeightLoses) {
 TEUCHOS_UNIT_TEST(Mortar, UnnamedHoldsNothing) {
   Experiment bare(column(3, JointLawParameters::infinity, JointLawParameters::infinity));
   TEST_ASSERT(bare.model().compliance().empty());
-  TEST_EQUALITY(effect_costs(bare.model()).at("joint stiffness").bytes, 0);
-  TEST_ASSERT(!effect_costs(bare.model()).at("joint stiffness").in_play);
+  TEST_EQUALITY(effect_costs(bare.scene(), bare.model()).at("joint stiffness").bytes, 0);
+  TEST_ASSERT(!effect_costs(bare.scene(), bare.model()).at("joint stiffness").in_play);
   Experiment laid(column(3, 1e11, JointLawParameters::infinity));
-  TEST_ASSERT(effect_costs(laid.model()).at("joint stiffness").in_play);
+  TEST_ASSERT(effect_costs(laid.scene(), laid.model()).at("joint stiffness").in_play);
   TEST_EQUALITY(laid.model().compliance().size(), static_cast<std::size_t>(laid.model().points().size()));
   TEST_EQUALITY(laid.model().compliance()[0].tangential, 0.0);
 }

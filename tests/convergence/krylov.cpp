@@ -35,15 +35,15 @@ int iterations_at_solution(Scene scene) {
   }
   std::fill(state.selected.begin(), state.selected.end(), 1);
 
-  LinearSolver solver(model.scene().solver);
+  LinearSolver solver(model.settings().solver);
   const ContactProblem<2>::Parts parts{model.structure(),
                                        model.points(),
                                        model.continuum(),
                                        model.held(),
                                        model.local_stiffness(),
                                        {},
-                                       model.scene().preconditioner,
-                                       model.scene().internals,
+                                       model.settings().preconditioner,
+                                       model.settings().internals,
                                        solver};
   ContactProblem<2> problem(parts, state.selected,
                             {model.law(), state.slip_origin, experiment.load(), experiment.prescribed()});

@@ -1,4 +1,6 @@
-"""Includes point one way: from what uses to what is used, never back."""
+"""Includes point one way: from what uses to what is used, never back; methods are given settings, not a scene."""
+
+import re
 
 import house
 
@@ -34,6 +36,10 @@ PURE = {"joints/contact_law.hpp", "joints/point_freedom.hpp", "joints/softening.
 # Libraries with one owner: each is included by at most one source file and by no header.
 ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp",
              "CLI11": "CLI/", "pugixml": "pugixml", "Eigen": "Eigen/"}
+
+
+# Rooms of methods, which are given the settings that are theirs (model/model_settings.hpp).
+SEE_NO_SCENE = {"ties", "step", "time"}
 
 
 def reach(folder):
@@ -72,6 +78,19 @@ def problem_of(path, name):
     return f'{path}: #include "{name}" points up; {folder} may see {", ".join(sorted(reach(folder)))}.'
 
 
+def problems_of_scenes(path, text):
+    """What hands a whole scene to methods, in a file of src/."""
+    if path.parts[1] == "scene":
+        return []
+    code = "\n".join(line.split("//")[0] for line in text.splitlines())
+    problems = []
+    if re.search(r"\bscene\(\)", code):
+        problems.append(f"{path}: scene() hands a whole scene on; give the settings that are read.")
+    if path.parts[1] in SEE_NO_SCENE and re.search(r"\bScene\b", code):
+        problems.append(f"{path}: {path.parts[1]} sees no scene; give it the settings that it reads.")
+    return problems
+
+
 def problems_of_libraries(files):
     """files: pairs of path and text."""
     problems = []
@@ -91,6 +110,7 @@ def main():
     problems += [f"{path}: base knows nothing of Trilinos, but includes <{name}>." for path, text in files
                  if path.parts[1] == "base" for quote, name in house.includes(text)
                  if name.startswith(("Tpetra", "Kokkos", "Xpetra"))]
+    problems += [problem for path, text in files if path.parts[0] == "src" for problem in problems_of_scenes(path, text)]
     problems += problems_of_libraries(files)
     house.finish("Includes point down", problems)
 

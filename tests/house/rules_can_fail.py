@@ -66,6 +66,16 @@ class IncludesPointDown(unittest.TestCase):
     def test_paths_start_at_src(self):
         self.assertIn("must start at src/", include("src/mesh/mesh.cpp", "mesh.hpp"))
 
+    def test_methods_are_given_settings_and_no_scene(self):
+        def problems(path, text):
+            return layers.problems_of_scenes(pathlib.Path(path), text)
+
+        self.assertEqual(len(problems("src/run/run.cpp", "return model.scene().output;\n")), 1)
+        self.assertEqual(len(problems("src/step/release.cpp", "long release(const Scene& all) {\n")), 1)
+        self.assertEqual(problems("src/run/run.cpp", "Run::Run(const Scene& scene) {  // of scene()\n"), [])
+        self.assertEqual(problems("src/step/release.cpp", "// as the Scene asks\nreturn model.settings().selection;\n"), [])
+        self.assertEqual(problems("src/scene/scene_printer.cpp", "print(all.scene());\n"), [])
+
     def test_a_library_has_one_owner_and_it_is_no_header(self):
         text = "#include <MueLu_Hierarchy.hpp>\n"
         one = (pathlib.Path("src/linalg/amg.cpp"), text)
@@ -116,6 +126,7 @@ class FilesAreShort(unittest.TestCase):
         self.assertIn("Some::sum has 61 lines", problems("  n += m;\n" * 57)[0])
         self.assertEqual(problems("  if (n > m && m > 0) ++n;  // if\n" * 7), [])
         self.assertIn("16 branches", problems("  if (n > m && m > 0) ++n;  // if\n" * 8)[0])
+        self.assertEqual(problems("  VOUSSOIR_EXPECT((n > m || m > 0) &&\n    \"positive\");\n" * 8), [])
 
     def test_files_are_found_at_all(self):
         self.assertIn(pathlib.Path("src/mesh/mesh.hpp"), house.code_files(".hpp"))

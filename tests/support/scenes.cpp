@@ -162,7 +162,7 @@ Experiment::Experiment(const Scene& scene) : scene_(scene) {
   step_ = std::make_unique<AdaptiveStep<2>>(*model_);
   state_ = step_->initial_state();
   slip_before_ = state_.slip_origin;
-  construction_ = std::make_unique<Construction<2>>(*model_);
+  construction_ = std::make_unique<Construction<2>>(scene_, *model_);
   model_->loads({}, 0.0, load_, prescribed_);
 }
 

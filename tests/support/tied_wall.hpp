@@ -21,9 +21,9 @@ inline std::vector<int> clusters(const Model<2>& model, const std::vector<char>&
 }
 
 inline ContactProblem<2>::Parts parts_of(const Model<2>& model, LinearSolver& solver) {
-  const Scene& scene = model.scene();
-  return {model.structure(),   model.points(),       model.continuum(), model.held(), model.local_stiffness(),
-          model.initial_gap(), scene.preconditioner, scene.internals,   solver};
+  const auto& how = model.settings();
+  return {model.structure(),   model.points(),     model.continuum(), model.held(), model.local_stiffness(),
+          model.initial_gap(), how.preconditioner, how.internals,     solver};
 }
 
 /// The blocks of a point.

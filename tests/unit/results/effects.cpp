@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(Effects, CostNothingAndChangeNothingWhereASceneDoesNotNameThem
   Experiment without(plain());
   TEST_ASSERT(without.run());
   const auto bare = without.solution();
-  const auto unnamed = effect_costs(without.model());
+  const auto unnamed = effect_costs(without.scene(), without.model());
   TEST_EQUALITY(unnamed.at("self weight").calls > 0, true);
   for (const auto& kind : every_kind()) {
     LoadParameters load;
@@ -95,7 +95,7 @@ TEUCHOS_UNIT_TEST(Effects, CostNothingAndChangeNothingWhereASceneDoesNotNameThem
     // At work: it has bytes, it is called, and the wall feels it.
     Experiment at_work(with(kind, 1.0));
     TEST_ASSERT(at_work.run());
-    const auto cost = effect_costs(at_work.model()).at(word);
+    const auto cost = effect_costs(at_work.scene(), at_work.model()).at(word);
     TEST_EQUALITY(cost.in_play, true);
     TEST_COMPARE(cost.bytes, >, word == "self weight" ? unnamed.at(word).bytes : 0);
     TEST_COMPARE(cost.calls, >, word == "self weight" ? unnamed.at(word).calls : 0);
@@ -125,11 +125,11 @@ TEUCHOS_UNIT_TEST(Effects, WhereNothingRubsNoSlipIsRemembered) {
     Experiment column(scene);
     TEST_ASSERT(column.run());
     TEST_EQUALITY(column.state().slip_origin.size(), friction > 0 ? column.state().lambda.size() : 0);
-    const auto bytes = effect_costs(column.model()).at("friction").bytes;
+    const auto bytes = effect_costs(column.scene(), column.model()).at("friction").bytes;
     // Per point of all ranks, ghosts too, its coefficient and its slip, a vector.
     const double points = total_over_ranks(*column.model().structure().comm(), column.model().points().size());
     TEST_EQUALITY(bytes, friction > 0 ? 24 * static_cast<long long>(points) : 0LL);
-    TEST_EQUALITY(effect_costs(column.model()).at("cohesion").bytes, 0LL);
+    TEST_EQUALITY(effect_costs(column.scene(), column.model()).at("cohesion").bytes, 0LL);
     double shear = 0;
     for (const auto& p : column.solution().points) shear = std::max(shear, std::abs(p.tangential_force));
     if (friction == 0) TEST_EQUALITY(shear, 0.0);
@@ -140,13 +140,13 @@ TEUCHOS_UNIT_TEST(Effects, OfTimeAreAbsentFromLoadStepsAndHoldNothing) {
   Scene scene = plain();
   Experiment still(scene);
   for (const char* name : {"inertia", "damping", "initial velocities", "construction"}) {
-    const auto cost = effect_costs(still.model()).at(name);
+    const auto cost = effect_costs(still.scene(), still.model()).at(name);
     TEST_ASSERT(!cost.in_play);
     TEST_EQUALITY(cost.bytes, 0);
   }
   scene.stages.back().duration = 1;
   Experiment shaken(scene);
-  const auto inertia = effect_costs(shaken.model()).at("inertia");
+  const auto inertia = effect_costs(shaken.scene(), shaken.model()).at("inertia");
   TEST_ASSERT(inertia.in_play);
   // Two matrices of at least a diagonal of 12 bytes a number.
   TEST_COMPARE(inertia.bytes, >, 2 * 12 * 2 * shaken.model().structure().total_nodes());

@@ -101,7 +101,7 @@ TEUCHOS_UNIT_TEST(Observations, ASupportShowsItsMotionAndTheForceItBears) {
   const auto forces = linear_field(wall, 3.0, 0, 0);  // 3 N along x at every node copy
   const auto values = at.values({linear_field(wall, 0.25, 0, 1.0), {}, forces, {}});
   TEST_FLOATING_EQUALITY(values[0], 0.25, 1e-12);
-  const auto nodes = held_nodes(wall.scene(), wall.model().source(), wall.model().structure());
+  const auto nodes = held_nodes(wall.scene().supports, wall.model().source(), wall.model().structure());
   const double mine = static_cast<double>(nodes.front().size());
   const double all = total_over_ranks(*wall.model().structure().comm(), mine);
   TEST_ASSERT(all > 0);

@@ -27,7 +27,7 @@ struct Run {
   std::map<std::string, double> seconds;
 
   RunState state() { return {steps, experiment.state(), load, level, record, seconds}; }
-  SavedRun saved(const std::string& folder) const { return {experiment.model(), folder}; }
+  SavedRun saved(const std::string& folder) const { return {experiment.scene(), experiment.model(), folder}; }
 };
 
 /// The checkpoint of one folder in another, sealed in all order, without one of its tables.
