@@ -1,4 +1,5 @@
-// Near the end of the path another way may take over: a slider, of whose push friction bears 30 N.
+// The path of a slider, of whose push friction bears 30 N: where it begins, how its barrier falls, where it ends, and
+// where near its end another way may take over.
 #include "nonlinear/interior_path.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -14,6 +15,12 @@ using namespace voussoir::test;
 
 constexpr double friction = 0.3, at_rest = (push - friction * weight) / spring;  // [m]
 constexpr double tolerance = 1e-9, near = 1e-3;
+
+/// The mean of w y, as the bound on resistances tells it: that is 10 start / root of it.
+double barrier_of(double augmentation) {
+  const InteriorPathParameters numbers;
+  return std::pow(numbers.resistance * numbers.start * weight / augmentation, 2);
+}
 
 struct Walk {
   PathEnd end;
@@ -72,6 +79,59 @@ TEUCHOS_UNIT_TEST(InteriorPath, EndsWhereAShortcutArrives) {
   TEST_EQUALITY(walk.slip, at_rest);
   TEST_EQUALITY(walk.lambda[1], friction * weight);
   TEST_COMPARE(walk.solves, <, alone.solves);
+}
+
+// From rest without forces the path begins a tenth of the largest force, 10 N, from the bounds: of an opening w = 10 N,
+// of slips 0.3 x 10 N, and y = 10 N over the stiffness of the stones.
+TEUCHOS_UNIT_TEST(InteriorPath, ItsBarrierBeginsAtTheDistanceFromTheBoundsAndFallsStepByStep) {
+  Patch problem = slider_on_the_ground(friction);
+  TpetraVector x(problem.map());
+  PointField lambda(2, 0.0);
+  NewtonReport report;
+  InteriorPath path(problem, {});
+  std::vector<double> barrier;
+  const InteriorPathParameters numbers;
+  path.narrate = [&](const NewtonProgress& p) {
+    if (p.augmentation < numbers.largest_resistance) barrier.push_back(barrier_of(p.augmentation));
+  };
+  TEST_ASSERT(path.follow(x, lambda, tolerance, 100, nullptr, report) == PathEnd::arrived);
+  TEST_COMPARE(barrier.size(), >, 2);
+  TEST_FLOATING_EQUALITY(barrier.front(), (10.0 * 10 + 3 * 10 + 3 * 10) / 3, 1e-12);
+  for (std::size_t i = 1; i < barrier.size(); ++i) TEST_COMPARE(barrier[i], <, barrier[i - 1]);
+}
+
+TEUCHOS_UNIT_TEST(InteriorPath, EndsWithForcesOfTheLaw) {
+  const auto walk = follow({});
+  TEST_ASSERT(walk.end == PathEnd::arrived);
+  TEST_FLOATING_EQUALITY(walk.lambda[0], weight, 1e-6);
+  TEST_FLOATING_EQUALITY(std::abs(walk.lambda[1]), friction * weight, 1e-6);
+  TEST_FLOATING_EQUALITY(walk.slip, at_rest, 1e-6);
+}
+
+// Without its spring nothing bears the 20 N that friction leaves of the push.
+TEUCHOS_UNIT_TEST(InteriorPath, WhatRunsAwayIsPutBack) {
+  auto parts = parts_of_slider(friction);
+  parts.stiffness = {{0, 0, 1e-9}, {1, 1, 1e-6}};
+  parts.proximal_weight = {1e-9, 1e-6};
+  Patch problem(parts);
+  TpetraVector x(problem.map());
+  PointField lambda{1, 0};
+  NewtonReport report;
+  InteriorPath path(problem, {});
+  TEST_ASSERT(path.follow(x, lambda, tolerance, 100, nullptr, report) == PathEnd::ran_away);
+  TEST_EQUALITY(local_view(x)[0], 0.0);
+  TEST_COMPARE_ARRAYS(lambda, (PointField{1, 0}));
+}
+
+TEUCHOS_UNIT_TEST(InteriorPath, HaltsAtTheLargestNumberOfStepsWithForcesOfTheLaw) {
+  Patch problem = slider_on_the_ground(friction);
+  TpetraVector x(problem.map());
+  PointField lambda(2, 0.0);
+  NewtonReport report;
+  InteriorPath path(problem, {});
+  TEST_ASSERT(path.follow(x, lambda, tolerance, 2, nullptr, report) == PathEnd::stuck);
+  TEST_EQUALITY(report.newton_iterations, 2);
+  TEST_COMPARE(std::abs(lambda[1]), <=, friction * std::max(0.0, lambda[0]) * (1 + 1e-12));
 }
 
 }  // namespace

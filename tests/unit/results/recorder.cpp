@@ -31,7 +31,7 @@ struct Recorded {
   std::unique_ptr<Recorder<2>> recorder;
 
   explicit Recorded(const std::string& folder, const Record& so_far = {}) : wall(scene()) {
-    recorder = std::make_unique<Recorder<2>>(wall.model(), wall.step(), folder, so_far);
+    recorder = std::make_unique<Recorder<2>>(wall.scene(), wall.model(), wall.step(), folder, so_far);
   }
   static Scene scene() {
     Scene scene = tied_wall();
@@ -119,6 +119,40 @@ TEUCHOS_UNIT_TEST(Recorder, AnEarlierRunGoesOnBehindTheStepsItRecorded) {
   TEST_EQUALITY(again.recorder->summary().steps, 2);
   TEST_EQUALITY(again.recorder->so_far().written, 2);
   TEST_EQUALITY(rows_of(folder), 2);
+}
+
+// What attempts took in vain is counted with the step that follows them, or with the run where none does.
+TEUCHOS_UNIT_TEST(Recorder, CountsWhatAttemptsTookInVain) {
+  Recorded r(fresh_folder("in-vain"));
+  StepReport failed;
+  failed.newton.newton_iterations = 7;
+  failed.newton.krylov_iterations = 70;
+  failed.estimate_solves = 2;
+  r.recorder->spend(failed);
+  TEST_EQUALITY(r.recorder->summary().linear_solves, 0);
+  TEST_EQUALITY(r.recorder->result().linear_solves, 9);
+  const StepReport stood = r.step(0);
+  const auto& sum = r.recorder->summary();
+  TEST_EQUALITY(sum.newton_iterations, 7 + stood.newton.newton_iterations);
+  TEST_EQUALITY(sum.krylov_iterations, 70 + stood.newton.krylov_iterations);
+  TEST_EQUALITY(r.recorder->result().linear_solves, sum.linear_solves);
+}
+
+// Block 2 parts from both others, upwards to the right: a step of fields that is none of the run.
+TEUCHOS_UNIT_TEST(Recorder, AMechanismIsWrittenBehindTheStepsAndCountsAsNone) {
+  const std::string folder = fresh_folder("mechanism");
+  Recorded r(folder);
+  r.step(0);
+  const auto& s = r.wall.model().structure();
+  std::vector<double> mechanism(2 * static_cast<std::size_t>(s.nodes()), 0.0);
+  for (std::size_t i = 0; i < mechanism.size(); ++i)
+    if (s.blocks()[s.block_of_node()[i / 2]].mesh.id == 2) mechanism[i] = 1;
+  const auto before = r.recorder->status();
+  r.recorder->record_mechanism(mechanism, r.wall.state(), "a stage", 1);
+  TEST_EQUALITY(r.recorder->so_far().written, 2);
+  TEST_EQUALITY(r.recorder->summary().steps, 1);
+  TEST_EQUALITY(rows_of(folder), 1);
+  TEST_EQUALITY(r.recorder->status().open, before.open);
 }
 
 TEUCHOS_UNIT_TEST(Recorder, AWarningIsToldOnce) {
