@@ -72,6 +72,18 @@ std::string refusal(const pugi::xml_node& node, const std::string& text, int dep
   return "";
 }
 
+/// Why what was read is not one element, or "".
+std::string why_not_one_root(const pugi::xml_document& document, const std::string& text) {
+  int roots = 0;
+  for (const auto& node : document.children()) {
+    if (node.type() == pugi::node_pcdata && !trimmed(node.value()).empty())
+      return "text stands outside of its list: " + in_quotes(shown(trimmed(node.value()))) + ".";
+    if (node.type() == pugi::node_element && ++roots > 1)
+      return "it has more than one root element, the second in " + line_of(text, node.offset_debug()) + ".";
+  }
+  return roots == 1 ? "" : "it holds no element.";
+}
+
 /// Why a text that the parser has read as far as it can is no XML, or "".
 std::string error_of(const pugi::xml_document& document, const pugi::xml_parse_result& result,
                      const std::string& text) {
@@ -95,14 +107,8 @@ std::string error_of(const pugi::xml_document& document, const pugi::xml_parse_r
     return start + "</" + shown(trimmed(tag)) + "> in " + line + " does not end the element that is open there.";
   }
   if (!result) return start + "of an error in " + line + ": " + result.description() + ".";
-  int roots = 0;
-  for (const auto& node : document.children()) {
-    if (node.type() == pugi::node_pcdata && !trimmed(node.value()).empty())
-      return start + "text stands outside of its list: " + in_quotes(shown(trimmed(node.value()))) + ".";
-    if (node.type() == pugi::node_element && ++roots > 1)
-      return start + "it has more than one root element, the second in " + line_of(text, node.offset_debug()) + ".";
-  }
-  return roots == 1 ? "" : start + "it holds no element.";
+  const auto why = why_not_one_root(document, text);
+  return why.empty() ? "" : start + why;
 }
 
 /// What must not be read as a scene: @return why and what to do, or "".
