@@ -121,6 +121,7 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
 
 template <int dim>
 std::vector<double> Observations<dim>::values(const Observed& observed) const {
+  if (columns_.empty()) return {};
   const auto nodes = static_cast<std::size_t>(dim) * structure_.nodes();
   VOUSSOIR_EXPECT(observed.displacement.size() == nodes && "displacement: of node copies");
   VOUSSOIR_EXPECT((observed.velocity.empty() || observed.velocity.size() == nodes) &&
@@ -136,7 +137,6 @@ std::vector<double> Observations<dim>::values(const Observed& observed) const {
   };
   const std::size_t columns = columns_.size();
   std::vector<double> mine(2 * columns, 0.0), all(2 * columns);  // sums, and their weights that are not there
-  if (columns == 0) return {};
   const auto gone = [&](int at) {
     return !observed.absent.empty() && observed.absent[structure_.block_of_node()[at / dim]];
   };

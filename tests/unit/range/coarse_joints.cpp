@@ -19,7 +19,7 @@ constexpr double strength = 1e5;  // [Pa]
 Warnings said_at(double share_of_strength, double fracture_energy = 0) {
   Scene scene = tied_wall();
   scene.joints[0].parameters.tension_strength = strength;
-  scene.joints[0].parameters.fracture_energy = fracture_energy;
+  scene.joints[0].parameters.fracture_energy = scene.joints[0].parameters.shear_fracture_energy = fracture_energy;
   Experiment wall(scene);
   const auto& model = wall.model();
   auto& state = wall.state();
@@ -39,7 +39,7 @@ TEUCHOS_UNIT_TEST(CoarseJoints, TellOfAFamilyOnceByHowMuchItsStrengthMayBeOverra
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "coarse_joint");
   TEST_EQUALITY(said.front().where, "scene > joints > dry");
-  TEST_FLOATING_EQUALITY(said.front().value, 0.5, 1e-9);  // 1 / (2/3) - 1
+  TEST_FLOATING_EQUALITY(said.front().how_much, 0.5, 1e-9);  // 1 / (2/3) - 1
   TEST_ASSERT(said.front().text.find("has 2 cells along it and comes to 60 % of its strength") != std::string::npos);
   TEST_ASSERT(said.front().text.find("that of 1 others of the family by less") != std::string::npos);
 }

@@ -67,9 +67,9 @@ TEUCHOS_UNIT_TEST(JointSides, ASupportOnBothSidesOfAJointIsToldWithItsLength) {
   const auto said = warnings_of_sides(held("seam"), *source);
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "support_on_both_sides");
-  TEST_FLOATING_EQUALITY(said.front().value, 1.0, 1e-15);
+  TEST_FLOATING_EQUALITY(said.front().how_much, 1.0, 1e-15);
   TEST_ASSERT(said.front().text.find("the joint between the left stone and the right stone") != std::string::npos);
-  TEST_ASSERT(said.front().text.find("blocks = 'stones left'") != std::string::npos);
+  TEST_ASSERT(said.front().text.find("blocks = \"stones left\"") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(JointSides, NothingIsToldOfASideThatIsNamedNorOfTheOutside) {

@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(RangeOfSlips, IsLeftWhereAPointThatPressesSlipsBeyondItsCell) 
   const auto found = slip(1.01 * cell, {0, 10, 0});
   TEST_EQUALITY(found.warnings.size(), 1);
   TEST_EQUALITY(found.warnings.front().what, "slip_beyond_cell");
-  TEST_FLOATING_EQUALITY(found.warnings.front().value, 1.01 * cell, 1e-12);
+  TEST_FLOATING_EQUALITY(found.warnings.front().how_much, 1.01 * cell, 1e-12);
   TEST_ASSERT(found.out_of_range.empty());  // both faces still reach there
 }
 
@@ -85,7 +85,7 @@ TEUCHOS_UNIT_TEST(RangeOfTurns, IsMeasuredByTheAngleAtWhichAStoneTopples) {
   const auto found = turn(0.2 * topples);
   TEST_EQUALITY(found.warnings.size(), 1);
   TEST_EQUALITY(found.warnings.front().what, "turn_beyond_first_order");
-  TEST_FLOATING_EQUALITY(found.warnings.front().value, 0.2, 1e-5);
+  TEST_FLOATING_EQUALITY(found.warnings.front().how_much, 0.2, 1e-5);
   TEST_ASSERT(found.out_of_range.empty());
   TEST_ASSERT(!turn(1.1 * topples).out_of_range.empty());
   TEST_ASSERT(turn(0.2 * topples, {0, 0, 0}).warnings.empty());  // nothing stands on it
@@ -104,16 +104,16 @@ TEUCHOS_UNIT_TEST(RangeOfOutlines, IsLeftWhereAStoneLiesInAnotherByMoreThanAHund
   const auto found = lower(0.02);
   TEST_EQUALITY(found.warnings.size(), 1);
   TEST_EQUALITY(found.warnings.front().what, "stones_overlap");
-  TEST_FLOATING_EQUALITY(found.warnings.front().value, 0.02, 1e-9);
+  TEST_FLOATING_EQUALITY(found.warnings.front().how_much, 0.02, 1e-9);
 }
 
 TEUCHOS_UNIT_TEST(RangeCheck, TellsItsWarningsAndWhyAStepIsOutOfRange) {
-  Moved moved({0, 10, 0});
+  Moved moved({10, 10, 10});
   Warnings told;
   RangeCheck check(moved.model, [&](const Warning& w) { told.push_back(w); });
   TEST_ASSERT(check.beyond(moved.end()).empty());
   TEST_ASSERT(told.empty());
-  moved.move([](const Vector<2>&) { return Vector<2>{0.3, -0.02}; });
+  moved.move([](const Vector<2>&) { return Vector<2>{1.1 * cell, -0.02}; });
   auto end = moved.end();
   end.outlines = false;
   TEST_ASSERT(!check.beyond(end).empty());
