@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
@@ -58,57 +57,30 @@ std::string moved(const std::string& line, const std::vector<std::string>& from,
   return text;
 }
 
-struct Column {
-  const char* name;
-  std::string (*value)(const HistoryRow&);
-};
-
-/// A column whose text is that of one member.
-template <auto member>
-constexpr Column column(const char* name) {
-  return {name, [](const HistoryRow& row) { return field(row.*member); }};
-}
-
-constexpr Column columns[] = {
-    column<&HistoryRow::step>("step"),
-    column<&HistoryRow::stage>("stage"),
-    column<&HistoryRow::load_factor>("load_factor"),
-    column<&HistoryRow::time>("time_s"),
-    column<&HistoryRow::selected_points>("selected_points"),
-    column<&HistoryRow::open_points>("open_points"),
-    column<&HistoryRow::stick_points>("stick_points"),
-    column<&HistoryRow::slip_points>("slip_points"),
-    column<&HistoryRow::selection_rounds>("selection_rounds"),
-    column<&HistoryRow::newton_iterations>("newton_iterations"),
-    column<&HistoryRow::linear_solves>("linear_solves"),
-    column<&HistoryRow::failed_linear_solves>("failed_linear_solves"),
-    column<&HistoryRow::krylov_iterations>("krylov_iterations"),
-    column<&HistoryRow::patch_solves>("patch_solves"),
-    column<&HistoryRow::complementarity_residual>("complementarity_residual"),
-    column<&HistoryRow::largest_penetration>("largest_penetration_m"),
-    column<&HistoryRow::error_estimate>("error_estimate"),
-    column<&HistoryRow::imbalance>("imbalance_J"),
-    column<&HistoryRow::imbalance_in_time>("imbalance_in_time_J"),
-    column<&HistoryRow::largest_displacement>("largest_displacement_m"),
-    column<&HistoryRow::seconds>("seconds"),
-};
-constexpr std::string_view behind_energies = "imbalance_J";
-
 /// Names of columns and values of a row, in their order: terms of the energy book stand before what it leaves.
 template <class Add>
 void each_column(const HistoryRow& row, const Add& add) {
-  for (const Column& c : columns) {
-    if (c.name == behind_energies)
-      for (const auto& term : energy_terms) add(term.name, field(row.energy.*term.value));
-    add(c.name, c.value(row));
-  }
+  add("step", field(row.step));
+  add("stage", field(row.stage));
+  add("load_factor", field(row.load_factor));
+  add("time_s", field(row.time));
+  each_number(
+      [&](const char*, const std::string& name, OverSteps, const auto& value) {
+        if (name.find('.') == std::string::npos) add(name, field(value));
+      },
+      row);
+  for (const auto& term : energy_terms) add(term.name, field(row.energy.*term.value));
+  add("imbalance_J", field(row.imbalance));
+  add("imbalance_in_time_J", field(row.imbalance_in_time));
+  add("largest_displacement_m", field(row.largest_displacement));
+  add("seconds", field(row.seconds));
 }
 
 }  // namespace
 
 std::string History::heading(const std::vector<std::string>& further) {
   std::string line;
-  each_column({}, [&](const char* name, const std::string&) { line += (line.empty() ? "" : ",") + std::string(name); });
+  each_column({}, [&](const std::string& name, const std::string&) { line += (line.empty() ? "" : ",") + name; });
   for (std::string name : further) {
     // A name may hold anything; a row is a line.
     std::replace_if(
@@ -139,7 +111,7 @@ void History::append(const HistoryRow& row) {
   on_first_rank(*comm_, [this, &row] {
     std::string line;
     each_column(
-        row, [&](const char* name, const std::string& value) { line += (name == columns[0].name ? "" : ",") + value; });
+        row, [&](const std::string& name, const std::string& value) { line += (name == "step" ? "" : ",") + value; });
     for (const double value : row.observed) line += ',' + field(value);
     put(line);
   });

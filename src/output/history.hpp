@@ -10,26 +10,20 @@
 #include <Teuchos_RCP.hpp>
 
 #include "base/energies.hpp"
+#include "base/step_numbers.hpp"
 
 namespace voussoir {
 
-/// What a load step found and what it cost; numbers are those of the whole structure, counts those of this step alone.
-struct HistoryRow {
+/// What a step found and what it cost; numbers are those of the whole structure, counts those of this step alone.
+struct HistoryRow : StepNumbers {
   int step = 0;
   std::string stage;
   double load_factor = 0.0;                                ///< of the stage, 0..1
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] at the end of a time step
-  long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;
-  int selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
-  int failed_linear_solves = 0;           ///< of the linear solves, those that ended short of the accuracy asked for
-  int patch_solves = 0;                   ///< linear solves of patches of blocks
-  double complementarity_residual = 0.0;  ///< [-]
-  double largest_penetration = 0.0;       ///< [m]
-  double error_estimate = 0.0;            ///< [-] relative, energy norm
-  Energies energy;                        ///< [J] stored at the end of the step; all others since the start
-  double imbalance = 0.0;                 ///< [J] what the energy book cannot explain
-  double imbalance_in_time = 0.0;         ///< [J] the part of it that arose in time steps
-  double largest_displacement = 0.0;      ///< [m]
+  Energies energy;                    ///< [J] stored at the end of the step; all others since the start
+  double imbalance = 0.0;             ///< [J] what the energy book cannot explain
+  double imbalance_in_time = 0.0;     ///< [J] the part of it that arose in time steps
+  double largest_displacement = 0.0;  ///< [m]
   double seconds = 0.0;
   std::vector<double> observed;  ///< a value for each further column
 };

@@ -82,6 +82,16 @@ Json rigid_forces(const RigidSummary& rigid) {
   return json;
 }
 
+/// Numbers of steps that go over them alike; a dot in a name leads into an object.
+void put_numbers(Json& json, const StepNumbers& numbers, OverSteps which) {
+  each_number(
+      [&](const char*, std::string name, OverSteps over, const auto& value) {
+        std::replace(name.begin(), name.end(), '.', '/');
+        if (over == which) json[Json::json_pointer('/' + name)] = value;
+      },
+      numbers);
+}
+
 }  // namespace
 
 std::string result_json(const RunSummary& run) {
@@ -108,22 +118,12 @@ std::string result_json(const RunSummary& run) {
   json["nodes"] = run.nodes;
   json["unknowns"] = run.unknowns;
   json["candidate_points"] = run.candidate_points;
-  json["selected_points"] = run.selected_points;
-  json["open_points"] = run.open_points;
-  json["stick_points"] = run.stick_points;
-  json["slip_points"] = run.slip_points;
+  put_numbers(json, run, OverSteps::last);
   json["steps"] = run.steps;
   json["time_s"] = run.time;
-  json["selection_rounds"] = run.selection_rounds;
-  json["newton_iterations"] = run.newton_iterations;
-  json["linear_solves"] = run.linear_solves;
-  json["failed_linear_solves"] = run.failed_linear_solves;
-  json["krylov_iterations"] = run.krylov_iterations;
-  json["patch_solves"] = run.patch_solves;
-  json["factorisations"] = {{"made", run.factorised}, {"whole", run.factorised_whole}, {"reused", run.factors_reused}};
-  json["largest_penetration_m"] = run.largest_penetration;
-  json["complementarity_residual"] = run.complementarity_residual;
-  json["error_estimate"] = run.error_estimate;
+  put_numbers(json, run, OverSteps::sum);
+  json["largest_penetration_m"] = run.largest_penetration;  // stands before the other largest ones
+  put_numbers(json, run, OverSteps::largest);
   json["largest_displacement_m"] = run.largest_displacement;
   json["largest_displacement_time_s"] = run.time > 0 ? run.largest_displacement_time : NAN;
   json["residual_displacement_m"] = run.residual_displacement;

@@ -12,6 +12,7 @@
 #include <Teuchos_Comm.hpp>
 
 #include "base/energies.hpp"
+#include "base/step_numbers.hpp"
 #include "base/warning.hpp"
 
 namespace voussoir {
@@ -94,24 +95,15 @@ struct EffectSummary {
   long long bytes = 0;   ///< held for it, all ranks
 };
 
-/// The same numbers on every rank, those of the whole structure; counts are sums over all steps unless a word says so.
-struct RunSummary {
+/// The same numbers on every rank, those of the whole structure; those of steps are over all of them.
+struct RunSummary : StepNumbers {
   std::string scene;
   int ranks = 1;
   int blocks = 0;
   long long joints = 0, nodes = 0, unknowns = 0;
   long long candidate_points = 0;
-  long long selected_points = 0, open_points = 0, stick_points = 0, slip_points = 0;  ///< at the end
   int steps = 0;
-  double time = 0.0;  ///< [s] of stages with duration
-  long long selection_rounds = 0, newton_iterations = 0, linear_solves = 0, krylov_iterations = 0;
-  long long failed_linear_solves = 0;  ///< of the linear solves, those that ended short of the accuracy asked for
-  long long patch_solves = 0;          ///< linear solves of patches of blocks
-  /// Preconditioners that were factored for a linear solve, systems that were factored whole, factors used again.
-  long long factorised = 0, factorised_whole = 0, factors_reused = 0;
-  double largest_penetration = 0.0;        ///< [m] largest of all steps
-  double complementarity_residual = 0.0;   ///< [-] largest of all steps
-  double error_estimate = 0.0;             ///< [-] relative, energy norm, the largest of all steps
+  double time = 0.0;                       ///< [s] of stages with duration
   double largest_displacement = 0.0;       ///< [m] largest of all steps
   double largest_displacement_time = 0.0;  ///< [s] when that was
   double residual_displacement = 0.0;      ///< [m] the largest of a node at the end

@@ -59,15 +59,14 @@ void Narrator::round(int round, long long selected, double error_estimate) {
           error_estimate);
 }
 
-void Narrator::end(const StepReport& report, const StatusCount& count, double seconds, const RunSummary& summary,
-                   bool tell) {
+void Narrator::end(const StepReport& report, double seconds, const RunSummary& summary, bool tell) {
   spent_ += seconds;
   // Of thousands of time steps, one in a hundred is worth a line.
   if (!tell && progress_ < told_ + 0.01) return;
   told_ = progress_;
   print(say_, "%5d %8.4g %7d %9lld %7lld %7lld %7lld %9.2e %9.2e %8.2f", step_, target_,
-        report.newton.newton_iterations, count.selected, count.open, count.slip, report.newton.krylov_iterations,
-        report.error_estimate, summary.residual_displacement, seconds);
+        report.newton.newton_iterations, summary.selected_points, summary.open_points, summary.slip_points,
+        report.newton.krylov_iterations, report.error_estimate, summary.residual_displacement, seconds);
   // A remaining time is worth saying when a run takes more than ten seconds.
   if (progress_ > first_progress_ && spent_ > 10 && progress_ < 1)
     print(say_, "   about %.0f s to go", spent_ / (progress_ - first_progress_) * (1 - progress_));

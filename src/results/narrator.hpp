@@ -15,7 +15,7 @@ class Narrator {
   void begin(int step, const std::string& stage, double target, double progress);
   void solve(const NewtonProgress&);
   void round(int round, long long selected, double error_estimate);
-  void end(const StepReport&, const StatusCount&, double seconds, const RunSummary&, bool tell = true);
+  void end(const StepReport&, double seconds, const RunSummary&, bool tell = true);
   void say(const std::string& line);
   void warn(const Warning&);
   void failed(const StepReport&, const std::string& stage, double target);

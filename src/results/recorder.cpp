@@ -36,18 +36,6 @@ double tangential(const PointField& f, int k, int dim) {
   return std::sqrt(sum);
 }
 
-void add_counts(const StepCounts& counts, RunSummary& sum) {
-  sum.selection_rounds += counts.selection_rounds;
-  sum.newton_iterations += counts.newton_iterations;
-  sum.linear_solves += counts.linear_solves;
-  sum.failed_linear_solves += counts.failed_linear_solves;
-  sum.krylov_iterations += counts.krylov_iterations;
-  sum.patch_solves += counts.patch_solves;
-  sum.factorised += counts.factorised;
-  sum.factorised_whole += counts.factorised_whole;
-  sum.factors_reused += counts.factors_reused;
-}
-
 }  // namespace
 
 template <int dim>
@@ -198,12 +186,15 @@ void Recorder<dim>::record(const ContactState& after, const TimeStepReport& repo
 
 /// Points by status, of all ranks.
 template <int dim>
-void Recorder<dim>::count(const std::vector<int>& status) {
+void Recorder<dim>::count(const std::vector<int>& status, StepNumbers& numbers) const {
   for (const int s : status) VOUSSOIR_EXPECT(s >= open && s <= bonded && "status: one of those of fields.h5");
   long long mine[4] = {0, 0, 0, 0}, all[4];
   for (int s : status) ++mine[s];
   Teuchos::reduceAll(*model_.structure().comm(), Teuchos::REDUCE_SUM, 4, mine, all);
-  record_.count = {all[open] + all[stick] + all[slip], all[open], all[stick], all[slip]};
+  numbers.selected_points = all[open] + all[stick] + all[slip];
+  numbers.open_points = all[open];
+  numbers.stick_points = all[stick];
+  numbers.slip_points = all[slip];
 }
 
 /// Of a node [m], over all ranks.
@@ -221,51 +212,18 @@ double Recorder<dim>::largest_displacement(const std::vector<double>& displaceme
 }
 
 template <int dim>
-HistoryRow Recorder<dim>::row_of(const StepReport& report, const StepCounts& counts) const {
-  const auto& energy = record_.energy;
-  const auto& count = record_.count;
-  HistoryRow row;
-  row.selected_points = count.selected;
-  row.open_points = count.open;
-  row.stick_points = count.stick;
-  row.slip_points = count.slip;
-  row.selection_rounds = static_cast<int>(counts.selection_rounds);
-  row.newton_iterations = static_cast<int>(counts.newton_iterations);
-  row.linear_solves = static_cast<int>(counts.linear_solves);
-  row.failed_linear_solves = static_cast<int>(counts.failed_linear_solves);
-  row.krylov_iterations = static_cast<int>(counts.krylov_iterations);
-  row.patch_solves = static_cast<int>(counts.patch_solves);
-  row.complementarity_residual = report.newton.complementarity;
-  row.largest_penetration = report.newton.penetration;
-  row.error_estimate = report.error_estimate;
-  row.energy = energy.sums();
-  row.imbalance = energy.imbalance();
-  row.imbalance_in_time = energy.imbalance_in_time();
-  return row;
-}
-
-template <int dim>
 RunSummary Recorder<dim>::result() const {
   auto sum = record_.summary;
-  add_counts(record_.in_vain, sum);
+  sum.add_work(record_.in_vain);
   return sum;
 }
 
 /// The sums of the run.
 template <int dim>
-void Recorder<dim>::add_to_sums(const StepReport& report, const StepCounts& counts, double load_factor,
-                                double largest_displacement) {
+void Recorder<dim>::add_to_sums(const StepNumbers& numbers, double load_factor, double largest_displacement) {
   const auto& energy = record_.energy;
-  const auto& count = record_.count;
   auto& sum = record_.summary;
-  sum.selected_points = count.selected;
-  sum.open_points = count.open;
-  sum.stick_points = count.stick;
-  sum.slip_points = count.slip;
-  add_counts(counts, sum);
-  sum.largest_penetration = std::max(sum.largest_penetration, report.newton.penetration);
-  sum.complementarity_residual = std::max(sum.complementarity_residual, report.newton.complementarity);
-  sum.error_estimate = std::max(sum.error_estimate, report.error_estimate);
+  sum.add_step(numbers);
   sum.residual_displacement = largest_displacement;
   if (largest_displacement > sum.largest_displacement) {
     sum.largest_displacement = largest_displacement;
@@ -286,12 +244,17 @@ void Recorder<dim>::finish(const ContactState& after, const StepReport& report, 
   std::vector<int> status;
   for (int k = 0; k < model_.points().owned(); ++k)
     status.push_back(model_.joined(k) ? static_cast<int>(status_of(after, k)) : bonded);
-  count(status);
   const auto& u = after.displacement;
   const double largest = largest_displacement(u);
-  auto counts = std::exchange(record_.in_vain, {});
-  counts.add(report);
-  auto row = row_of(report, counts);
+  HistoryRow row;
+  StepNumbers& numbers = row;
+  numbers = numbers_of(report);
+  count(status, numbers);
+  numbers.add_work(std::exchange(record_.in_vain, {}));
+  const auto& energy = record_.energy;
+  row.energy = energy.sums();
+  row.imbalance = energy.imbalance();
+  row.imbalance_in_time = energy.imbalance_in_time();
   row.step = ++record_.summary.steps;
   row.stage = stage;
   row.load_factor = load_factor;
@@ -300,7 +263,7 @@ void Recorder<dim>::finish(const ContactState& after, const StepReport& report, 
   row.seconds = seconds;
   row.observed = observations_.values({u, after.velocity, reaction, model_.absent()});
   history_->append(row);
-  add_to_sums(report, counts, load_factor, largest);
+  add_to_sums(numbers, load_factor, largest);
   if (write_fields) write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);
 }
 

@@ -1,9 +1,11 @@
 // What a run leaves behind while it goes: fields.h5, history.csv, and the sums of result.json.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "dynamics/energy_book.hpp"
 #include "model/step_counts.hpp"
@@ -16,18 +18,12 @@
 
 namespace voussoir {
 
-/// How many selected points are open, stick and slip.
-struct StatusCount {
-  long long selected = 0, open = 0, stick = 0, slip = 0;
-};
-
 /// What has been recorded so far: all that a checkpoint must keep of a recorder.
 struct Record {
   EnergyBook energy;
   RunSummary summary;
-  StatusCount count;
-  StepCounts in_vain;  ///< of attempts since the last step that stands, which takes them on
-  int written = 0;     ///< steps in fields.h5
+  StepNumbers in_vain;  ///< work of attempts since the last step that stands, which takes them on
+  int written = 0;      ///< steps in fields.h5
 
   template <class Archive>
   void keep(Archive& archive);
@@ -54,10 +50,8 @@ class Recorder {
   /// Books the energy of the velocities that a structure is given. [J]
   void give(double kinetic) { record_.energy.give(kinetic); }
   /// Counts what an attempt took that does not stand, to the next step that does, or to the end of the run.
-  template <class Counts>
-  void spend(const Counts& in_vain) {
-    record_.in_vain.add(in_vain);
-  }
+  void spend(const StepNumbers& work) { record_.in_vain.add_work(work); }
+  void spend(const StepReport& report) { spend(numbers_of(report)); }
   /// The sums of the run with attempts that no step has followed.
   RunSummary result() const;
   /// Books what stones that are taken away take along. [J]
@@ -73,7 +67,6 @@ class Recorder {
 
   const RunSummary& summary() const { return record_.summary; }
   RunSummary& summary() { return record_.summary; }
-  const StatusCount& status() const { return record_.count; }
   Record& so_far() { return record_; }
   /// Whether fields of an earlier run could not be read, so that fields.h5 begins anew.
   bool fields_lost() const { return fields_lost_; }
@@ -85,10 +78,9 @@ class Recorder {
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
                   const std::vector<int>& status, const std::string& stage, double load_factor,
                   std::optional<double> time);
-  void count(const std::vector<int>& status);
+  void count(const std::vector<int>& status, StepNumbers&) const;
   double largest_displacement(const std::vector<double>& displacement) const;
-  HistoryRow row_of(const StepReport&, const StepCounts&) const;
-  void add_to_sums(const StepReport&, const StepCounts&, double load_factor, double largest_displacement);
+  void add_to_sums(const StepNumbers&, double load_factor, double largest_displacement);
   void finish(const ContactState& after, const StepReport&, const std::string& stage, double load_factor,
               std::optional<double> time, const std::vector<double>& reaction, bool write_fields, double seconds);
 
@@ -106,29 +98,26 @@ template <class Archive>
 void Record::keep(Archive& archive) {
   constexpr double most_steps = 2e9, largest_count = 1e15;  // numbers that can be added to
   energy.keep(archive);
-  in_vain.keep(archive);
+  each_number(
+      [&](const char* member, const std::string&, OverSteps over, auto& value) {
+        if (over == OverSteps::sum) archive.within(std::string("in_vain.") + member, value, 0, largest_count);
+      },
+      in_vain);
   archive.within("steps", summary.steps, 0, most_steps);
   archive.value("time_s", summary.time);
-  archive.within("selection_rounds", summary.selection_rounds, 0, largest_count);
-  archive.within("newton_iterations", summary.newton_iterations, 0, largest_count);
-  archive.within("linear_solves", summary.linear_solves, 0, largest_count);
-  archive.within("failed_linear_solves", summary.failed_linear_solves, 0, largest_count);
-  archive.within("krylov_iterations", summary.krylov_iterations, 0, largest_count);
-  archive.within("patch_solves", summary.patch_solves, 0, largest_count);
-  archive.within("factorisations_made", summary.factorised, 0, largest_count);
-  archive.within("factorisations_whole", summary.factorised_whole, 0, largest_count);
-  archive.within("factorisations_reused", summary.factors_reused, 0, largest_count);
-  archive.value("largest_penetration_m", summary.largest_penetration);
-  archive.value("complementarity_residual", summary.complementarity_residual);
-  archive.value("error_estimate", summary.error_estimate);
+  each_number(
+      [&](const char*, std::string name, OverSteps, auto& value) {
+        std::replace(name.begin(), name.end(), '.', '_');
+        if constexpr (std::is_integral_v<std::decay_t<decltype(value)>>)
+          archive.within(name, value, 0, largest_count);
+        else
+          archive.value(name, value);
+      },
+      summary);
   archive.value("largest_displacement_m", summary.largest_displacement);
   archive.value("largest_displacement_time_s", summary.largest_displacement_time);
   archive.value("residual_displacement_m", summary.residual_displacement);
   archive.value("load_factor", summary.load_factor);
-  archive.within("selected_points", count.selected, 0, largest_count);
-  archive.within("open_points", count.open, 0, largest_count);
-  archive.within("stick_points", count.stick, 0, largest_count);
-  archive.within("slip_points", count.slip, 0, largest_count);
   archive.within("fields_written", written, 0, most_steps);
   constexpr double most_warnings = 1000;
   auto warnings = static_cast<long long>(summary.warnings.size());
@@ -143,10 +132,6 @@ void Record::keep(Archive& archive) {
     archive.value(name + ".how_much", w.how_much);
     archive.value(name + ".text", w.text);
   }
-  summary.selected_points = count.selected;
-  summary.open_points = count.open;
-  summary.stick_points = count.stick;
-  summary.slip_points = count.slip;
   summary.energy = {energy.sums(), energy.imbalance(), energy.imbalance_in_time()};
 }
 

@@ -119,7 +119,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
   run.narrator.say((stands ? "  Came to rest within " : "  Moves on with growing speed after ") + seconds + ".");
   run.state = std::move(settled.state);
   if (stands) {
-    found.counts.add(found.report);
+    found.counts.add_work(numbers_of(found.report));
     found.solves += found.report.newton.newton_iterations - settled.report.newton.newton_iterations;
     found.report = settled.report;
     found.report.passed_in_time = true;
@@ -173,7 +173,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
     const double jumps = summary.energy.jump;
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
     tell(run, lost_in_jump(summary.energy.jump - jumps, summary.energy, end.when));
-    run.narrator.end(report, run.recorder.status(), seconds, summary);
+    run.narrator.end(report, seconds, summary);
     run.load = next_load;
     return;
   }

@@ -87,7 +87,7 @@ class LoadFactorAnalysis {
     std::vector<double> mechanism;
     bool dilates = false;  ///< that motion, as limit analysis has it
     int solves = 0;
-    StepCounts counts;  ///< beside those of the report
+    StepNumbers counts;  ///< beside those of the report
   };
   Found by_statics(const Attempting&, const ContactState& before, const LoadIncrement&, int most);
   Found decide(const Attempting&, const ContactState& before, const LoadIncrement&);

@@ -195,7 +195,7 @@ bool Run::load_step(const ContactState& before) {
   const double jumps = summary.energy.jump;
   recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
   for (const auto& w : lost_in_jump(summary.energy.jump - jumps, summary.energy, at_factor(stage, target))) warn(w);
-  narrator_->end(report, recorder_->status(), seconds, summary);
+  narrator_->end(report, seconds, summary);
   load_ = next_load;
   return true;
 }
@@ -265,7 +265,7 @@ bool Run::time_step(const ContactState& before) {
   model_.loads(steps_.last_factors(), time, load_, prescribed);
   const bool write = writes();
   recorder_->record(state_, report, stage, target, time, write, seconds);
-  narrator_->end(report.step, recorder_->status(), seconds, recorder_->summary(), write);
+  narrator_->end(report.step, seconds, recorder_->summary(), write);
   control_->accept(report.error, target * duration);
   if (steps_.stage_reached()) {
     control_.reset();

@@ -58,12 +58,13 @@ bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increm
     settled.report = solve_load_step(model, step, state, increment.load, increment.prescribed);
   } catch (const OutOfSolves&) {
     settled.solves += budget.solves();
-    settled.counts.add_solves(budget.solves());
+    settled.counts.newton_iterations += budget.solves();  // all that is known
+    settled.counts.linear_solves += budget.solves();
     return false;
   }
   settled.solves += budget.solves();
   if (settled.report.newton.outcome != NewtonOutcome::converged) {
-    settled.counts.add(settled.report);
+    settled.counts.add_work(numbers_of(settled.report));
     return false;
   }
   settled.state = state;
@@ -120,7 +121,7 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
         report.step.newton.newton_iterations = budget.solves();
       }
       settled.solves += budget.solves();
-      settled.counts.add(report.step);
+      settled.counts.add_work(numbers_of(report.step));
       if (report.step.newton.outcome != NewtonOutcome::converged) return settled;
       settled.time += time_step;
       elastic = report.elastic, kinetic = report.kinetic;

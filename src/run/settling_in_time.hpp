@@ -27,7 +27,7 @@ struct Settled {
   StepReport report;              ///< of the load step that shows the equilibrium, or of none
   std::vector<double> mechanism;  ///< velocities [1] on local nodes, the largest 1
   int solves = 0;                 ///< linear solves of it all, each correction by patches counted as one
-  StepCounts counts;              ///< of it all but that load step
+  StepNumbers counts;             ///< of it all but that load step
   double time = 0;                ///< [s] it took the structure
 };
 

@@ -13,6 +13,7 @@
 #include "linalg/linear_solver.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
+#include "model/step_counts.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
 #include "results/shares_of_ranks.hpp"
@@ -85,9 +86,9 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"mean_krylov", r.mean_krylov()},
           {"largest_krylov", r.largest_krylov},
           {"selection_rounds", r.selection_rounds},
-          {"factorised", r.cost.factorised},
-          {"factored_whole", r.cost.whole},
-          {"reused", r.cost.reused},
+          {"factorised", r.factorised},
+          {"factored_whole", r.factorised_whole},
+          {"reused", r.factors_reused},
           {"stiffness_bytes_per_unknown", r.stiffness_bytes},
           {"matrix_bytes_per_unknown", r.matrix_bytes},
           {"block_bytes_per_unknown", r.block_bytes},
@@ -105,7 +106,7 @@ std::vector<Column> columns(const ScalingRow& r) {
           {"bytes_per_krylov", r.per_krylov.bytes},
           {"collectives_per_krylov", r.per_krylov.collectives},
           {"collective_bytes_per_krylov", r.per_krylov.collective_bytes},
-          {"estimate", r.estimate},
+          {"estimate", r.error_estimate},
           {"peak_memory_MB", r.peak_memory_MB},
           {"outcome", r.outcome}};
 }
@@ -189,11 +190,8 @@ void ScalingStudy::run(const Scene& scene, const Model<2>& model, ScalingRow row
     const auto report = advance(step, state, {load, prescribed});
     const auto traffic = traffic_since(traffic_before);
     row.seconds = clock.seconds();
-    row.linear_solves = report.newton.newton_iterations + report.estimate_solves;
-    row.krylov_iterations = report.newton.krylov_iterations;
-    row.patch_solves = report.newton.local_solves;
+    static_cast<StepNumbers&>(row) = numbers_of(report);
     row.largest_krylov = report.newton.largest_krylov;
-    row.selection_rounds = report.selection_rounds;
     row.unknowns = 2 * report.largest_clusters;
     row.cost = report.cost;
     const auto per_unknown = [&](long long bytes) {
@@ -204,7 +202,6 @@ void ScalingStudy::run(const Scene& scene, const Model<2>& model, ScalingRow row
     row.motion_bytes = per_unknown(row.cost.motion_bytes);
     row.whole_bytes = per_unknown(row.cost.whole_bytes);
     row.stiffness_bytes = per_unknown(bytes_of_blocks(model.structure()));
-    row.estimate = report.error_estimate;
     row.outcome = name_of(report.newton.outcome);
     row.selected_points = count_selected(model, state);
     row.points_imbalance = imbalance_of_selected(model, state);
@@ -225,8 +222,8 @@ void ScalingStudy::say(const ScalingRow& r) const {
        << std::left << std::setw(8) << r.mode << std::right << std::setw(6) << r.step << std::setw(8) << r.blocks
        << std::setw(15) << r.price.seconds() << std::setw(4) << r.price.krylov_iterations << std::setw(9) << r.seconds
        << std::setw(14) << r.in_continua() << std::setw(10) << r.selected_points << std::setw(8) << r.linear_solves
-       << std::setw(8) << r.krylov_iterations << std::setw(13) << r.krylov_in_continua() << std::setw(10) << r.estimate
-       << "  " << r.outcome;
+       << std::setw(8) << r.krylov_iterations << std::setw(13) << r.krylov_in_continua() << std::setw(10)
+       << r.error_estimate << "  " << r.outcome;
   say_ << line.str() << std::endl;
 }
 

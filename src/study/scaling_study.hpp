@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/step_numbers.hpp"
 #include "linalg/system_cost.hpp"
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
@@ -33,19 +34,17 @@ struct ContinuumPrice {
 ContinuumPrice continuum_price(const Model<2>&, const std::vector<double>& load, const std::vector<double>& prescribed);
 
 /// One load step of one run, and what it is worth in bonded solves.
-struct ScalingRow {
+struct ScalingRow : StepNumbers {
   std::string family, mode, stage;
   double size = 0;  ///< courses, voussoirs, or how many times finer the mesh is
   int ranks = 1, step = 0;
-  long long blocks = 0, unknowns = 0, candidate_points = 0, selected_points = 0;
+  long long blocks = 0, unknowns = 0, candidate_points = 0;
   ContinuumPrice price;
   double seconds = 0;  ///< of the processor, this load step
-  long long linear_solves = 0, krylov_iterations = 0, patch_solves = 0;
-  int largest_krylov = 0, selection_rounds = 0;
+  int largest_krylov = 0;
   SystemCost cost;
   /// Per unknown, all ranks.
   double stiffness_bytes = 0, matrix_bytes = 0, block_bytes = 0, motion_bytes = 0, whole_bytes = 0;
-  double estimate = 0;        ///< [-]
   double peak_memory_MB = 0;  ///< of the process so far, largest rank
   PartitionQuality partition;
   double points_imbalance = 1;    ///< [-] selected points of a rank, largest over mean

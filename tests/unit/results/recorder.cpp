@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "model/point_status.hpp"
@@ -61,9 +63,8 @@ TEUCHOS_UNIT_TEST(Recorder, CountsEveryPointAndSumsTheStepsWithoutAnybodyAsking)
   TEST_EQUALITY(sum.newton_iterations, first.newton.newton_iterations + second.newton.newton_iterations);
   TEST_EQUALITY(sum.krylov_iterations, first.newton.krylov_iterations + second.newton.krylov_iterations);
   TEST_EQUALITY(sum.load_factor, 1.0);
-  const auto& count = r.recorder->status();
-  TEST_EQUALITY(count.selected, r.wall.model().points().total());
-  TEST_EQUALITY(count.open + count.stick + count.slip, count.selected);
+  TEST_EQUALITY(sum.selected_points, r.wall.model().points().total());
+  TEST_EQUALITY(sum.open_points + sum.stick_points + sum.slip_points, sum.selected_points);
   TEST_EQUALITY(sum.largest_displacement, r.wall.solution().largest_displacement());
   // 0.15 g on stones of friction 0.6: nothing slips, so what loads do is what stones hold.
   TEST_FLOATING_EQUALITY(sum.energy.external_work, sum.energy.elastic, 1e-6);
@@ -95,10 +96,10 @@ TEUCHOS_UNIT_TEST(Recorder, StatusesAreThoseOfForcesAndGaps) {
   r.recorder->record(book, state, r.wall.load(), {}, "by hand", 1, false, 0);
   long long all[3];
   Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, by_hand, all);
-  const auto& count = r.recorder->status();
-  TEST_EQUALITY(count.open, all[0]);
-  TEST_EQUALITY(count.stick, all[1]);
-  TEST_EQUALITY(count.slip, all[2]);
+  const auto& count = r.recorder->summary();
+  TEST_EQUALITY(count.open_points, all[0]);
+  TEST_EQUALITY(count.stick_points, all[1]);
+  TEST_EQUALITY(count.slip_points, all[2]);
   TEST_EQUALITY(r.recorder->so_far().written, 1);  // no fields were asked for
 }
 
@@ -147,12 +148,92 @@ TEUCHOS_UNIT_TEST(Recorder, AMechanismIsWrittenBehindTheStepsAndCountsAsNone) {
   std::vector<double> mechanism(2 * static_cast<std::size_t>(s.nodes()), 0.0);
   for (std::size_t i = 0; i < mechanism.size(); ++i)
     if (s.blocks()[s.block_of_node()[i / 2]].mesh.id == 2) mechanism[i] = 1;
-  const auto before = r.recorder->status();
+  const auto before = r.recorder->summary().open_points;
   r.recorder->record_mechanism(mechanism, r.wall.state(), "a stage", 1);
   TEST_EQUALITY(r.recorder->so_far().written, 2);
   TEST_EQUALITY(r.recorder->summary().steps, 1);
   TEST_EQUALITY(rows_of(folder), 1);
-  TEST_EQUALITY(r.recorder->status().open, before.open);
+  TEST_EQUALITY(r.recorder->summary().open_points, before);
+}
+
+/// The names under which a checkpoint keeps numbers, and what stands there.
+struct Kept {
+  std::map<std::string, double> number;
+  template <class T>
+  void value(const std::string& name, T& value) {
+    if constexpr (std::is_arithmetic_v<T>) number[name] = static_cast<double>(value);
+  }
+  template <class T>
+  void within(const std::string& name, T& value, double, double) {
+    number[name] = static_cast<double>(value);
+  }
+};
+
+// Each number of the list has another value, by which it is found wherever numbers of steps go.
+TEUCHOS_UNIT_TEST(Recorder, EveryNumberOfTheListIsInEveryOutput) {
+  Record record;
+  std::string row;
+  int count = 0;
+  each_number(
+      [&](const char*, const std::string& name, OverSteps over, auto& of_run, auto& in_vain) {
+        of_run = ++count + 100;
+        if (over == OverSteps::sum) in_vain = count + 200;
+        if (name.find('.') == std::string::npos) row += ',' + std::to_string(count + 100);
+      },
+      record.summary, record.in_vain);
+  TEST_EQUALITY(sizeof(StepNumbers), count * sizeof(double));  // of eight bytes each: no member beside the list
+  Kept kept;
+  record.keep(kept);
+  const std::string json = result_json(record.summary), heading = ',' + History::heading() + ',';
+  each_number(
+      [&](const char* member, const std::string& name, OverSteps over, const auto& value) {
+        const auto dot = name.find('.');
+        std::ostringstream in_json;
+        in_json << '"' << name.substr(dot + 1) << "\": " << value;  // dot + 1 is 0 where there is none
+        TEST_INEQUALITY_CONST(json.find(in_json.str()), std::string::npos);
+        TEST_EQUALITY(heading.find(',' + name + ',') != std::string::npos, dot == std::string::npos);
+        std::string flat = name;
+        std::replace(flat.begin(), flat.end(), '.', '_');
+        const auto number = static_cast<double>(value);
+        TEST_EQUALITY(kept.number.at(flat), number);
+        const std::string tried = std::string("in_vain.") + member;
+        TEST_EQUALITY(kept.number.count(tried) == 1, over == OverSteps::sum);
+        if (over == OverSteps::sum) TEST_EQUALITY(kept.number.at(tried), number + 100);
+      },
+      record.summary);
+
+  const std::string folder = fresh_folder("numbers");
+  HistoryRow of_step;
+  static_cast<StepNumbers&>(of_step) = record.summary;
+  History(folder + "/history.csv", world()).append(of_step);
+  world()->barrier();
+  std::stringstream file;
+  file << std::ifstream(folder + "/history.csv").rdbuf();
+  TEST_INEQUALITY_CONST(file.str().find(row), std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(Recorder, EveryNumberOfAReportIsTaken) {
+  StepReport report;
+  report.selection_rounds = 1;
+  report.estimate_solves = 2;
+  report.error_estimate = 3;
+  report.newton.newton_iterations = 4;
+  report.newton.failed_solves = 5;
+  report.newton.krylov_iterations = 6;
+  report.newton.local_solves = 7;
+  report.newton.complementarity = 8;
+  report.newton.penetration = 9;
+  report.cost.factorised = 10;
+  report.cost.whole = 11;
+  report.cost.reused = 12;
+  const auto numbers = numbers_of(report);
+  TEST_EQUALITY_CONST(numbers.linear_solves, 6);
+  each_number(
+      [&](const char*, const std::string& name, OverSteps, const auto& value) {
+        out << name << " = " << value << "\n";
+        TEST_EQUALITY(value == 0, name.find("_points") != std::string::npos);
+      },
+      numbers);
 }
 
 TEUCHOS_UNIT_TEST(Recorder, AWarningIsToldOnce) {
