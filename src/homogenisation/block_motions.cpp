@@ -36,31 +36,51 @@ class Pairs {
 }  // namespace
 
 template <int dim>
-BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints<dim>& points,
-                                const std::vector<char>& selected, const MergedSpace<dim>& space,
-                                const std::vector<int>& active)
+BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected,
+                                const MergedSpace<dim>& space, const std::vector<int>& active)
     : structure_(s), points_(points), space_(space) {
   std::vector<int> number(active.size(), -1);  // of each block among those that are active
   for (std::size_t b = 0; b < active.size(); ++b)
     if (active[b]) number[b] = blocks_++;
-  find_copies(number);
+  find_copies(number, copies_met(selected));
   set_pattern(selected);
   add_elastic_energy();
 }
 
-/// Sorts the copies at owned vertices by clusters.
+/// The copies at owned vertices, and those of all other clusters that an owned point with weights reaches.
 template <int dim>
-void BlockMotions<dim>::find_copies(const std::vector<int>& number) {
+std::vector<int> BlockMotions<dim>::copies_met(const std::vector<char>& selected) const {
+  auto copies = structure_.copy();
+  const auto& cluster = space_.cluster();
+  std::vector<char> reached(space_.clusters(), 0);
+  for (int k = 0; k < points_.owned(); ++k)
+    if (selected[k] && !points_.points()[k].can_be_tied())
+      points_.at(k).each([&](int node, double) { reached[cluster[node]] = 1; });
+  for (const int copy : structure_.copy()) reached[cluster[copy]] = 0;
+  std::vector<double> found(space_.clusters(), 0.0);
+  for (int node = 0; node < structure_.nodes(); ++node) {
+    if (!reached[cluster[node]]) continue;
+    copies.push_back(node);
+    found[cluster[node]] += 1;
+  }
+  for (int c = 0; c < space_.clusters(); ++c) VOUSSOIR_EXPECT(!reached[c] || found[c] == space_.multiplicity()[c]);
+  return copies;
+}
+
+/// Sorts copies by clusters.
+/// @param met  the copies
+template <int dim>
+void BlockMotions<dim>::find_copies(const std::vector<int>& number, const std::vector<int>& met) {
   const auto& s = structure_;
   const auto number_of = [&](int node) { return number[s.blocks()[s.block_of_node()[node]].mesh.id]; };
   const auto& cluster = space_.cluster();
   copy_start_.assign(space_.clusters() + 1, 0);
-  for (int k : s.copy())
+  for (int k : met)
     if (number_of(k) >= 0) ++copy_start_[cluster[k] + 1];
   for (int k = 0; k < space_.clusters(); ++k) copy_start_[k + 1] += copy_start_[k];
   copies_.resize(copy_start_.back());
   auto next = copy_start_;
-  for (int k : s.copy()) {
+  for (int k : met) {
     if (number_of(k) < 0) continue;
     const auto& position = s.blocks()[s.block_of_node()[k]].mesh.position;
     const double length = norm(position.back() - position.front());
@@ -131,11 +151,9 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
     couple();
   }
   for (int k = 0; k < points_.owned(); ++k) {
-    const auto& p = points_.points()[k];
-    if (!selected[k] || space_.tied(p)) continue;
+    if (!selected[k] || space_.tied(points_.points()[k])) continue;
     couplings_.push_back(k);
-    meet_at(cluster[p.node_i]);
-    meet_at(cluster[p.node_j]);
+    points_.at(k).each([&](int node, double) { meet_at(cluster[node]); });
     couple();
   }
   for (int b = 0; b < blocks_; ++b) met.add(b, b);
@@ -229,11 +247,12 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
   for (int k : couplings_) {
     const auto& p = points_.points()[k];
     const auto s = stiffness[k].springs();  // a joint that softens is none
-    const auto resist = [&](const Vector<dim>& axis, double sigma) {
+    const auto resist = [&](const Vector<3>& along, double sigma) {
       if (sigma == 0) return;
+      Vector<dim> axis;
+      std::copy_n(along.begin(), dim, axis.begin());
       row.clear();
-      add_motion(space_.cluster()[p.node_j], axis, 1.0, row);
-      add_motion(space_.cluster()[p.node_i], axis, -1.0, row);
+      points_.at(k).each([&](int node, double weight) { add_motion(space_.cluster()[node], axis, weight, row); });
       add_product(row, sigma);
     };
     resist(p.axis[0], s.normal);

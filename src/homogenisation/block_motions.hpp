@@ -17,8 +17,8 @@ template <int dim>
 class BlockMotions {
  public:
   /// @param active  per block of the whole structure: 1 if a point of it is selected
-  BlockMotions(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
-               const MergedSpace<dim>&, const std::vector<int>& active);
+  BlockMotions(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace<dim>&,
+               const std::vector<int>& active);
 
   /// Assembles Z^T H Z for new statuses and factors it. Collective.
   void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
@@ -44,7 +44,8 @@ class BlockMotions {
 
   static Modes motion(const Vector<dim>& arm, const Vector<dim>& direction);
   static Vector<dim> displacement(const Vector<dim>& arm, const Modes&);
-  void find_copies(const std::vector<int>& number);
+  std::vector<int> copies_met(const std::vector<char>& selected) const;
+  void find_copies(const std::vector<int>& number, const std::vector<int>& met);
   void set_pattern(const std::vector<char>& selected);
   void add_elastic_energy();
   void add_motion(int cluster, Vector<dim> direction, double factor, Row&) const;
@@ -53,7 +54,7 @@ class BlockMotions {
   void add_product(const Row&, double factor);
 
   const Structure<dim>& structure_;
-  const ContactPoints<dim>& points_;
+  const ContactPoints& points_;
   const MergedSpace<dim>& space_;
   int blocks_ = 0;               ///< that are active
   std::vector<int> copy_start_;  ///< per cluster, those of other ranks too where an owned block touches them

@@ -17,7 +17,7 @@ namespace {
 
 /// Blocks with a selected point, over the whole structure.
 template <int dim>
-std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints<dim>& points,
+std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints& points,
                                const std::vector<char>& selected) {
   std::vector<int> mine(s.owner_of_block().size(), 0), all(mine.size());
   for (int k = 0; k < points.owned(); ++k) {
@@ -32,7 +32,7 @@ std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints<dim>
 }  // namespace
 
 template <int dim>
-CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints<dim>& points,
+CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints& points,
                                     const std::vector<char>& selected, const MergedSpace<dim>& space,
                                     const Continuum<dim>& continuum, const PreconditionerParameters& parameters,
                                     const CoarseOperatorParameters& numbers)

@@ -26,7 +26,7 @@ namespace voussoir {
 template <int dim>
 class CoarseOperator : public Preconditioner {
  public:
-  CoarseOperator(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+  CoarseOperator(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected,
                  const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&,
                  const CoarseOperatorParameters& = {});
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/check.hpp"
 #include "homogenisation/system_matrix.hpp"
 #include "linalg/direct_preconditioner.hpp"
 #include "linalg/local_view.hpp"
@@ -40,11 +41,21 @@ double contrast(const Structure<dim>& s) {
 }  // namespace
 
 template <int dim>
-Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<char>& held,
-                          const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers) {
-  const std::vector<char> nothing(points.size(), 0);
-  space_ = std::make_unique<MergedSpace<dim>>(s, points, nothing, held);
-  matrix_ = SystemMatrix<dim>(s, points, nothing, *space_).matrix();
+Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& held,
+                          const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers,
+                          const std::vector<double>& local_stiffness) {
+  auto free = points.untieable();
+  const bool springs = !free.empty();
+  free.resize(points.size(), 0);
+  space_ = std::make_unique<MergedSpace<dim>>(s, points, free, held);
+  SystemMatrix<dim> system(s, points, free, *space_);
+  if (springs) {
+    VOUSSOIR_EXPECT(local_stiffness.size() == free.size());
+    std::vector<PointStiffness> stiffness;
+    for (const double k : local_stiffness) stiffness.emplace_back(k, k);
+    system.update(stiffness, {});
+  }
+  matrix_ = system.matrix();
 
   // A scene that has wishes for multigrid gets one.
   const bool uneven = muelu.numParams() == 0 && contrast(s) > numbers.even;

@@ -16,8 +16,10 @@ namespace voussoir {
 template <int dim>
 class Continuum {
  public:
-  Continuum(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& held,
-            const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& = {});
+  /// @param local_stiffness  of points [N/m]: those that cannot be tied are springs as stiff as the stones beside them
+  Continuum(const Structure<dim>&, const ContactPoints&, const std::vector<char>& held,
+            const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& = {},
+            const std::vector<double>& local_stiffness = {});
 
   const MergedSpace<dim>& space() const { return *space_; }
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }

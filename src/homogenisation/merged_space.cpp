@@ -15,11 +15,13 @@ namespace {
 /// Root of each local node copy at owned vertices: the copies joined by bonded points have one root,
 /// the one with the lowest node number.
 template <int dim>
-std::vector<int> roots(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<char>& selected) {
+std::vector<int> roots(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected) {
   DisjointSets sets(s.nodes());
   for (int k = 0; k < points.size(); ++k) {
+    const auto& p = points.points()[k];
     if (selected[k]) continue;
-    int a = sets.root(points.points()[k].node_i), b = sets.root(points.points()[k].node_j);
+    VOUSSOIR_EXPECT(p.can_be_tied());
+    int a = sets.root(p.shares_i.first()), b = sets.root(p.shares_j.first());
     if (s.node_id()[a] > s.node_id()[b]) std::swap(a, b);
     sets.join(b, a);
   }
@@ -31,8 +33,8 @@ std::vector<int> roots(const Structure<dim>& s, const ContactPoints<dim>& points
 }  // namespace
 
 template <int dim>
-MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints<dim>& points,
-                              const std::vector<char>& selected, const std::vector<char>& held)
+MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected,
+                              const std::vector<char>& held)
     : held_copy_(held), nodes_(s.nodes()) {
   const auto root = roots(s, points, selected);
   // Owned clusters are those whose root this rank owns; numbers run rank by rank.

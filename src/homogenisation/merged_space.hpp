@@ -15,7 +15,7 @@ class MergedSpace {
  public:
   /// @param selected  per local contact point, ghosts up to date; the others are bonded
   /// @param held      per local node copy and component [dim nodes]: 1 where a support prescribes the displacement
-  MergedSpace(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+  MergedSpace(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected,
               const std::vector<char>& held);
 
   /// Unknowns, numbered without gaps rank by rank: dim * node + component.
@@ -29,7 +29,7 @@ class MergedSpace {
   /// Cluster (local number of the column map's nodes) of each local node copy.
   const std::vector<int>& cluster() const { return cluster_; }
   /// Whether a point holds its two nodes together, or others at its vertex do.
-  bool tied(const ContactPoint<dim>& p) const { return cluster_[p.node_i] == cluster_[p.node_j]; }
+  bool tied(const ContactPoint& p) const { return is_tied(p, cluster_); }
   /// Number of node copies in each cluster.
   const std::vector<double>& multiplicity() const { return multiplicity_; }
   /// 1 where the unknown of the column map is prescribed [dim clusters].

@@ -15,13 +15,12 @@ namespace {
 
 /// Per unknown of the column map: 1 where a selection parts two nodes.
 template <int dim>
-std::vector<char> parted(const ContactPoints<dim>& points, const std::vector<char>& selected,
+std::vector<char> parted(const ContactPoints& points, const std::vector<char>& selected,
                          const MergedSpace<dim>& space) {
   std::vector<char> inside(space.clusters(), 0);
   for (int k = 0; k < points.size(); ++k) {
-    const auto& p = points.points()[k];
-    if (!selected[k] || space.tied(p)) continue;
-    for (const int node : {p.node_i, p.node_j}) inside[space.cluster()[node]] = 1;
+    if (!selected[k] || space.tied(points.points()[k])) continue;
+    points.at(k).each([&](int node, double) { inside[space.cluster()[node]] = 1; });
   }
   return inside;
 }
@@ -29,7 +28,7 @@ std::vector<char> parted(const ContactPoints<dim>& points, const std::vector<cha
 }  // namespace
 
 template <int dim>
-ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints<dim>& points,
+ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints& points,
                                     const std::vector<char>& selected, const MergedSpace<dim>& space,
                                     const CoarseOperatorParameters& numbers)
     : space_(space) {

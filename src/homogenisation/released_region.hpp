@@ -17,7 +17,7 @@ template <int dim>
 class ReleasedRegion {
  public:
   /// Collective.
-  ReleasedRegion(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
+  ReleasedRegion(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected,
                  const MergedSpace<dim>&, const CoarseOperatorParameters& = {});
 
   /// Unknowns of all ranks; 0 where no two nodes have parted.

@@ -42,11 +42,12 @@ class Neighbours {
 }  // namespace
 
 template <int dim>
-SystemMatrix<dim>::SystemMatrix(const Structure<dim>& structure, const ContactPoints<dim>& points,
+SystemMatrix<dim>::SystemMatrix(const Structure<dim>& structure, const ContactPoints& points,
                                 const std::vector<char>& selected, const MergedSpace<dim>& space)
     : structure_(structure), points_(points), selected_(selected), space_(space) {
   set_pattern();
   add_stiffness();
+  remember_stiffness_of_points();
   matrix_ = Teuchos::rcp(new TpetraMatrix(space.map(), space.column_map(), start_, column_, value_));
   matrix_->expertStaticFillComplete(space.map(), space.map());
 }
@@ -63,9 +64,9 @@ void SystemMatrix<dim>::set_pattern() {
         if (cluster[b.first_local + i] < owned) of_block(b, i);
     for (int k = 0; k < points_.size(); ++k) {
       if (!selected_[k]) continue;
-      const int a = cluster[points_.points()[k].node_i], b = cluster[points_.points()[k].node_j];
-      if (a < owned) of_point(a, b);
-      if (b < owned) of_point(b, a);
+      points_.at(k).each_pair([&](int a, int b, double) {
+        if (a != b && cluster[a] < owned) of_point(cluster[a], cluster[b]);
+      });
     }
   };
   for_all(
@@ -145,25 +146,47 @@ bool SystemMatrix<dim>::couples(int k) const {
   return selected_[k] && !space_.tied(points_.points()[k]);
 }
 
-/// Adds w_ij (d_i, d_j) for the motion d of one node of a point against the other.
+/// Calls f(node, offset) for every owned block of two different nodes that a point couples.
+template <int dim>
+template <class F>
+void SystemMatrix<dim>::each_place_of_points(const F& f) {
+  const auto& cluster = space_.cluster();
+  for (int k = 0; k < points_.size(); ++k) {
+    if (!couples(k)) continue;
+    points_.at(k).each_pair([&](int a, int b, double) {
+      const int row = cluster[a], column = cluster[b];
+      if (row != column && row < space_.owned_clusters()) f(row, offset(row, column));
+    });
+  }
+}
+
+template <int dim>
+void SystemMatrix<dim>::remember_stiffness_of_points() {
+  if (points_.untieable().empty()) return;  // two coincident nodes are of two blocks
+  each_place_of_points([&](int node, std::size_t at) {
+    Remembered one{node, at, {}};
+    bool any = false;
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) any |= (one.stiffness[dim * i + j] = entry(node, at, i, j)) != 0;
+    if (any) remembered_.push_back(one);
+  });
+}
+
+/// Adds w_ij (d_i, d_j) for the motion d of one side of a point against the other.
 template <int dim>
 template <class Weight>
 void SystemMatrix<dim>::add_between(int k, const Weight& weight) {
-  const auto& p = points_.points()[k];
-  const std::array<int, 2> node{space_.cluster()[p.node_i], space_.cluster()[p.node_j]};
+  const auto& axis = points_.points()[k].axis;
+  const auto& cluster = space_.cluster();
   const auto& held = space_.held();
-  for (int a = 0; a < 2; ++a) {
-    if (node[a] >= space_.owned_clusters()) continue;
-    for (int b = 0; b < 2; ++b) {
-      const auto at = a == b ? diagonal_[node[a]] : offset(node[a], node[b]);
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j) {
-          if (held[dim * node[a] + i] || held[dim * node[b] + j]) continue;
-          const double value = weight(p.axis, i, j);
-          entry(node[a], at, i, j) += a == b ? value : -value;
-        }
-    }
-  }
+  points_.at(k).each_pair([&](int of_row, int of_column, double share) {
+    const int row = cluster[of_row], column = cluster[of_column];
+    if (row >= space_.owned_clusters()) return;
+    const auto at = row == column ? diagonal_[row] : offset(row, column);
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j)
+        if (!held[dim * row + i] && !held[dim * column + j]) entry(row, at, i, j) += share * weight(axis, i, j);
+  });
 }
 
 template <int dim>
@@ -204,16 +227,13 @@ void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness, con
   for (int k = 0; k < owned; ++k)
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) entry(k, diagonal_[k], i, j) = diagonal_stiffness_[k][dim * i + j];
-  for (int k = 0; k < points_.size(); ++k) {
-    if (!couples(k)) continue;
-    const int a = space_.cluster()[points_.points()[k].node_i], b = space_.cluster()[points_.points()[k].node_j];
-    for (const auto& [row, column] : {std::array{a, b}, std::array{b, a}}) {
-      if (row >= owned) continue;
-      const auto at = offset(row, column);
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j) entry(row, at, i, j) = 0;
-    }
-  }
+  each_place_of_points([&](int node, std::size_t at) {
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) entry(node, at, i, j) = 0;
+  });
+  for (const auto& r : remembered_)
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) entry(r.node, r.offset, i, j) = r.stiffness[dim * i + j];
   for (int k = 0; k < points_.size(); ++k)
     if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].resists_slip())) add_point(k, stiffness[k].springs());
   if (!proximal.empty())
@@ -225,7 +245,8 @@ template <int dim>
 long long SystemMatrix<dim>::bytes() const {
   const auto size_of = [](const auto& list, std::size_t each) { return static_cast<long long>(list.size() * each); };
   return size_of(start_, sizeof(std::size_t)) + size_of(column_, sizeof(int)) + size_of(value_, sizeof(double)) +
-         size_of(diagonal_, sizeof(int)) + size_of(diagonal_stiffness_, sizeof(NodeBlock));
+         size_of(diagonal_, sizeof(int)) + size_of(diagonal_stiffness_, sizeof(NodeBlock)) +
+         size_of(remembered_, sizeof(Remembered));
 }
 
 template class SystemMatrix<2>;

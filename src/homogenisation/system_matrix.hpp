@@ -5,7 +5,8 @@
 // K never changes; every rank builds the complete rows it owns from its blocks and halo, so neither assembly nor
 // a change of status communicates. Held unknowns are unit rows scaled like the rest.
 // Rows are there once, in arrays that Tpetra uses too. What points and the proximal term add to stands in the blocks
-// of a node and itself, whose stiffness is remembered, and in those of the two nodes of a point, which have none.
+// of a node and itself, whose stiffness is remembered, and in those of two nodes of a point. These have none where the
+// nodes are of two blocks; what they have of one block, that a point with weights reaches twice, is remembered too.
 #pragma once
 
 #include <array>
@@ -26,8 +27,7 @@ struct OwnedRows {
 template <int dim>
 class SystemMatrix {
  public:
-  SystemMatrix(const Structure<dim>&, const ContactPoints<dim>&, const std::vector<char>& selected,
-               const MergedSpace<dim>&);
+  SystemMatrix(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace<dim>&);
 
   /// Sets H from statuses and the proximal diagonal [N/m per owned unknown].
   /// @param stiffness  per local contact point; only selected points count
@@ -53,10 +53,13 @@ class SystemMatrix {
   void add_point(int k, const PointStiffness&);
   bool couples(int k) const;
   std::size_t offset(int node, int other) const;
+  void remember_stiffness_of_points();
+  template <class F>
+  void each_place_of_points(const F&);
   double& entry(int node, std::size_t offset, int i, int j) { return value_(start_(dim * node + i) + offset + j); }
 
   const Structure<dim>& structure_;
-  const ContactPoints<dim>& points_;
+  const ContactPoints& points_;
   const std::vector<char>& selected_;
   const MergedSpace<dim>& space_;
   Csr::row_map_type::non_const_type start_;
@@ -64,6 +67,13 @@ class SystemMatrix {
   Csr::values_type::non_const_type value_;
   std::vector<int> diagonal_;                  ///< per owned node: where its own columns begin in its rows
   std::vector<NodeBlock> diagonal_stiffness_;  ///< per owned node
+  /// Stiffness between two nodes that a point couples as well.
+  struct Remembered {
+    int node;
+    std::size_t offset;
+    NodeBlock stiffness;
+  };
+  std::vector<Remembered> remembered_;
   Teuchos::RCP<TpetraMatrix> matrix_;
 };
 

@@ -1,87 +1,107 @@
-// Where blocks meet: contact points, pairs of coincident nodes on one joint.
+// Where blocks meet: contact points, each a place with nodes and weights on either side.
 //
 // Conventions  The normal of a point runs from its block i (the lower number) to block j.
 //              Component 0 of a gap or force is normal, the others tangential.
 //              Gap [m] > 0 is open; normal force [N] > 0 is compression.
+//              Places and axes have three components in the plane too, the third of which is none.
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "blocks/structure.hpp"
+#include "joints/point_operator.hpp"
+#include "mesh/border.hpp"
 
 namespace voussoir {
-
-template <int dim>
-struct ContactPoint {
-  PointId id = 0;                       ///< the same for any number of ranks: ordered by block i, block j, vertex
-  int node_i = 0;                       ///< local node of block i
-  int node_j = 0;                       ///< local node of block j
-  int joint = 0;                        ///< local number of the joint
-  double area = 0;                      ///< [m2] share of the joint, thickness included
-  std::array<Vector<dim>, dim> axis{};  ///< [0] normal, then tangents; orthonormal, right-handed
-};
-
-/// How much further block j moves than block i at a point, along its axes.
-/// @param u  on node copies, dim numbers each
-template <int dim>
-Vector<dim> relative_motion(const ContactPoint<dim>& p, const std::vector<double>& u) {
-  Vector<dim> motion{};
-  for (int a = 0; a < dim; ++a)
-    for (int c = 0; c < dim; ++c) motion[a] += (u[dim * p.node_j + c] - u[dim * p.node_i + c]) * p.axis[a][c];
-  return motion;
-}
 
 /// A joint: all points between two blocks.
 struct Joint {
   BlockId block_i = 0, block_j = 0;
-  int family = 0;  ///< index into the scene's joint laws
+  int local_i = 0, local_j = 0;  ///< their numbers on this rank
+  int family = 0;                ///< index into the scene's joint laws
 };
 
-/// All contact points geometry allows (the candidates) between blocks of this rank and its halo.
+/// A block with its border.
 template <int dim>
+struct BlockWithBorder {
+  Block<dim> block;
+  std::vector<BorderFacet<dim>> facets;
+};
+
+/// Finds the points between two blocks, the one with the lower number first, in an order that no rank changes.
+template <int dim>
+using PointFinder =
+    std::function<std::vector<FoundPoint>(const BlockWithBorder<dim>& i, const BlockWithBorder<dim>& j)>;
+
+/// Pairs of coincident nodes, as joint_finder and joint_finder_in_space find them.
+template <int dim>
+std::vector<FoundPoint> coincident_points(const BlockWithBorder<dim>& i, const BlockWithBorder<dim>& j);
+
+/// All contact points geometry allows (the candidates) between blocks of this rank and its halo.
 class ContactPoints {
  public:
-  ContactPoints(const BlockSource<dim>&, const Structure<dim>&);
+  /// @param finder  is asked for blocks that are neighbours in the source's graph. Where points have weights, that
+  ///                names whoever shares a vertex with a block, or with one that it meets without
+  template <int dim>
+  ContactPoints(const BlockSource<dim>&, const Structure<dim>&,
+                const PointFinder<dim>& finder = coincident_points<dim>);
 
   /// The owned points (block i is owned) first, ascending by id; then those of the halo.
-  const std::vector<ContactPoint<dim>>& points() const { return points_; }
+  const std::vector<ContactPoint>& points() const { return points_; }
   int size() const { return static_cast<int>(points_.size()); }
   int owned() const { return owned_; }
+  /// Of displacements and forces: 2 in the plane, 3 in space.
+  int components() const { return components_; }
+  /// What a point does to its nodes.
+  PointOperator at(int point) const { return {points_[point], components_}; }
   const std::vector<Joint>& joints() const { return joints_; }
   std::vector<Joint>& joints() { return joints_; }
+  const Joint& joint_of(int point) const { return joints_[points_[point].joint]; }
   PointId total() const { return total_; }
   long long total_joints() const { return total_joints_; }
   const Exchange& exchange() const { return *exchange_; }
-  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean; in the
-  /// plane alone.
-  void follow(const Structure<dim>&);
+  /// 1 for points that are no pair of coincident nodes, which nothing can tie; empty where all are.
+  std::vector<char> untieable() const;
+  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean.
+  void follow(const Structure<2>&);
 
  private:
-  std::vector<ContactPoint<dim>> points_;
+  template <int dim>
+  std::vector<PointId> find(const BlockSource<dim>&, const Structure<dim>&, const PointFinder<dim>&,
+                            std::vector<long long>& mine);
+  void number(const std::vector<PointId>& index, const std::vector<long long>& mine,
+              const Teuchos::RCP<const Teuchos::Comm<int>>&);
+
+  int components_;
+  std::vector<ContactPoint> points_;
   std::vector<Joint> joints_;
   int owned_ = 0;
   PointId total_ = 0;
   long long total_joints_ = 0;
   std::unique_ptr<Exchange> exchange_;
-  std::vector<Vector<dim>> drawn_normal_;  ///< of points that have been followed
+  std::vector<Vector<2>> drawn_normal_;  ///< of points that have been followed
 };
 
 /// The relative motions of all points [points x components], written over.
-/// @param u  on node copies, dim numbers each
-template <int dim>
-void relative_motions(const ContactPoints<dim>& points, const std::vector<double>& u, std::vector<double>& motions) {
-  motions.resize(static_cast<std::size_t>(dim) * points.size());
-  for (int k = 0; k < points.size(); ++k) {
-    const auto motion = relative_motion(points.points()[k], u);
-    std::copy(motion.begin(), motion.end(), motions.begin() + static_cast<long>(dim) * k);
-  }
+/// @param u  on node copies
+void relative_motions(const ContactPoints&, const std::vector<double>& u, std::vector<double>& motions);
+
+/// Whether a point holds its two nodes together, or others at its place do.
+/// @param cluster  per local node copy, nodes with one number move together
+inline bool is_tied(const ContactPoint& p, const std::vector<int>& cluster) {
+  return p.coincident && cluster[p.shares_i.first()] == cluster[p.shares_j.first()];
 }
 
-template <>
-void ContactPoints<3>::follow(const Structure<3>&);
-extern template class ContactPoints<2>;
-extern template class ContactPoints<3>;
+/// What nodes that a tied point holds together have in common.
+inline int cluster_of_tied(const ContactPoint& p, const std::vector<int>& cluster) {
+  return cluster[p.shares_i.first()];
+}
+
+extern template ContactPoints::ContactPoints(const BlockSource<2>&, const Structure<2>&, const PointFinder<2>&);
+extern template ContactPoints::ContactPoints(const BlockSource<3>&, const Structure<3>&, const PointFinder<3>&);
 
 }  // namespace voussoir

@@ -112,7 +112,7 @@ void make_orthonormal(Rows& basis) {
 
 }  // namespace
 
-SharedForces::SharedForces(const Structure<2>& s, const ContactPoints<2>& points, const std::vector<int>& cluster,
+SharedForces::SharedForces(const Structure<2>& s, const ContactPoints& points, const std::vector<int>& cluster,
                            const std::vector<char>& held, const std::vector<char>& counts) {
   DisjointSets sets(s.nodes());
   std::vector<int> first(s.nodes(), -1);  // node copy of each cluster
@@ -122,17 +122,17 @@ SharedForces::SharedForces(const Structure<2>& s, const ContactPoints<2>& points
   };
   std::vector<char> own(s.nodes(), 0);
   for (int k = 0; k < points.size(); ++k) {
-    if (!counts[k]) continue;
     const auto& p = points.points()[k];
-    sets.join(sets.root(node_of(p.node_i)), sets.root(node_of(p.node_j)));
+    if (!counts[k] || !p.can_be_tied()) continue;
+    sets.join(sets.root(node_of(p.shares_i.first())), sets.root(node_of(p.shares_j.first())));
   }
   std::map<int, std::vector<int>> points_at;  // by root
   for (int k = 0; k < points.size(); ++k) {
-    if (!counts[k]) continue;
     const auto& p = points.points()[k];
-    const int root = sets.root(node_of(p.node_i));
+    if (!counts[k] || !p.can_be_tied()) continue;
+    const int root = sets.root(node_of(p.shares_i.first()));
     points_at[root].push_back(k);
-    if (std::min(p.node_i, p.node_j) < s.owned_nodes()) own[root] = 1;
+    if (points.at(k).any([&](int node) { return node < s.owned_nodes(); })) own[root] = 1;
   }
   for (auto& [root, here] : points_at) {
     if (!own[root]) continue;
@@ -143,14 +143,14 @@ SharedForces::SharedForces(const Structure<2>& s, const ContactPoints<2>& points
     for (std::size_t i = 0; i < here.size(); ++i) {
       const auto& p = points.points()[here[i]];
       place.weight.push_back(p.area);
-      for (const auto& [node, sign] : {std::pair{p.node_i, -1.0}, std::pair{p.node_j, 1.0}}) {
+      points.at(here[i]).each([&](int node, double weight) {
         auto& row = rows[s.node_id()[node_of(node)]];
         for (int c = 0; c < 2; ++c) {
           if (held[2 * cluster[node] + c]) continue;
           row[c].resize(size, 0.0);
-          for (int a = 0; a < 2; ++a) row[c][2 * i + a] += sign * p.axis[a][c];
+          for (int a = 0; a < 2; ++a) row[c][2 * i + a] += weight * p.axis[a][c];
         }
-      }
+      });
     }
     for (auto& [node, row] : rows)
       for (auto& r : row)

@@ -17,108 +17,127 @@ struct TiedPoint {
   int point;
 };
 
+/// The tied points of one place, and the node copies that they hold together.
+class PlaceOfTies {
+ public:
+  struct Tie {
+    int point, i, j;  ///< the nodes by their numbers here
+    double share;     ///< [m2]
+  };
+
+  explicit PlaceOfTies(int nodes) : number_(nodes, -1) {}
+
+  /// @param share  [m2] of a point
+  template <class Share>
+  void begin(const ContactPoints& points, const Share& share, const TiedPoint* first, const TiedPoint* last) {
+    for (const int node : nodes_) number_[node] = -1;
+    nodes_.clear();
+    ties_.clear();
+    for (auto tied = first; tied != last; ++tied) {
+      const auto& p = points.points()[tied->point];
+      const int i = number_of(p.shares_i.first()), j = number_of(p.shares_j.first());
+      ties_.push_back({tied->point, i, j, share(tied->point)});
+    }
+  }
+
+  const std::vector<int>& nodes() const { return nodes_; }
+  const std::vector<Tie>& ties() const { return ties_; }
+
+  /// The potential whose differences balance what nodes carry in one component.
+  std::vector<double> potential(const std::vector<double>& carried, const std::vector<char>& held, int components,
+                                int c) const {
+    const int n = static_cast<int>(nodes_.size());
+    std::vector<double> a(n * n, 0.0), b(n);
+    double mean = 0;
+    for (int i = 0; i < n; ++i) {
+      b[i] = carried[components * nodes_[i] + c];
+      mean += b[i] / n;
+    }
+    for (const auto& tie : ties_) {
+      a[tie.i * n + tie.i] += tie.share;
+      a[tie.j * n + tie.j] += tie.share;
+      a[tie.i * n + tie.j] -= tie.share;
+      a[tie.j * n + tie.i] -= tie.share;
+    }
+    bool grounded = false;
+    const auto ground = [&](int i) {
+      for (int j = 0; j < n; ++j) a[i * n + j] = a[j * n + i] = 0;
+      a[i * n + i] = 1;
+      b[i] = 0;
+      grounded = true;
+    };
+    for (int i = 0; i < n; ++i)
+      if (held[components * nodes_[i] + c]) ground(i);
+    if (!grounded) {
+      for (auto& value : b) value -= mean;  // what the linear solver left over
+      ground(0);
+    }
+    solve_positive(a, b);  // a grounded graph Laplacian, of the few blocks that meet at a vertex
+    return b;
+  }
+
+ private:
+  int number_of(int node) {
+    if (number_[node] < 0) {
+      number_[node] = static_cast<int>(nodes_.size());
+      nodes_.push_back(node);
+    }
+    return number_[node];
+  }
+
+  std::vector<int> number_, nodes_;
+  std::vector<Tie> ties_;
+};
+
 }  // namespace
 
-template <int dim>
-void add_contact_forces(const ContactPoints<dim>& points, const std::vector<int>& cluster,
-                        const std::vector<double>& lambda, double factor, std::vector<double>& nodal) {
-  for (int k = 0; k < points.size(); ++k) {
-    const auto& p = points.points()[k];
-    if (!cluster.empty() && cluster[p.node_i] == cluster[p.node_j]) continue;
-    for (int a = 0; a < dim; ++a)
-      for (int c = 0; c < dim; ++c) {
-        const double force = factor * lambda[dim * k + a] * p.axis[a][c];
-        nodal[dim * p.node_j + c] += force;
-        nodal[dim * p.node_i + c] -= force;
-      }
-  }
+void add_contact_forces(const ContactPoints& points, const std::vector<int>& cluster, const std::vector<double>& lambda,
+                        double factor, std::vector<double>& nodal) {
+  const std::size_t components = points.components();
+  for (int k = 0; k < points.size(); ++k)
+    if (cluster.empty() || !is_tied(points.points()[k], cluster))
+      points.at(k).add_forces(&lambda[components * k], factor, nodal);
 }
 
-template <int dim>
-void recover_tied_forces(const Structure<dim>& s, const ContactPoints<dim>& points, const std::vector<int>& cluster,
-                         const std::vector<char>& held, const std::vector<double>& residual,
-                         std::vector<double>& lambda, const std::vector<double>& before,
-                         const std::vector<char>& open) {
+void recover_tied_forces(const ContactPoints& points, const std::vector<int>& cluster, const std::vector<char>& held,
+                         const std::vector<double>& residual, std::vector<double>& lambda,
+                         const std::vector<double>& before, const std::vector<char>& open) {
+  const int dim = points.components();
   auto carried = residual;
   if (!before.empty())
     for (int k = 0; k < points.size(); ++k)
-      if (cluster[points.points()[k].node_i] == cluster[points.points()[k].node_j])
-        std::copy_n(before.begin() + dim * k, dim, lambda.begin() + dim * k);
+      if (is_tied(points.points()[k], cluster)) std::copy_n(before.begin() + dim * k, dim, lambda.begin() + dim * k);
   add_contact_forces(points, before.empty() ? cluster : std::vector<int>{}, lambda, -1.0, carried);
   const auto share = [&](int k) { return points.points()[k].area * (!open.empty() && open[k] ? share_of_open : 1.0); };
 
   std::vector<TiedPoint> tied;
   for (int k = 0; k < points.size(); ++k) {
     const auto& p = points.points()[k];
-    if (cluster[p.node_i] == cluster[p.node_j]) tied.push_back({cluster[p.node_i], k});
+    if (is_tied(p, cluster)) tied.push_back({cluster_of_tied(p, cluster), k});
   }
   std::stable_sort(tied.begin(), tied.end(), [](const auto& a, const auto& b) { return a.cluster < b.cluster; });
 
-  std::vector<int> number(s.nodes(), -1);
+  PlaceOfTies place(static_cast<int>(cluster.size()));
   for (std::size_t first = 0; first < tied.size();) {
     std::size_t last = first;
-    std::vector<int> nodes;
-    for (; last < tied.size() && tied[last].cluster == tied[first].cluster; ++last) {
-      const auto& p = points.points()[tied[last].point];
-      for (int node : {p.node_i, p.node_j})
-        if (number[node] < 0) {
-          number[node] = static_cast<int>(nodes.size());
-          nodes.push_back(node);
-        }
-    }
-    const int n = static_cast<int>(nodes.size());
-    std::vector<double> force(n * dim, 0.0);  // potential, then per node and component
+    while (last < tied.size() && tied[last].cluster == tied[first].cluster) ++last;
+    place.begin(points, share, &tied[first], &tied[last - 1] + 1);
+    std::vector<double> force(place.nodes().size() * dim, 0.0);  // potential, then per node and component
     for (int c = 0; c < dim; ++c) {
-      std::vector<double> a(n * n, 0.0), b(n);
-      bool grounded = false;
-      double mean = 0;
-      for (int i = 0; i < n; ++i) {
-        b[i] = carried[dim * nodes[i] + c];
-        mean += b[i] / n;
-      }
-      for (std::size_t k = first; k < last; ++k) {
-        const auto& p = points.points()[tied[k].point];
-        const int i = number[p.node_i], j = number[p.node_j];
-        const double area = share(tied[k].point);
-        a[i * n + i] += area;
-        a[j * n + j] += area;
-        a[i * n + j] -= area;
-        a[j * n + i] -= area;
-      }
-      const auto ground = [&](int i) {
-        for (int j = 0; j < n; ++j) a[i * n + j] = a[j * n + i] = 0;
-        a[i * n + i] = 1;
-        b[i] = 0;
-        grounded = true;
-      };
-      for (int i = 0; i < n; ++i)
-        if (held[dim * nodes[i] + c]) ground(i);
-      if (!grounded) {
-        for (auto& value : b) value -= mean;  // what the linear solver left over
-        ground(0);
-      }
-      solve_positive(a, b);  // a grounded graph Laplacian, of the few blocks that meet at a vertex
-      for (int i = 0; i < n; ++i) force[i * dim + c] = b[i];
+      const auto of_nodes = place.potential(carried, held, dim, c);
+      for (std::size_t i = 0; i < of_nodes.size(); ++i) force[i * dim + c] = of_nodes[i];
     }
-    for (std::size_t k = first; k < last; ++k) {
-      const auto& p = points.points()[tied[k].point];
+    for (const auto& tie : place.ties()) {
+      const auto& p = points.points()[tie.point];
       for (int axis = 0; axis < dim; ++axis) {
         double value = 0;
-        for (int c = 0; c < dim; ++c)
-          value += (force[number[p.node_j] * dim + c] - force[number[p.node_i] * dim + c]) * p.axis[axis][c];
-        value *= share(tied[k].point);
-        lambda[dim * tied[k].point + axis] = before.empty() ? value : lambda[dim * tied[k].point + axis] + value;
+        for (int c = 0; c < dim; ++c) value += (force[tie.j * dim + c] - force[tie.i * dim + c]) * p.axis[axis][c];
+        value *= tie.share;
+        lambda[dim * tie.point + axis] = before.empty() ? value : lambda[dim * tie.point + axis] + value;
       }
     }
-    for (int node : nodes) number[node] = -1;
     first = last;
   }
 }
-
-template void add_contact_forces<2>(const ContactPoints<2>&, const std::vector<int>&, const std::vector<double>&,
-                                    double, std::vector<double>&);
-template void recover_tied_forces<2>(const Structure<2>&, const ContactPoints<2>&, const std::vector<int>&,
-                                     const std::vector<char>&, const std::vector<double>&, std::vector<double>&,
-                                     const std::vector<double>&, const std::vector<char>&);
 
 }  // namespace voussoir

@@ -30,8 +30,8 @@ Construction<dim>::Construction(const Scene& scene, const Model<dim>& model)
 
 template <int dim>
 bool Construction<dim>::joined(const Model<dim>& model, int k) const {
-  const auto& p = model.points().points()[k];
-  return !absent_[structure_.block_of_node()[p.node_i]] && !absent_[structure_.block_of_node()[p.node_j]];
+  const auto& joint = model.points().joint_of(k);
+  return !absent_[joint.local_i] && !absent_[joint.local_j];
 }
 
 /// Blocks that go take their energy along, and their forces on the others are let go. They stay where they were.
@@ -41,9 +41,8 @@ void Construction<dim>::take(const Model<dim>& model, const ContactState& state)
   const auto gaps = model.gaps(state.displacement, state.lambda);
   std::vector<char> goes(absent_.size(), 0);  // absent from now on: some joint of it is not apart yet
   for (int k = 0; k < model.points().size(); ++k)
-    for (const int node : {model.points().points()[k].node_i, model.points().points()[k].node_j})
-      if (state.initial_gap[k] != apart() && absent_[structure_.block_of_node()[node]])
-        goes[structure_.block_of_node()[node]] = 1;
+    for (const int block : {model.points().joint_of(k).local_i, model.points().joint_of(k).local_j})
+      if (state.initial_gap[k] != apart() && absent_[block]) goes[block] = 1;
   for (std::size_t i = 0; i < gone.size(); ++i)
     if (goes[structure_.block_of_node()[i / dim]]) gone[i] = state.displacement[i];
   structure_.apply_stiffness(gone, force);
@@ -80,19 +79,19 @@ void Construction<dim>::part(int k, ContactState& state) const {
 
 /// A side of the point appears where the mesh draws it: gap and slip count from where its neighbour has moved to.
 template <int dim>
-void Construction<dim>::give_birth(int k, const Vector<dim>& between, ContactState& state) const {
+void Construction<dim>::give_birth(int k, bool can_be_tied, const Vector<3>& between, ContactState& state) const {
   state.initial_gap[k] = drawn(k) - between[0];
   for (int a = 1; a < dim && !state.slip_origin.empty(); ++a) state.slip_origin[dim * k + a] = between[a];
   // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
   const bool moved = std::any_of(between.begin(), between.end(), [](double motion) { return motion != 0; });
-  state.selected[k] = moved || drawn(k) > 0 || all_selected_;
+  state.selected[k] = moved || !can_be_tied || drawn(k) > 0 || all_selected_;
   if (!state.opened.empty()) state.opened[k] = state.slipped[k] = 0;
 }
 
 /// The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would be a
 /// force of some percent of the largest, which creeps in or out.
 template <int dim>
-void Construction<dim>::close(int k, const Vector<dim>& between, ContactState& state) const {
+void Construction<dim>::close(int k, const Vector<3>& between, ContactState& state) const {
   const double gap = state.initial_gap[k] + between[0];
   if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
   if (all_selected_) state.selected[k] = 1;
@@ -109,14 +108,13 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
   take(model, state);
   model.set_absent(absent_);
 
-  const auto& points = model.points().points();
-  const int count = static_cast<int>(points.size());
+  const int count = model.points().size();
   for (int k = 0; k < count; ++k) {
-    const auto between = relative_motion(points[k], state.displacement);
+    const auto between = model.points().at(k).motion(state.displacement);
     if (!joined(model, k))
       part(k, state);
     else if (state.initial_gap[k] == apart())
-      give_birth(k, between, state);
+      give_birth(k, model.points().points()[k].can_be_tied(), between, state);
     else
       close(k, between, state);
   }

@@ -50,8 +50,8 @@ class Construction {
   double drawn(int k) const { return drawn_gap_.empty() ? 0.0 : drawn_gap_[k]; }
   void part(int k, ContactState&) const;
   /// @param between  relative motion of the two sides so far [m]
-  void give_birth(int k, const Vector<dim>& between, ContactState&) const;
-  void close(int k, const Vector<dim>& between, ContactState&) const;
+  void give_birth(int k, bool can_be_tied, const Vector<3>& between, ContactState&) const;
+  void close(int k, const Vector<3>& between, ContactState&) const;
 
   const Structure<dim>& structure_;
   const bool builds_, all_selected_;

@@ -137,7 +137,8 @@ void ContactProblem<dim>::set_movable() {
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points.points()[k];
     bool moves = false;
-    for (int c = 0; c < dim; ++c) moves |= p.axis[0][c] != 0 && !(held(p.node_i, c) && held(p.node_j, c));
+    for (int c = 0; c < dim; ++c)
+      moves |= p.axis[0][c] != 0 && !parts_.points.at(k).all([&](int node) { return held(node, c); });
     // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
     const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
     if (space_->tied(p) || !moves || far) movable_[k] = 0;

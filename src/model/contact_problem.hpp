@@ -21,7 +21,7 @@ class ContactProblem : public NonlinearProblem {
   /// What stays the same through all load steps; must outlive the problem.
   struct Parts {
     const Structure<dim>& structure;
-    const ContactPoints<dim>& points;
+    const ContactPoints& points;
     const Continuum<dim>& continuum;
     const std::vector<char>& held;
     const std::vector<double>& local_stiffness;  ///< per point [N/m]

@@ -51,9 +51,9 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
   }
   {
     Phase phase("joints");
-    points_ = std::make_unique<ContactPoints<dim>>(source, *structure_);
+    points_ = std::make_unique<ContactPoints>(source, *structure_);
     hold_supports();
-    find_between_supports();
+    find_never_tied();
     set_laws(scene);
   }
   {
@@ -63,7 +63,7 @@ Model<dim>::Model(const Scene& scene, const BlockSource<dim>& source,
   if (only_time(scene.stages)) return;
   Phase phase("continuum");
   continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, scene.solver.muelu,
-                                                scene.internals.preconditioner);
+                                                scene.internals.preconditioner, local_stiffness_);
 }
 
 template <int dim>
@@ -75,7 +75,7 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
       source_(at_rest.source_),
       points_(at_rest.points_),
       held_(at_rest.held_),
-      between_supports_(at_rest.between_supports_),
+      never_tied_(at_rest.never_tied_),
       absent_(at_rest.absent_),
       law_(at_rest.law_),
       compliance_(at_rest.compliance_),
@@ -93,7 +93,7 @@ Model<dim>::Model(const Model& at_rest, const Structure<dim>& mass, const Midpoi
   set_local_stiffness(&mass, rule);
   Phase phase("continuum");
   continuum_ = std::make_unique<Continuum<dim>>(*structure_, *points_, held_, settings_.solver.muelu,
-                                                settings_.internals.preconditioner);
+                                                settings_.internals.preconditioner, local_stiffness_);
 }
 
 template <int dim>
@@ -189,15 +189,16 @@ void Model<dim>::set_local_stiffness(const Structure<dim>* mass, const MidpointR
     mass->apply_stiffness(along_x, weight);
     for (std::size_t i = 0; i < inertia.size(); ++i) inertia[i] = rule.mass_factor() * weight[dim * i];
   }
-  const auto side = [&](int node) {
+  const auto at_node = [&](int node) {
     const auto& material = structure_->blocks()[structure_->block_of_node()[node]].material;
     return (mass ? rule.stiffness_factor() : 1.0) * material.young_modulus * structure_->model().thickness +
            inertia[node];
   };
   const auto& numbers = settings_.internals.step;
   local_stiffness_.clear();
-  for (const auto& p : points_->points()) {
-    const double i = side(p.node_i), j = side(p.node_j);
+  for (int point = 0; point < points_->size(); ++point) {
+    const auto p = points_->at(point);
+    const double i = p.stiffness(Side::i, at_node), j = p.stiffness(Side::j, at_node);
     local_stiffness_.push_back(2 * i * j / (i + j));
     if (compliance_.empty()) continue;
     const auto& c = compliance_[local_stiffness_.size() - 1];
@@ -242,11 +243,19 @@ void Model<dim>::hold_supports() {
     hold(*structure_, support, facet_set(source_, {support.on, support.blocks}), held_);
 }
 
-/// All points of a place two copies of which are held along an axis by different supports: a tie between the two may go
-/// by others.
 template <int dim>
-void Model<dim>::find_between_supports() {
-  if (supports_.size() < 2) return;
+void Model<dim>::find_never_tied() {
+  never_tied_ = points_->untieable();
+  const auto between = between_supports();
+  if (!between.empty()) never_tied_.resize(between.size(), 0);
+  for (std::size_t k = 0; k < between.size(); ++k) never_tied_[k] |= between[k];
+}
+
+/// All points of a place two copies of which are held along an axis by different supports: a tie between the two may go
+/// by others. Empty without such places.
+template <int dim>
+std::vector<char> Model<dim>::between_supports() const {
+  if (supports_.size() < 2) return {};
   const auto& s = *structure_;
   constexpr std::size_t one_more = 1000003;  // a prime, so that sets of supports have numbers of their own
   std::vector<std::size_t> holders(held_.size(), 0);
@@ -271,11 +280,11 @@ void Model<dim>::find_between_supports() {
       for (int i = s.copies_start()[g]; differ && i < s.copies_start()[g + 1]; ++i) apart[s.copy()[i]] = 1;
     }
   std::vector<double> flag(points_->size(), 0.0);
-  for (int k = 0; k < points_->owned(); ++k) flag[k] = apart[points_->points()[k].node_i];
+  for (int k = 0; k < points_->owned(); ++k) flag[k] = points_->at(k).any([&](int node) { return apart[node] != 0; });
   const bool any = std::find(flag.begin(), flag.end(), 1.0) != flag.end();
-  if (largest_over_ranks(*s.comm(), any) == 0) return;
+  if (largest_over_ranks(*s.comm(), any) == 0) return {};
   points_->exchange().update(flag, 1);
-  between_supports_.assign(flag.begin(), flag.end());
+  return {flag.begin(), flag.end()};
 }
 
 template <int dim>
@@ -293,8 +302,8 @@ void Model<dim>::set_absent(const std::vector<char>& absent) {
 template <int dim>
 bool Model<dim>::joined(int point) const {
   if (absent_.empty()) return true;
-  const auto& p = points_->points()[point];
-  return !absent_[structure_->block_of_node()[p.node_i]] && !absent_[structure_->block_of_node()[p.node_j]];
+  const auto& joint = points_->joint_of(point);
+  return !absent_[joint.local_i] && !absent_[joint.local_j];
 }
 
 template <int dim>

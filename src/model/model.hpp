@@ -38,14 +38,14 @@ class Model {
   const std::vector<Named<SupportParameters>>& supports() const { return supports_; }
   const BlockSource<dim>& source() const { return source_; }
   const Structure<dim>& structure() const { return *structure_; }
-  const ContactPoints<dim>& points() const { return *points_; }
+  const ContactPoints& points() const { return *points_; }
   /// The bonded continuum; not there for the model at rest when a scene has no load steps.
   const Continuum<dim>& continuum() const { return *continuum_; }
   /// 1 where a support prescribes the displacement [dim x local node copies].
   const std::vector<char>& held() const { return held_; }
-  /// 1 at points where different supports hold stones, which may part there: such points are never tied, as one unknown
-  /// cannot be where both supports are. Empty without such places.
-  const std::vector<char>& between_supports() const { return between_supports_; }
+  /// 1 at points that are never tied: that are no pair of coincident nodes, or where different supports hold stones,
+  /// which may part there, as one unknown cannot be where both supports are. Empty without such places.
+  const std::vector<char>& never_tied() const { return never_tied_; }
   /// Stiffness a point sees in the cells beside it [N/m].
   const std::vector<double>& local_stiffness() const { return local_stiffness_; }
   /// Law of each point without damage. What is open as drawn, or beside a stone that is not there, has no strength.
@@ -100,7 +100,8 @@ class Model {
   bool is_bonded(std::size_t point) const;
   void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
   void hold_supports();
-  void find_between_supports();
+  std::vector<char> between_supports() const;
+  void find_never_tied();
   void check_size(const std::vector<double>& force) const;
 
   ModelSettings settings_;
@@ -109,9 +110,9 @@ class Model {
   std::vector<Named<SupportParameters>> supports_;
   const BlockSource<dim>& source_;
   std::unique_ptr<Structure<dim>> structure_;
-  std::shared_ptr<ContactPoints<dim>> points_;
+  std::shared_ptr<ContactPoints> points_;
   std::unique_ptr<Continuum<dim>> continuum_;
-  std::vector<char> held_, between_supports_;
+  std::vector<char> held_, never_tied_;
   std::vector<char> absent_;  ///< per local block; empty where nothing is built
   std::vector<double> local_stiffness_;
   PointLaws law_;

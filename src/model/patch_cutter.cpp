@@ -59,12 +59,9 @@ bool PatchCutter<dim>::find_stuck(const TpetraVector& x, const PointField& lambd
   lawful_forces(problem, CurrentLaws(problem, lambda, gap_), lambda, gap_, lawful);
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
-    const auto& p = parts_.points.points()[k];
+    const auto& joint = parts_.points.joint_of(k);
     for (int c = dim * k; c < dim * (k + 1); ++c)
-      if (std::abs(lawful[c] - lambda[c]) > threshold) {
-        mine.push_back(id_of(p.node_i));
-        mine.push_back(id_of(p.node_j));
-      }
+      if (std::abs(lawful[c] - lambda[c]) > threshold) mine.insert(mine.end(), {joint.block_i, joint.block_j});
   }
   stuck_ = over_ranks(mine, *s.comm());
   return !stuck_.empty();
@@ -77,8 +74,8 @@ std::vector<BlockId> PatchCutter<dim>::parted_blocks() const {
   std::vector<BlockId> mine;
   for (int k = 0; k < parts_.problem.owned_points(); ++k) {
     if (!parts_.problem.selected()[k]) continue;
-    const auto& p = parts_.points.points()[k];
-    for (int node : {p.node_i, p.node_j}) mine.push_back(s.blocks()[s.block_of_node()[node]].mesh.id);
+    const auto& joint = parts_.points.joint_of(k);
+    mine.insert(mine.end(), {joint.block_i, joint.block_j});
   }
   return over_ranks(mine, *s.comm());
 }
@@ -193,49 +190,68 @@ std::vector<typename PatchCutter<dim>::Entry> PatchCutter<dim>::entries() const 
   return list;
 }
 
+/// Patches that the nodes of a point are of, each once.
+template <int dim>
+std::vector<int> PatchCutter<dim>::patches_of(int point) const {
+  std::vector<int> patches;
+  parts_.points.at(point).each([&](int node, double) {
+    const int patch = cluster_patch_[parts_.space.cluster()[node]];
+    if (patch >= 0 && std::find(patches.begin(), patches.end(), patch) == patches.end()) patches.push_back(patch);
+  });
+  return patches;
+}
+
+/// What is known of a point but where it is.
+template <int dim>
+PointOfPatch PatchCutter<dim>::of_patch(int k, const PointLaw& law, const PointField& lambda,
+                                        const PointStiffness& resistance) const {
+  const auto& problem = parts_.problem;
+  PointOfPatch q;
+  for (int a = 0; a < dim; ++a) q.axis[a] = in_plane(parts_.points.points()[k].axis[a]);
+  q.law = law;
+  q.local_stiffness = problem.local_stiffness()[k];
+  if (!problem.compliance().empty()) q.compliance = problem.compliance()[k];
+  for (int c = 0; c < dim; ++c) {
+    if (!problem.slip_origin().empty()) q.slip_origin[c] = problem.slip_origin()[dim * k + c];
+    q.gap[c] = gap_[dim * k + c];
+    q.force[c] = lambda[dim * k + c];
+  }
+  q.resistance = resistance;
+  // Points that slip on what holds still would let the neighbours of stuck blocks go without end.
+  if (!q.resistance.resists_slip() && q.resistance.normal > 0)
+    q.resistance = {q.resistance.normal, stiffness_of(problem, k, 1, 1.0)};
+  return q;
+}
+
 /// Points that touch patches, of those this rank owns; one that touches two patches is at the border of both.
 template <int dim>
-std::vector<typename PatchCutter<dim>::Point> PatchCutter<dim>::points(
+typename PatchCutter<dim>::PointsAndShares PatchCutter<dim>::points(
     const PointField& lambda, const std::vector<PointStiffness>& resistance) const {
-  const auto& s = parts_.structure;
   const auto& space = parts_.space;
   const auto& problem = parts_.problem;
   const CurrentLaws laws(problem, lambda, gap_);
-  std::vector<Point> list;
+  PointsAndShares all;
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
-    const auto& p = parts_.points.points()[k];
-    const int node[] = {p.node_i, p.node_j};
-    const int touched[] = {cluster_patch_[space.cluster()[p.node_i]], cluster_patch_[space.cluster()[p.node_j]]};
-    if (touched[0] < 0 && touched[1] < 0) continue;
-    Point one{p.id, touched[0], false, {}, {}};
-    const auto block_patch = [&](int n) { return patch_of_block(s.blocks()[s.block_of_node()[n]].mesh.id); };
-    one.border = block_patch(p.node_i) < 0 || block_patch(p.node_i) != block_patch(p.node_j);
-    for (int i = 0; i < 2 * dim; ++i) {
-      const int unknown = dim * space.cluster()[node[i / dim]] + i % dim;
-      one.unknown[i] = space.held()[unknown] ? -1 : space.column_map()->getGlobalElement(unknown);
-    }
-    auto& q = one.point;
-    q.axis = p.axis;
-    q.law = laws[k];
-    q.local_stiffness = problem.local_stiffness()[k];
-    if (!problem.compliance().empty()) q.compliance = problem.compliance()[k];
-    for (int c = 0; c < dim; ++c) {
-      if (!problem.slip_origin().empty()) q.slip_origin[c] = problem.slip_origin()[dim * k + c];
-      q.gap[c] = gap_[dim * k + c];
-      q.force[c] = lambda[dim * k + c];
-    }
-    q.resistance = resistance[k];
-    // Points that slip on what holds still would let the neighbours of stuck blocks go without end.
-    if (!q.resistance.resists_slip() && q.resistance.normal > 0)
-      q.resistance = {q.resistance.normal, stiffness_of(problem, k, 1, 1.0)};
-    if (one.patch >= 0) list.push_back(one);
-    if (touched[1] >= 0 && touched[1] != touched[0]) {
-      one.patch = touched[1];
-      list.push_back(one);
+    const auto touched = patches_of(k);
+    if (touched.empty()) continue;
+    std::vector<Share> shares;
+    parts_.points.at(k).each([&](int node, double weight) {
+      for (int c = 0; c < dim; ++c) {
+        const int unknown = dim * space.cluster()[node] + c;
+        shares.push_back({space.held()[unknown] ? -1 : space.column_map()->getGlobalElement(unknown), c, weight});
+      }
+    });
+    const auto& joint = parts_.points.joint_of(k);
+    const int of_i = patch_of_block(joint.block_i), of_j = patch_of_block(joint.block_j);
+    const auto what = of_patch(k, laws[k], lambda, resistance[k]);
+    for (const int patch : touched) {
+      all.points.push_back(
+          {parts_.points.points()[k].id, patch, of_i < 0 || of_i != of_j, static_cast<int>(shares.size()), what});
+      all.shares.insert(all.shares.end(), shares.begin(), shares.end());
     }
   }
-  return list;
+  return all;
 }
 
 /// Of a patch, null where it is another rank's.
@@ -274,11 +290,17 @@ std::vector<CutPatch> PatchCutter<dim>::cut(const TpetraVector& x, const PointFi
     const int patch = row->second.first, column = number(e.column, patch);
     if (column >= 0) mine(patch)->parts.stiffness.push_back({row->second.second, column, e.value});
   }
-  for (const auto& p : all_gather(points(lambda, request.resistance), comm)) {
+  const auto mine_of_points = points(lambda, request.resistance);
+  const auto shares = all_gather(mine_of_points.shares, comm);
+  auto next = shares.begin();
+  for (const auto& p : all_gather(mine_of_points.points, comm)) {
+    const auto first = std::exchange(next, next + p.shares);
     auto* const m = mine(p.patch);
     if (!m) continue;
-    PatchPoint local = p.point;
-    for (int i = 0; i < 2 * dim; ++i) local.unknown[i] = number(p.unknown[i], p.patch);
+    PatchPoint local{p.point, {}};
+    for (auto share = first; share != next; ++share)
+      if (const int at = number(share->unknown, p.patch); at >= 0)
+        local.shares.push_back({at, share->component, share->weight});
     (p.border ? m->parts.border : m->parts.points).push_back(local);
     (p.border ? m->border : m->points).push_back(p.id);
   }

@@ -18,7 +18,7 @@ class PatchCutter : public PatchSource {
   /// The problem that patches are cut from; must outlive the cutter.
   struct Parts {
     const Structure<dim>& structure;
-    const ContactPoints<dim>& points;
+    const ContactPoints& points;
     const MergedSpace<dim>& space;
     const std::vector<double>& proximal_weight;
     NonlinearProblem& problem;
@@ -37,6 +37,7 @@ class PatchCutter : public PatchSource {
   using Unknown = typename PatchMessages<dim>::Unknown;
   using Entry = typename PatchMessages<dim>::Entry;
   using Point = typename PatchMessages<dim>::Point;
+  using Share = typename PatchMessages<dim>::Share;
   using Motion = typename PatchMessages<dim>::Motion;
   using Force = typename PatchMessages<dim>::Force;
   /// What the structure calls the unknowns and points of a patch that this rank has cut, and the forces there.
@@ -53,7 +54,13 @@ class PatchCutter : public PatchSource {
   std::vector<int> patch_of_clusters() const;
   std::vector<Unknown> unknowns(const TpetraVector& x, const TpetraVector& start) const;
   std::vector<Entry> entries() const;
-  std::vector<Point> points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
+  struct PointsAndShares {
+    std::vector<Point> points;
+    std::vector<Share> shares;
+  };
+  PointsAndShares points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
+  std::vector<int> patches_of(int point) const;
+  PointOfPatch of_patch(int point, const PointLaw&, const PointField& lambda, const PointStiffness&) const;
   Mine* mine(int patch);
 
   Parts parts_;

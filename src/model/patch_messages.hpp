@@ -9,7 +9,7 @@
 
 namespace voussoir {
 
-/// Numbers of unknowns and points are those of the whole structure, -1 where none.
+/// Numbers of unknowns and points are those of the whole structure, -1 where a support holds.
 template <int dim>
 struct PatchMessages {
   struct Unknown {
@@ -25,8 +25,13 @@ struct PatchMessages {
     PointId id;
     int patch;
     bool border;
-    GlobalOrdinal unknown[2 * dim];
-    PatchPoint point;
+    int shares;  ///< how many
+    PointOfPatch point;
+  };
+  struct Share {  ///< of points, in their order
+    GlobalOrdinal unknown;
+    int component;
+    double weight;
   };
   struct Motion {
     GlobalOrdinal id;

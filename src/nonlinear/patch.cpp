@@ -14,18 +14,11 @@
 #include "nonlinear/point_update.hpp"
 
 namespace voussoir {
-namespace {
-
-/// Which way an unknown of a point (of i, of i, of j, of j) moves its gap along an axis.
-double share(const PatchPoint& p, int unknown, int axis) { return (unknown < 2 ? -1 : 1) * p.axis[axis][unknown % 2]; }
-
-}  // namespace
 
 std::array<double, 2> PatchPoint::motion(const double* displacement) const {
   std::array<double, 2> sum{};
   for (int a = 0; a < 2; ++a)
-    for (int i = 0; i < 4; ++i)
-      if (unknown[i] >= 0) sum[a] += share(*this, i, a) * displacement[unknown[i]];
+    for (const auto& s : shares) sum[a] += share(s, a) * displacement[s.unknown];
   return sum;
 }
 
@@ -44,9 +37,8 @@ Patch::Patch(PatchParts parts, const MethodParameters& methods)
   for (const auto& e : parts_.stiffness) entry(stiffness_, e.row, e.column) += e.value;
   for (const auto& p : parts_.border) {
     add(p, p.resistance, stiffness_);
-    for (int i = 0; i < 4; ++i)
-      if (p.unknown[i] >= 0)
-        parts_.imbalance[p.unknown[i]] -= share(p, i, 0) * p.force[0] + share(p, i, 1) * p.force[1];
+    for (const auto& s : p.shares)
+      parts_.imbalance[s.unknown] -= p.share(s, 0) * p.force[0] + p.share(s, 1) * p.force[1];
   }
 }
 
@@ -56,9 +48,8 @@ void Patch::set_pattern() {
   for (int i = 0; i < static_cast<int>(parts_.imbalance.size()); ++i) places.emplace_back(i, i);
   for (const auto* points : {&parts_.points, &parts_.border})
     for (const auto& p : *points)
-      for (int row : p.unknown)
-        for (int column : p.unknown)
-          if (row >= 0 && column >= 0) places.emplace_back(row, column);
+      for (const auto& row : p.shares)
+        for (const auto& column : p.shares) places.emplace_back(row.unknown, column.unknown);
   sort_unique(places);
   stiffness_.start.assign(parts_.imbalance.size() + 1, 0);
   for (const auto& [row, column] : places) {
@@ -78,12 +69,11 @@ double& Patch::entry(LocalCsr& a, int row, int column) const {
 
 /// B^T D B of one point.
 void Patch::add(const PatchPoint& p, const PointStiffness& d, LocalCsr& to) const {
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      if (p.unknown[i] < 0 || p.unknown[j] < 0) continue;
-      const double normal = share(p, j, 0), tangential = share(p, j, 1);
-      entry(to, p.unknown[i], p.unknown[j]) += share(p, i, 0) * (d.normal * normal + d.pull[0] * tangential) +
-                                               share(p, i, 1) * (d.along(0, 0) * tangential + d.coupling[0] * normal);
+  for (const auto& row : p.shares)
+    for (const auto& column : p.shares) {
+      const double normal = p.share(column, 0), tangential = p.share(column, 1);
+      entry(to, row.unknown, column.unknown) += p.share(row, 0) * (d.normal * normal + d.pull[0] * tangential) +
+                                                p.share(row, 1) * (d.along(0, 0) * tangential + d.coupling[0] * normal);
     }
 }
 
@@ -108,8 +98,8 @@ void Patch::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
   double* value = local_view_to_write(r);
   for (std::size_t k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points[k];
-    for (int i = 0; i < 4; ++i)
-      if (p.unknown[i] >= 0) value[p.unknown[i]] -= share(p, i, 0) * lambda[2 * k] + share(p, i, 1) * lambda[2 * k + 1];
+    for (const auto& s : p.shares)
+      value[s.unknown] -= p.share(s, 0) * lambda[2 * k] + p.share(s, 1) * lambda[2 * k + 1];
   }
 }
 

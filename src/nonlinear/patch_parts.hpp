@@ -8,9 +8,8 @@
 
 namespace voussoir {
 
-/// A contact point of a patch.
-struct PatchPoint {
-  std::array<int, 4> unknown{};                 ///< of node i, then of node j; -1 where it holds still
+/// What a contact point is, wherever its nodes are.
+struct PointOfPatch {
   std::array<std::array<double, 2>, 2> axis{};  ///< normal, tangent
   PointLaw law;
   double local_stiffness = 0;  ///< [N/m]
@@ -18,7 +17,20 @@ struct PatchPoint {
   std::array<double, 2> slip_origin{}, gap{};  ///< [m] where the stones are
   std::array<double, 2> force{};               ///< [N]
   PointStiffness resistance;                   ///< at the border
+};
 
+/// An unknown that moves a point, along an axis of the drawing; what holds still has none.
+struct PatchShare {
+  int unknown = 0, component = 0;
+  double weight = 0;  ///< negative on side i
+};
+
+/// A contact point of a patch.
+struct PatchPoint : PointOfPatch {
+  std::vector<PatchShare> shares;
+
+  /// How far an unknown moves its gap along an axis.
+  double share(const PatchShare& s, int along) const { return s.weight * axis[along][s.component]; }
   /// Motion of its gap when the unknowns move [m].
   std::array<double, 2> motion(const double* displacement) const;
 };

@@ -134,8 +134,8 @@ void FieldsFile::write_joints(const JointRows& joints) {
   write("/joints/area", points_, joints.area, 1, "m2");
   write("/joints/block_i", points_, joints.block_i, 1, "-");
   write("/joints/block_j", points_, joints.block_j, 1, "-");
-  write("/joints/node_i", points_, joints.node_i, 1, "-");
-  write("/joints/node_j", points_, joints.node_j, 1, "-");
+  write("/joints/node_i", points_, joints.main_of_i, 1, "-");
+  write("/joints/node_j", points_, joints.main_of_j, 1, "-");
   xdmf_.points = points_.total;
   file_.flush();
 }

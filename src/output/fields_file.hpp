@@ -41,7 +41,7 @@ struct JointRows {
   std::vector<double> normal;    ///< [-] points x dim, unit, from block i to block j
   std::vector<double> area;      ///< [m2]
   std::vector<int> block_i, block_j;
-  std::vector<NodeId> node_i, node_j;
+  std::vector<NodeId> main_of_i, main_of_j;  ///< of the nodes on either side the one that counts most
 };
 
 /// State at the end of a load step; rows in the order of the MeshRows and JointRows written before.

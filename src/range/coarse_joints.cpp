@@ -45,8 +45,9 @@ std::vector<Found> found_here(const Model<2>& model, const ContactState& state) 
     for (const int k : here) {
       const auto& p = points.points()[k];
       bent |= dot(p.axis[0], axis[0]) < straight;
-      brittle.push_back({dot(model.structure().position()[p.node_i], axis[1]), p.area, state.lambda[2 * k],
-                         state.lambda[2 * k + 1], damage_of(model, state, k) == 1});
+      const auto place = points.at(k).place(Side::i, model.structure().position());
+      brittle.push_back({dot(place, in_plane(axis[1])), p.area, state.lambda[2 * k], state.lambda[2 * k + 1],
+                         damage_of(model, state, k) == 1});
     }
     if (bent) continue;
     const auto coarse = coarse_joint(brittle, law.tension_strength, law.cohesion, law.friction_coefficient);

@@ -43,21 +43,20 @@ struct OwnSlip {
 
 /// Points of a joint in their order along it, with the shorter of the edges beside each [m].
 std::vector<std::pair<int, double>> along_the_joint(const Model<2>& model, const std::vector<int>& points) {
-  const auto& all = model.points().points();
-  const auto& x = model.structure().drawn_position();
-  const auto& first = x[all[points.front()].node_i];
+  const auto place = [&](int k) { return model.points().at(k).place(Side::i, model.structure().drawn_position()); };
+  const auto first = place(points.front());
   Vector<2> far{};  // runs along the joint whatever way its axes have turned
   for (int k : points)
-    if (norm(x[all[k].node_i] - first) > norm(far)) far = x[all[k].node_i] - first;
+    if (norm(place(k) - first) > norm(far)) far = place(k) - first;
   std::vector<std::pair<double, int>> order;
-  for (int k : points) order.push_back({dot(x[all[k].node_i] - first, far), k});
+  for (int k : points) order.push_back({dot(place(k) - first, far), k});
   std::sort(order.begin(), order.end());
   std::vector<std::pair<int, double>> cells;
   for (std::size_t n = 0; n < order.size(); ++n) {
     double cell = INFINITY;
     for (const std::size_t other : {n - 1, n + 1})
       if (other < order.size()) {
-        const double edge = norm(x[all[order[n].second].node_i] - x[all[order[other].second].node_i]);
+        const double edge = norm(place(order[n].second) - place(order[other].second));
         if (edge > 0) cell = std::min(cell, edge);  // one place has two points where a joint turns a corner
       }
     cells.push_back({order[n].second, cell});
@@ -77,11 +76,9 @@ Footing footing_of(const Model<2>& model, const StepEnd& end, const std::vector<
                    bool of_i, const Outline& others) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
-  const auto node_of = [&](int k, bool i) {
-    const auto& p = model.points().points()[k];
-    return i ? p.node_i : p.node_j;
-  };
-  const int other = s.block_of_node()[node_of(points.front().first, !of_i)];
+  const Side here = of_i ? Side::i : Side::j, there = of_i ? Side::j : Side::i;
+  const auto& joint = model.points().joint_of(points.front().first);
+  const int other = of_i ? joint.local_j : joint.local_i;
   const auto stone = outline_now(s, u, other);
   const auto drawn = outline_now(s, std::vector<double>(u.size(), 0.0), other);
   const auto beyond = [](const Outline& outline, const Vector<2>& x) {
@@ -91,7 +88,10 @@ Footing footing_of(const Model<2>& model, const StepEnd& end, const std::vector<
   if (!others.empty()) {
     std::vector<int> nodes;
     double cell = INFINITY;
-    for (const auto& [k, length] : points) nodes.push_back(node_of(k, !of_i)), cell = std::min(cell, length);
+    for (const auto& [k, length] : points) {
+      model.points().at(k).each_of(there, [&](int node, double) { nodes.push_back(node); });
+      cell = std::min(cell, length);
+    }
     face = with_what_goes_on_flush(face_now(s, u, other, std::move(nodes)), others, cell);
   }
   const auto beyond_all = [&](const Vector<2>& x) {
@@ -103,10 +103,10 @@ Footing footing_of(const Model<2>& model, const StepEnd& end, const std::vector<
   Footing footing;
   for (const auto& [k, cell] : points) {
     const double normal = std::max(0.0, end.state.lambda[2 * k]);
-    const auto x = place_now(s, u, node_of(k, of_i));
+    const auto x = place_now(s, u, model.points().at(k), here);
     force += normal;
     place = place + normal * x;
-    drawn_place = drawn_place + normal * s.drawn_position()[node_of(k, of_i)];
+    drawn_place = drawn_place + normal * model.points().at(k).place(here, s.drawn_position());
     mean_cell += normal * cell;
     if (beyond(stone, x) > cell) (beyond_all(x) > cell ? footing.uncovered : footing.on_others) += normal;
   }
@@ -123,11 +123,11 @@ bool only_weighs_on(const Model<2>& model, const StepEnd& end, const std::vector
   Vector<2> force{}, load{};
   for (const auto& [k, cell] : points) {
     const auto& p = model.points().points()[k];
-    force = force + (on_i ? -1 : 1) * std::max(0.0, end.state.lambda[2 * k]) * p.axis[0];
+    force = force + (on_i ? -1 : 1) * std::max(0.0, end.state.lambda[2 * k]) * in_plane(p.axis[0]);
   }
   const auto& s = model.structure();
-  const auto& first = model.points().points()[points.front().first];
-  const auto& block = s.blocks()[s.block_of_node()[on_i ? first.node_i : first.node_j]];
+  const auto& joint = model.points().joint_of(points.front().first);
+  const auto& block = s.blocks()[on_i ? joint.local_i : joint.local_j];
   for (int n = block.first_local; n < block.first_local + static_cast<int>(block.mesh.position.size()); ++n)
     load = load + Vector<2>{end.load[2 * n], end.load[2 * n + 1]};
   return dot(force, load) > weighs * norm(force) * norm(load);
@@ -152,9 +152,8 @@ void look_at_faces(const Model<2>& model, const StepEnd& end, OwnSlip& slip, con
 Box<2> place_of(const Model<2>& model, const StepEnd& end, const std::vector<std::pair<int, double>>& cells) {
   Box<2> box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (const auto& [k, cell] : cells) {
-    const auto& p = model.points().points()[k];
-    for (const int node : {p.node_i, p.node_j}) {
-      const auto x = place_now(model.structure(), end.state.displacement, node);
+    for (const Side side : {Side::i, Side::j}) {
+      const auto x = place_now(model.structure(), end.state.displacement, model.points().at(k), side);
       box.add({x - Vector<2>{cell, cell}, x + Vector<2>{cell, cell}});
     }
   }
@@ -184,7 +183,7 @@ std::vector<OwnSlip> long_slips(const Model<2>& model, const StepEnd& end) {
       if (!presses(k) || !(slip(k) > cell)) continue;
       ++worst.points;
       if (slip(k) <= worst.slip) continue;
-      const auto x = place_now(model.structure(), end.state.displacement, points.points()[k].node_i);
+      const auto x = place_now(model.structure(), end.state.displacement, points.at(k), Side::i);
       worst.slip = slip(k), worst.cell = cell, worst.x = x[0], worst.y = x[1];
     }
     if (worst.points == 0) continue;

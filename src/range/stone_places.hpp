@@ -14,6 +14,13 @@ inline Vector<2> place_now(const Structure<2>& s, const std::vector<double>& u, 
   return s.drawn_position()[node] + Vector<2>{u[2 * node], u[2 * node + 1]};
 }
 
+/// Where a side of a point is.
+inline Vector<2> place_now(const Structure<2>& s, const std::vector<double>& u, const PointOperator& p, Side side) {
+  Vector<2> place{};
+  p.each_of(side, [&](int node, double weight) { place = place + weight * place_now(s, u, node); });
+  return place;
+}
+
 /// Border of a local block where a displacement has moved it.
 inline Outline outline_now(const Structure<2>& s, const std::vector<double>& u, int block) {
   Outline outline;

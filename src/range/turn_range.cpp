@@ -87,13 +87,13 @@ std::vector<JointRecord> joints_here(const Model<2>& model, const StepEnd& end) 
     double area = 0;
     for (last = first; last < points.owned() && points.points()[last].joint == number; ++last) {
       const auto& p = points.points()[last];
-      const auto& x = s.drawn_position()[p.node_i];
+      const auto x = points.at(last).place(Side::i, s.drawn_position());
       const double n = end.state.lambda[2 * last], t = end.state.lambda[2 * last + 1];
-      const auto f = n * p.axis[0] + t * p.axis[1];
+      const auto f = in_plane(n * p.axis[0] + t * p.axis[1]);
       const auto law = law_left(model, end.state, last);
       const bool glued = law.cohesion > 0 || law.tension > 0;
       area += p.area;
-      normal = normal + p.area * p.axis[0];
+      normal = normal + p.area * in_plane(p.axis[0]);
       from_i = from_i + p.area * (x - centre_i);
       r.force_x += f[0], r.force_y += f[1];
       r.virial_j += dot(x - centre_j, f);

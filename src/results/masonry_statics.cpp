@@ -5,9 +5,8 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "joints/joint_statics.hpp"
+#include "joints/joint_facets.hpp"
 #include "linalg/gather.hpp"
-#include "mesh/border.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "output/joint_table.hpp"
@@ -24,41 +23,6 @@ constexpr double negligible = 1e-6;
 constexpr double beside_a_hinge = 0.05;
 constexpr std::size_t longest_list = 50;  // in result.json; all are in joints.csv
 
-// Points are shared by facets that meet at less than 20 degrees (joints/joint_finder): a facet belongs to its side.
-constexpr double same_side = 0.94;
-
-/// Facets of the joints between points of this rank, per joint, as numbers within `of_joint`.
-std::vector<std::vector<FacetOfJoint>> facets_of_joints(const Model<2>& model) {
-  const auto& points = model.points().points();
-  const auto& s = model.structure();
-  struct Place {
-    int joint, within, point;
-  };
-  std::vector<std::vector<Place>> at_node(static_cast<std::size_t>(s.nodes()));
-  std::vector<int> count(model.points().joints().size(), 0);
-  for (int k = 0; k < model.points().owned(); ++k) {
-    const auto& p = points[static_cast<std::size_t>(k)];
-    at_node[static_cast<std::size_t>(p.node_i)].push_back({p.joint, count[static_cast<std::size_t>(p.joint)]++, k});
-  }
-  std::vector<std::vector<FacetOfJoint>> facets(count.size());
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto& block = s.blocks()[b];
-    for (const auto& edge : border_edges({model.source().block(block.mesh.id)})) {
-      const int from = block.first_local + edge.node[0], to = block.first_local + edge.node[1];
-      const auto along = s.position()[to] - s.position()[from];
-      const Vector<2> outward{along[1], -along[0]};
-      const auto faces = [&](const Place& at) {
-        return dot(points[static_cast<std::size_t>(at.point)].axis[0], outward) > same_side * norm(outward);
-      };
-      for (const auto& one : at_node[static_cast<std::size_t>(from)])
-        for (const auto& other : at_node[static_cast<std::size_t>(to)])
-          if (one.joint == other.joint && faces(one) && faces(other))
-            facets[static_cast<std::size_t>(one.joint)].push_back({one.within, other.within});
-    }
-  }
-  return facets;
-}
-
 /// Rows of the joints whose block i this rank owns; all points of a joint are with its owner.
 std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state) {
   const auto& points = model.points();
@@ -72,10 +36,10 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
     area[p.joint] += p.area;
     joined[p.joint] = model.joined(k);
     lost[p.joint] += p.area * damage_of(model, state, k);
-    of_joint[p.joint].push_back({model.structure().position()[p.node_i], p.axis[0], state.lambda[2 * k],
-                                 state.lambda[2 * k + 1], gap[2 * k], law});
+    of_joint[p.joint].push_back({points.at(k).place(Side::i, model.structure().position()), in_plane(p.axis[0]),
+                                 state.lambda[2 * k], state.lambda[2 * k + 1], gap[2 * k], law});
   }
-  const auto facets = facets_of_joints(model);
+  const auto facets = facets_of_joints(model.source(), model.structure(), points);
   std::vector<JointRow> rows;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {
     if (of_joint[k].empty()) continue;

@@ -44,7 +44,8 @@ std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<
   std::vector<Extremes> of_joint(points.joints().size());
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
-    const auto [opening, slip] = relative_motion(p, motion);
+    const auto between = points.at(k).motion(motion);
+    const double opening = between[0], slip = between[1];
     auto& e = of_joint[p.joint];
     const double off = std::abs(opening - model.law()[k].friction * std::abs(slip));
     if (opening < e.narrowest) e.dilates = off <= flow * std::max(std::abs(opening), std::abs(slip));

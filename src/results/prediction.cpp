@@ -21,7 +21,7 @@ constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per
 
 /// Makes the loads and applies them once in full: bytes they hold and seconds of a load step.
 void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const Structure<2>& structure,
-                        const ContactPoints<2>& points, std::ostream& say) {
+                        const ContactPoints& points, std::ostream& say) {
   const auto& comm = *structure.comm();
   const LoadsAtWork<2> loads(scene, source, structure);
   const auto made = loads.costs(comm);
@@ -64,7 +64,7 @@ void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RC
         return Material{1.0, 0.0, 1.0};
       },
       comm);
-  const ContactPoints<2> points(source, structure);
+  const ContactPoints points(source, structure);
   int load_steps = 0;
   int time_steps = 0;
   bool as_it_goes = false;

@@ -105,14 +105,15 @@ void Recorder<dim>::write_tables() {
   for (int k = 0; k < model_.points().owned(); ++k) {
     const auto& p = model_.points().points()[k];
     joints.point.push_back(p.id);
-    const auto& x = s.position()[p.node_i];
+    const auto nodes = model_.points().at(k);
+    const auto x = nodes.place(Side::i, s.position());
     joints.position.insert(joints.position.end(), x.begin(), x.end());
-    joints.normal.insert(joints.normal.end(), p.axis[0].begin(), p.axis[0].end());
+    joints.normal.insert(joints.normal.end(), p.axis[0].begin(), p.axis[0].begin() + dim);
     joints.area.push_back(p.area);
     joints.block_i.push_back(model_.points().joints()[p.joint].block_i);
     joints.block_j.push_back(model_.points().joints()[p.joint].block_j);
-    joints.node_i.push_back(s.node_id()[p.node_i]);
-    joints.node_j.push_back(s.node_id()[p.node_j]);
+    joints.main_of_i.push_back(s.node_id()[nodes.main_node(Side::i)]);
+    joints.main_of_j.push_back(s.node_id()[nodes.main_node(Side::j)]);
   }
   fields_->write_joints(joints);
 }

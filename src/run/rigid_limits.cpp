@@ -89,12 +89,13 @@ std::vector<PointRow> points_of(const Model<2>& model, const RigidTask& task) {
   std::vector<PointRow> rows;
   for (int k = 0; k < model.points().owned(); ++k) {
     const auto& p = model.points().points()[k];
-    const int i = s.block_of_node()[p.node_i], j = s.block_of_node()[p.node_j];
+    const auto nodes = model.points().at(k);
+    const int i = model.points().joint_of(k).local_i, j = model.points().joint_of(k).local_j;
     if (task.absent && !task.absent->empty() && ((*task.absent)[i] || (*task.absent)[j])) continue;
     RigidContact c;
-    c.arm_i = place_of(s, p.node_i) - middle[i];
-    c.arm_j = place_of(s, p.node_j) - middle[j];
-    c.axis = p.axis;
+    c.arm_i = nodes.place(Side::i, s.position()) - s.middle() - middle[i];
+    c.arm_j = nodes.place(Side::j, s.position()) - s.middle() - middle[j];
+    c.axis = {in_plane(p.axis[0]), in_plane(p.axis[1])};
     c.law = task.state ? law_left(model, *task.state, k) : model.law()[k];
     rows.push_back({p.id, s.blocks()[i].mesh.id, s.blocks()[j].mesh.id, c});
   }

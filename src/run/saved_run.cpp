@@ -85,7 +85,7 @@ LocalRows node_rows(const Structure<dim>& s) {
   return {{s.node_id().begin(), s.node_id().end()}, s.owned_nodes(), s.total_nodes()};
 }
 
-LocalRows point_rows(const ContactPoints<dim>& points) {
+LocalRows point_rows(const ContactPoints& points) {
   LocalRows rows{{}, points.owned(), points.total()};
   for (const auto& p : points.points()) rows.ids.push_back(p.id);
   return rows;

@@ -23,8 +23,8 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   state.selected.assign(points, 0);
   // Open joints cannot begin bonded.
   const auto& gap = model_.initial_gap();
-  // Nor those between supports that may part. Where some points are selected, mode all begins with all of them.
-  const auto& apart = model_.between_supports();
+  // Nor can those that nothing ties. Where some points are selected, mode all begins with all of them.
+  const auto& apart = model_.never_tied();
   const bool all = model_.settings().selection.mode == SelectionMode::all;
   for (std::size_t k = 0; k < gap.size(); ++k) state.selected[k] = gap[k] > 0 || all;
   for (std::size_t k = 0; k < apart.size(); ++k)

@@ -42,14 +42,14 @@ long long release(const Model<dim>& model, const PointLaws& law, const std::vect
   for (int k = 0; k < points.size(); ++k) {
     if (flag[k] == 0) continue;
     joint[points.points()[k].joint] = 1;
-    if (state.selected[k]) vertex[cluster[points.points()[k].node_i]] = 1;
+    const auto& p = points.points()[k];
+    if (state.selected[k] && is_tied(p, cluster)) vertex[cluster_of_tied(p, cluster)] = 1;
   }
   long long released = 0;
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
-    const bool tied = cluster[p.node_i] == cluster[p.node_j];
-    const bool chosen =
-        flag[k] != 0 || (parameters.whole_joints && joint[p.joint]) || (tied && vertex[cluster[p.node_i]]);
+    const bool chosen = flag[k] != 0 || (parameters.whole_joints && joint[p.joint]) ||
+                        (is_tied(p, cluster) && vertex[cluster_of_tied(p, cluster)]);
     if (!chosen || state.selected[k]) continue;
     state.selected[k] = 1;
     ++released;
@@ -85,11 +85,10 @@ long long release_blocks(const Model<dim>& model, const PointLaws& law, const st
                          ContactState& state) {
   VOUSSOIR_EXPECT(marked.size() == model.structure().blocks().size() && "marked: per local block");
   const auto before = count_selected(model, state);
-  const auto& block = model.structure().block_of_node();
   std::vector<double> selected(state.selected.begin(), state.selected.end());
   for (int k = 0; k < model.points().owned(); ++k) {
-    const auto& p = model.points().points()[k];
-    if (marked[block[p.node_i]] || marked[block[p.node_j]]) selected[k] = 1;
+    const auto& joint = model.points().joint_of(k);
+    if (marked[joint.local_i] || marked[joint.local_j]) selected[k] = 1;
   }
   model.points().exchange().update(selected, 1);
   for (std::size_t k = 0; k < selected.size(); ++k) state.selected[k] = selected[k] != 0;

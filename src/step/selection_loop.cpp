@@ -18,8 +18,7 @@ namespace {
 double beside_what_follows(double root) { return root / std::hypot(1, root); }
 
 /// The stones of the joint that a point is on. Collective.
-template <int dim>
-void stones_of_point(const ContactPoints<dim>& points, const Teuchos::Comm<int>& comm, PointId id, int* stones) {
+void stones_of_point(const ContactPoints& points, const Teuchos::Comm<int>& comm, PointId id, int* stones) {
   int mine[2] = {-1, -1};
   for (int k = 0; k < points.owned(); ++k) {
     if (points.points()[k].id != id) continue;
@@ -211,10 +210,10 @@ void SelectionLoop<dim>::recover_ties() {
   const auto& s = model_.structure();
   seen_.borne = borne_by_joints(s, state_.displacement, input_.load);
   if (in_time())
-    recover_tied_forces(s, model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda, before_.lambda,
+    recover_tied_forces(model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda, before_.lambda,
                         open_points(model_));
   else
-    recover_tied_forces(s, model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda);
+    recover_tied_forces(model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda);
   model_.points().exchange().update(state_.lambda, dim);
 }
 

@@ -13,19 +13,18 @@ namespace voussoir {
 namespace {
 
 /// Releases every point at the vertex of a violating one: each of them ties its nodes.
-template <int dim>
-void release_violating(const ContactPoints<dim>& points, const std::vector<int>& cluster,
-                       const TiedViolations& violations, std::vector<char>& selected) {
+void release_violating(const ContactPoints& points, const std::vector<int>& cluster, const TiedViolations& violations,
+                       std::vector<char>& selected) {
   std::vector<double> violates(points.size(), 0.0);
   for (int k = 0; k < points.owned(); ++k) violates[k] = violations.force[k] > 0;
   points.exchange().update(violates, 1);
   std::vector<char> vertex(cluster.size(), 0);
   for (int k = 0; k < points.size(); ++k)
-    if (violates[k] > 0) vertex[cluster[points.points()[k].node_i]] = 1;
+    if (violates[k] > 0) vertex[cluster_of_tied(points.points()[k], cluster)] = 1;
   std::vector<double> released(selected.begin(), selected.end());
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
-    if (cluster[p.node_i] == cluster[p.node_j] && vertex[cluster[p.node_i]]) released[k] = 1;
+    if (is_tied(p, cluster) && vertex[cluster_of_tied(p, cluster)]) released[k] = 1;
   }
   points.exchange().update(released, 1);
   for (int k = 0; k < points.size(); ++k) selected[k] = released[k] > 0;
@@ -57,8 +56,7 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
   v.noise = std::max(tolerance, numbers.least_noise) * force;
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
-    const auto& p = points.points()[k];
-    if (cluster[p.node_i] != cluster[p.node_j]) continue;
+    if (!is_tied(points.points()[k], cluster)) continue;
     Vector<dim> f;
     std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
     // An open point that is tied bears nothing.

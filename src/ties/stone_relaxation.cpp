@@ -39,10 +39,10 @@ StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stone
   for (const auto& stone : stones_) VOUSSOIR_EXPECT(stone.radius > 0 && "radius of a stone: positive");
   const auto& s = model.structure();
   for (int k = 0; k < model.points().size(); ++k) {
-    const auto& p = model.points().points()[k];
-    const int i = s.block_of_node()[p.node_i], j = s.block_of_node()[p.node_j];
-    links_[i].push_back({k, j, stones_[j].rides_on == i, -1.0, s.position()[p.node_i] - stones_[i].middle});
-    links_[j].push_back({k, i, stones_[i].rides_on == j, 1.0, s.position()[p.node_j] - stones_[j].middle});
+    const auto p = model.points().at(k);
+    const int i = model.points().joint_of(k).local_i, j = model.points().joint_of(k).local_j;
+    links_[i].push_back({k, j, stones_[j].rides_on == i, -1.0, p.place(Side::i, s.position()) - stones_[i].middle});
+    links_[j].push_back({k, i, stones_[i].rides_on == j, 1.0, p.place(Side::j, s.position()) - stones_[j].middle});
   }
 }
 
@@ -69,17 +69,21 @@ double StoneRelaxation::passing(int block) const {
   return sum;
 }
 
-Vector<2> StoneRelaxation::motion_of(int block, int node, const ContactPoint<2>& p) const {
+Vector<2> StoneRelaxation::motion_of(int point, Side side) const {
+  const auto& points = model_.points();
+  const int block = side == Side::i ? points.joint_of(point).local_i : points.joint_of(point).local_j;
   const auto& d = place_[block];
-  const Vector<2> arm = model_.structure().position()[node] - stones_[block].middle;
+  const Vector<2> arm = points.at(point).place(side, model_.structure().position()) - stones_[block].middle;
   const Vector<2> u{d[0] - d[2] * arm[1], d[1] + d[2] * arm[0]};
-  return {dot(u, p.axis[0]), dot(u, p.axis[1])};
+  return {dot(u, axis_of(point, 0)), dot(u, axis_of(point, 1))};
+}
+
+Vector<2> StoneRelaxation::axis_of(int point, int component) const {
+  return in_plane(model_.points().points()[point].axis[component]);
 }
 
 void StoneRelaxation::update_force(int point) {
-  const auto& block = model_.structure().block_of_node();
-  const auto& p = model_.points().points()[point];
-  const auto motion = motion_of(block[p.node_j], p.node_j, p) - motion_of(block[p.node_i], p.node_i, p);
+  const auto motion = motion_of(point, Side::j) - motion_of(point, Side::i);
   force_[point] = force_of(points_[point], stiffness_, motion);
 }
 
@@ -89,9 +93,8 @@ StoneVector StoneRelaxation::lacking(int block, const StoneVector& at_first, Nei
   for (int c = 0; c < 3; ++c) lack[c] -= stones_[block].support[c] * place_[block][c];
   for (const auto& link : links_[block]) {
     if (which == Neighbours::that_stay && link.rides) continue;
-    const auto& axis = model_.points().points()[link.point].axis;
     const auto change = force_[link.point] - points_[link.point].force;
-    const Vector<2> f = link.sign * (change[0] * axis[0] + change[1] * axis[1]);
+    const Vector<2> f = link.sign * (change[0] * axis_of(link.point, 0) + change[1] * axis_of(link.point, 1));
     lack[0] += f[0];
     lack[1] += f[1];
     lack[2] += cross(link.arm, f);
@@ -107,9 +110,9 @@ StoneVector StoneRelaxation::step_of(int block, const StoneVector& lack, Neighbo
   for (const auto& link : links_[block]) {
     if (which == Neighbours::that_stay && link.rides) continue;
     held = true;
-    const auto& axis = model_.points().points()[link.point].axis;
     for (int a = 0; a < 2; ++a) {
-      const StoneVector way{axis[a][0], axis[a][1], cross(link.arm, axis[a])};
+      const auto axis = axis_of(link.point, a);
+      const StoneVector way{axis[0], axis[1], cross(link.arm, axis)};
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) matrix[r][c] += stiffness_ * way[r] * way[c];
     }

@@ -84,7 +84,8 @@ class StoneRelaxation {
     double stuck = 0;              ///< stones that lack more than they may and touch no point
   };
   enum class Neighbours { all, that_stay };
-  Vector<2> motion_of(int block, int node, const ContactPoint<2>&) const;
+  Vector<2> motion_of(int point, Side) const;
+  Vector<2> axis_of(int point, int component) const;
   void update_force(int point);
   StoneVector lacking(int block, const StoneVector& at_first, Neighbours) const;
   StoneVector step_of(int block, const StoneVector& lack, Neighbours) const;

@@ -37,10 +37,9 @@ std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, con
   const auto open = open_points(model);
   PointField gap;  // where a point bears nothing
   for (int k = 0; k < model.points().size(); ++k) {
-    const auto& p = model.points().points()[k];
     auto& spring = springs[k];
     spring.law = law[k];
-    const bool tied = cluster[p.node_i] == cluster[p.node_j], is_open = !open.empty() && open[k];
+    const bool tied = is_tied(model.points().points()[k], cluster), is_open = !open.empty() && open[k];
     if (!is_open || !tied) {
       spring.force = nearest_lawful(spring.law, Vector<2>{state.lambda[2 * k], state.lambda[2 * k + 1]});
       if (spring.force[0] > -spring.law.tension) continue;
@@ -109,9 +108,10 @@ std::vector<char> absent_here(const Model<2>& model) {
   if (std::none_of(gap.begin(), gap.end(), is_far)) return {};
   std::vector<int> near(s.blocks().size(), 0), far(s.blocks().size(), 0);
   for (int k = 0; k < model.points().size(); ++k) {
-    const auto& p = model.points().points()[k];
+    const auto& joint = model.points().joint_of(k);
     auto& count = is_far(gap[k]) ? far : near;
-    for (int node : {p.node_i, p.node_j}) ++count[s.block_of_node()[node]];
+    ++count[joint.local_i];
+    ++count[joint.local_j];
   }
   std::vector<char> absent(s.owned_blocks());
   for (int b = 0; b < s.owned_blocks(); ++b) absent[b] = far[b] > 0 && near[b] == 0;

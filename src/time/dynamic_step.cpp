@@ -223,8 +223,8 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
   const auto selected = std::max(1LL, count_selected(at_rest_, state));
   const double negligible = share * share * energy / static_cast<double>(selected);
   auto calm = velocities_.calm(state, negligible, resting);
-  for (std::size_t k = 0; k < at_rest_.between_supports().size(); ++k)
-    if (at_rest_.between_supports()[k]) calm[k] = 0;
+  for (std::size_t k = 0; k < at_rest_.never_tied().size(); ++k)
+    if (at_rest_.never_tied()[k]) calm[k] = 0;
   for (std::size_t k = 0; k < calm.size(); ++k)
     if (!at_rest_.joined(static_cast<int>(k))) calm[k] = 0;  // a tie would hold a stone by one that is not there
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,

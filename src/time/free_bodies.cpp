@@ -27,8 +27,7 @@ std::vector<int> bodies_of(const Model<dim>& model, const std::vector<char>& sel
   std::vector<int> mine(graph.neighbour.size() + blocks, 0), all(mine.size());  // tied pairs, held blocks
   for (int k = 0; k < model.points().owned(); ++k) {
     if (selected[k]) continue;
-    const auto& p = model.points().points()[k];
-    const BlockId i = id_of(p.node_i), j = id_of(p.node_j);
+    const BlockId i = model.points().joint_of(k).block_i, j = model.points().joint_of(k).block_j;
     for (int e = graph.start[i]; e < graph.start[i + 1]; ++e)
       if (graph.neighbour[e] == j) mine[e] = 1;
   }

@@ -63,8 +63,7 @@ double DynamicStep<dim>::begin(ContactState& state, bool initial) {
     if (at_rest_.held()[i]) v[i] = 0;
   const auto& points = at_rest_.points();
   for (int k = 0; k < points.size(); ++k)
-    for (int c = 0; c < dim; ++c)
-      if (v[dim * points.points()[k].node_i + c] != v[dim * points.points()[k].node_j + c]) state.selected[k] = 1;
+    if (points.at(k).difference(v) != Vector<3>{}) state.selected[k] = 1;
   const double given = velocities_.kinetic_energy(v);
   if (given == 0) {  // what has stood so far has rested
     const auto gap = at_rest_.gaps(state.displacement);

@@ -3,6 +3,7 @@
 #include <Teuchos_OrdinalTraits.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.hpp"
 #include "base/finite.hpp"
@@ -16,17 +17,15 @@
 namespace voussoir {
 namespace {
 
-template <int dim>
-Teuchos::RCP<const TpetraMap> map_of_points(const ContactPoints<dim>& points,
+Teuchos::RCP<const TpetraMap> map_of_points(const ContactPoints& points,
                                             const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new TpetraMap(unknown, static_cast<std::size_t>(dim) * points.owned(), 0, comm));
+  return Teuchos::rcp(new TpetraMap(unknown, static_cast<std::size_t>(points.components()) * points.owned(), 0, comm));
 }
 
 }  // namespace
 
-template <int dim>
-PointField relative_velocities(const ContactPoints<dim>& points, const std::vector<double>& velocity) {
+PointField relative_velocities(const ContactPoints& points, const std::vector<double>& velocity) {
   PointField speed;
   relative_motions(points, velocity, speed);
   return speed;
@@ -86,7 +85,7 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
   }
 
  private:
-  const ContactPoints<dim>& points_;
+  const ContactPoints& points_;
   Teuchos::RCP<const TpetraMap> map_;
   std::vector<char> all_selected_, held_;
   MergedSpace<dim> space_;
@@ -95,7 +94,7 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
   mutable std::vector<double> field_, nodal_;
 };
 
-/// The mass that resists an impulse at a point, of its two nodes alone.
+/// The mass that resists an impulse at a point, of its nodes alone.
 template <int dim>
 class VelocityProjection<dim>::ByMass : public Preconditioner {
  public:
@@ -103,14 +102,12 @@ class VelocityProjection<dim>::ByMass : public Preconditioner {
     std::vector<double> along_x(static_cast<std::size_t>(dim) * mass.nodes(), 0.0), weight;
     for (std::size_t i = 0; i < along_x.size(); i += dim) along_x[i] = 1;
     mass.apply_stiffness(along_x, weight);
-    const auto& points = model.points().points();
-    for (std::size_t k = 0; k < points.size(); ++k)
+    const auto mass_at = [&](int node, int c) {
+      return model.held()[dim * node + c] ? std::numeric_limits<double>::infinity() : weight[dim * node];
+    };
+    for (int k = 0; k < model.points().size(); ++k)
       for (int a = 0; a < dim; ++a) {
-        const auto& axis = points[k].axis[a];
-        double inverse = 0;
-        for (const int node : {points[k].node_i, points[k].node_j})
-          for (int c = 0; c < dim; ++c)
-            if (!model.held()[dim * node + c]) inverse += axis[c] * axis[c] / weight[dim * node];
+        const double inverse = model.points().at(k).mobility(a, mass_at);
         if (inverse > 0) resisting_[dim * k + a] = 1 / inverse;
       }
   }
@@ -172,7 +169,6 @@ double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::
   return total_over_ranks(*mass_.comm(), work);
 }
 
-template PointField relative_velocities<2>(const ContactPoints<2>&, const std::vector<double>&);
 template class VelocityProjection<2>;
 
 }  // namespace voussoir

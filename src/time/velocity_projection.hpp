@@ -17,8 +17,7 @@
 namespace voussoir {
 
 /// B v: relative velocities of contact points along their axes [m/s, points x components].
-template <int dim>
-PointField relative_velocities(const ContactPoints<dim>&, const std::vector<double>& velocity);
+PointField relative_velocities(const ContactPoints&, const std::vector<double>& velocity);
 
 template <int dim>
 class VelocityProjection {

@@ -40,17 +40,17 @@ std::vector<char> loaded_points(const Model<dim>& model, const ContactState& sta
 template <int dim>
 Held closed_points(const Model<dim>& model, const ContactState& state, const std::vector<char>& loaded,
                    const PointField& speed, double resting) {
-  const auto& points = model.points().points();
+  const auto& points = model.points();
   const auto gap = model.gaps(state.displacement);
   const double round_off = closed_gap * model.structure().size();
   std::vector<char> carries(state.velocity.size() / dim, 0);  // per node
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (loaded[k]) carries[points[k].node_i] = carries[points[k].node_j] = 1;
+  for (int k = 0; k < points.size(); ++k)
+    if (loaded[k]) points.at(k).each([&](int node, double) { carries[node] = 1; });
   Held closed(speed.size(), 0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const bool between = state.selected[k] && carries[points[k].node_i] && carries[points[k].node_j];
+  for (int k = 0; k < points.size(); ++k) {
+    const bool between = state.selected[k] && points.at(k).all([&](int node) { return carries[node] != 0; });
     const bool rests = std::abs(gap[dim * k]) < round_off && std::abs(speed[dim * k]) <= resting;
-    closed[dim * k] = (loaded[k] || (between && rests)) && !yields(model, static_cast<int>(k));  // springs stop nothing
+    closed[dim * k] = (loaded[k] || (between && rests)) && !yields(model, k);  // springs stop nothing
   }
   return closed;
 }

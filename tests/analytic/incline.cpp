@@ -37,9 +37,10 @@ Fate on_slope(double slope, double width, double height, double friction) {
   const auto& motion =
       fate.outcome == NewtonOutcome::collapse ? structure.solver().mechanism() : structure.state().displacement;
   const double c = 1 / std::sqrt(1 + slope * slope), s = slope * c;
-  for (const auto& p : structure.model().points().points()) {
-    const auto& x = structure.model().structure().position()[p.node_j];  // the bed is block 0, the block block 1
-    const Vector<2> u{motion[2 * p.node_j], motion[2 * p.node_j + 1]};
+  for (int k = 0; k < structure.model().points().size(); ++k) {
+    const int node = structure.model().points().at(k).main_node(Side::j);  // the bed is block 0, the block block 1
+    const auto& x = structure.model().structure().position()[node];
+    const Vector<2> u{motion[2 * node], motion[2 * node + 1]};
     const Vector<2> turned{u[0] * c + u[1] * s, -u[0] * s + u[1] * c};
     if (norm(x) < 1e-9) fate.lower = turned;
     if (std::abs(norm(x) - width) < 1e-9) fate.upper = turned;

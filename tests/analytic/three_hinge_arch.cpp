@@ -91,11 +91,11 @@ Settled settle(double young_modulus, Teuchos::FancyOStream& out, bool& success) 
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
     const auto& joint = points.joints()[p.joint];
-    const double r = norm(position[p.node_i]);
+    const double r = norm(points.at(k).place(Side::i, position));
     if (r > radius + 0.99 * half_thickness) extrados[joint.block_j] = gap[2 * k];
     if (r < radius - 0.99 * half_thickness) intrados[joint.block_j] = gap[2 * k];
     if (joint.block_j == voussoirs / 2 && r > radius + 0.99 * half_thickness)
-      drop = -(u[2 * p.node_i + 1] + u[2 * p.node_j + 1]) / 2;
+      drop = -(u[2 * points.at(k).main_node(Side::i) + 1] + u[2 * points.at(k).main_node(Side::j) + 1]) / 2;
   }
   Settled settled{0, intrados, extrados};
   const auto& comm = *structure.model().structure().comm();

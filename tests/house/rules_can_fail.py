@@ -5,6 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
+import doors
 import format as format_rule
 import headers
 import house
@@ -84,6 +85,21 @@ class IncludesPointDown(unittest.TestCase):
         self.assertEqual(layers.problems_of_libraries([one]), [])
         self.assertEqual(len(layers.problems_of_libraries([one, two])), 1)
         self.assertEqual(len(layers.problems_of_libraries([header])), 1)
+
+
+class PointsHaveADoor(unittest.TestCase):
+    def problems(self, path, text):
+        return doors.problems_of(pathlib.Path(path), text)
+
+    def test_nodes_of_points_are_named_in_joints_and_unknowns_alone(self):
+        for text in ("const int k = p.node_i;", "for (const auto& s : p.shares_j)", "x = a[nodes_i];"):
+            self.assertEqual(len(self.problems("src/model/model.cpp", text)), 1, text)
+            self.assertEqual(self.problems("src/joints/contact_points.cpp", text), [], text)
+            self.assertEqual(self.problems("src/homogenisation/merged_space.cpp", text), [], text)
+
+    def test_names_of_tables_and_words_are_none(self):
+        for text in ('write("/joints/node_i", points);', "// of node_i", "s.node_id()[i]", "points.at(k).each(add);"):
+            self.assertEqual(self.problems("src/output/fields_file.cpp", text), [], text)
 
 
 class CodeOfReadmes(unittest.TestCase):

@@ -234,11 +234,11 @@ Solution Experiment::solution() const {
     q.id = p.id;
     q.block_i = joint.block_i;
     q.block_j = joint.block_j;
-    q.node_i = s.node_id()[p.node_i];
-    q.node_j = s.node_id()[p.node_j];
+    q.node_i = s.node_id()[model_->points().at(k).main_node(Side::i)];
+    q.node_j = s.node_id()[model_->points().at(k).main_node(Side::j)];
     q.area = p.area;
-    q.position = s.position()[p.node_i];
-    q.normal = p.axis[0];
+    q.position = model_->points().at(k).place(Side::i, s.position());
+    q.normal = in_plane(p.axis[0]);
     q.normal_force = state_.lambda[2 * k];
     q.tangential_force = state_.lambda[2 * k + 1];
     q.gap = gap[2 * k];

@@ -19,7 +19,7 @@ enum class Chosen { none, even, all };
 struct TwoCubes {
   std::unique_ptr<BlockSource<3>> source;
   Structure<3> structure;
-  ContactPoints<3> points;
+  ContactPoints points;
   std::vector<char> held, selected;
   MergedSpace<3> space;
 
@@ -108,8 +108,8 @@ Dense sum_by_definition(const TwoCubes& t, const std::vector<PointStiffness>& st
     Dense b(3, std::vector<double>(n, 0.0));
     for (int a = 0; a < 3; ++a)
       for (int c = 0; c < 3; ++c) {
-        b[a][3 * cluster[p.node_j] + c] += p.axis[a][c];
-        b[a][3 * cluster[p.node_i] + c] -= p.axis[a][c];
+        b[a][3 * cluster[p.shares_j.first()] + c] += p.axis[a][c];
+        b[a][3 * cluster[p.shares_i.first()] + c] -= p.axis[a][c];
       }
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
@@ -130,9 +130,9 @@ TEUCHOS_UNIT_TEST(ContactPointsInSpace, PairTheNodesOfTheFaceThatTwoCubesShare) 
     for (int k = 0; k < t.points.size(); ++k) {
       const auto& p = t.points.points()[k];
       const auto& x = t.structure.position();
-      TEST_ASSERT(!t.is_upper(p.node_i) && t.is_upper(p.node_j));
-      TEST_COMPARE(norm(x[p.node_j] - x[p.node_i]), <=, 1e-15);
-      TEST_FLOATING_EQUALITY(dot(x[p.node_i], up), 1.0, 1e-14);
+      TEST_ASSERT(!t.is_upper(p.shares_i.first()) && t.is_upper(p.shares_j.first()));
+      TEST_COMPARE(norm(x[p.shares_j.first()] - x[p.shares_i.first()]), <=, 1e-15);
+      TEST_FLOATING_EQUALITY(dot(x[p.shares_i.first()], up), 1.0, 1e-14);
       if (k < t.points.owned()) area += p.area;
     }
     TEST_FLOATING_EQUALITY(sum_over_ranks(*everyone(), area), 1.0, 1e-14);
@@ -152,11 +152,11 @@ TEUCHOS_UNIT_TEST(ContactPointsInSpace, HaveRightHandedAxesWhoseNormalLeadsFromT
 TEUCHOS_UNIT_TEST(ContactPointsInSpace, SeeACubeThatIsLiftedPushedTwistedAndTilted) {
   const TwoCubes t(2, Chosen::all);
   const Vector<3> along = turned({1, 0, 0}), corner = turned({0, 0, 1});
-  const auto motion = [&](const ContactPoint<3>& p, const auto& of_place) {
-    return relative_motion(p, t.displacement(of_place));
+  const auto motion = [&](const ContactPoint& p, const auto& of_place) {
+    return PointOperator(p, 3).motion(t.displacement(of_place));
   };
   for (const auto& p : t.points.points()) {
-    const auto arm = t.structure.position()[p.node_i] - corner;
+    const auto arm = t.structure.position()[p.shares_i.first()] - corner;
     const auto lifted = motion(p, [&](const Vector<3>&) { return up; });
     TEST_FLOATING_EQUALITY(lifted[0], 1.0, 1e-14);
     TEST_COMPARE(std::hypot(lifted[1], lifted[2]), <=, 1e-14);
@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(ContactPointsInSpace, SeeACubeThatIsLiftedPushedTwistedAndTilt
     TEST_COMPARE(std::abs(tilted[0] - dot(arm, turned({0, 1, 0}))), <=, 1e-14);
     TEST_COMPARE(std::hypot(tilted[1], tilted[2]), <=, 1e-14);
     const auto together = t.displacement([&](const Vector<3>& x) { return up + cross(along, x); }, true);
-    TEST_COMPARE(norm(relative_motion(p, together)), <=, 1e-14);
+    TEST_COMPARE(norm(PointOperator(p, 3).motion(together)), <=, 1e-14);
   }
 }
 

@@ -31,7 +31,8 @@ TEUCHOS_UNIT_TEST(MergedSpace, TiesExactlyTheCopiesThatBondedPointsJoin) {
     for (std::size_t round = 0; round < copies.size(); ++round)
       for (int k = 0; k < w.points.size(); ++k) {
         const auto& p = w.points.points()[k];
-        if (!w.selected[k] && joined.count(p.node_i) + joined.count(p.node_j) == 1) joined.insert({p.node_i, p.node_j});
+        const int i = p.shares_i.first(), j = p.shares_j.first();
+        if (!w.selected[k] && joined.count(i) + joined.count(j) == 1) joined.insert({i, j});
       }
     for (int copy : copies) TEST_EQUALITY(cluster[copy] == cluster[copies.front()], joined.count(copy) == 1);
   }

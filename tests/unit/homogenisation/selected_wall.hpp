@@ -16,7 +16,7 @@ enum class Selected { none, few, some, all };
 struct SelectedWall {
   std::unique_ptr<BlockSource<2>> source;
   Structure<2> structure;
-  ContactPoints<2> points;
+  ContactPoints points;
   std::vector<char> held, selected;
   MergedSpace<2> space;
 
@@ -65,7 +65,7 @@ struct SelectedWall {
       if (s.position()[i][1] == 0) marks[2 * i] = marks[2 * i + 1] = 1;
     return marks;
   }
-  static std::vector<char> chosen(const ContactPoints<2>& points, Selected what) {
+  static std::vector<char> chosen(const ContactPoints& points, Selected what) {
     std::vector<char> marks;
     for (const auto& p : points.points()) {
       const auto& joint = points.joints()[p.joint];

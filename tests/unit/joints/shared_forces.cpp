@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Three {
   std::unique_ptr<BlockSource<2>> source;
   Structure<2> structure;
-  ContactPoints<2> points;
+  ContactPoints points;
   std::vector<int> cluster;
   std::vector<int> middle;  // points that meet, where they are local
   SharedForces shared;
@@ -36,7 +36,7 @@ struct Three {
         freedom(points.size(), {true, true, 0.0, {0.0, infinity, infinity}}),
         lambda(2 * points.size()) {
     for (int k = 0; k < points.size(); ++k) {
-      const auto& at = structure.position()[points.points()[k].node_i];
+      const auto at = points.at(k).place(Side::i, structure.position());
       if (at[0] == 1 && at[1] == 1) middle.push_back(k);
       for (int c = 0; c < 2; ++c) lambda[2 * k + c] = 10.0 + 3.0 * static_cast<double>(points.points()[k].id) - 7.0 * c;
     }

@@ -16,7 +16,7 @@ using namespace voussoir::test;
 /// A structure whose joints are all bonded, held at y = 0, and its forces in equilibrium with a load.
 struct Bonded {
   Structure<2> structure;
-  ContactPoints<2> points;
+  ContactPoints points;
   std::vector<char> held;
   Continuum<2> continuum;
   std::vector<double> residual, lambda;  // K u - f per node copy [N], forces of the points [N]
@@ -36,7 +36,7 @@ struct Bonded {
     structure.apply_stiffness(u, residual);
     for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= load[i];
     lambda.assign(2 * points.size(), 0.0);
-    recover_tied_forces(structure, points, continuum.space().cluster(), held, residual, lambda);
+    recover_tied_forces(points, continuum.space().cluster(), held, residual, lambda);
     points.exchange().update(lambda, 2);
     for (double f : lambda) largest_force = std::max(largest_force, std::abs(f));
     largest_force = largest_of_ranks(*comm, largest_force);
@@ -51,7 +51,7 @@ struct Bonded {
 
   Vector<2> force(int k) const {  // on block j, in x and y
     const auto& axis = points.points()[k].axis;
-    return lambda[2 * k] * axis[0] + lambda[2 * k + 1] * axis[1];
+    return in_plane(lambda[2 * k] * axis[0] + lambda[2 * k + 1] * axis[1]);
   }
 };
 
@@ -113,7 +113,8 @@ TEUCHOS_UNIT_TEST(TiedForces, WhereThreeBlocksMeetTheSplitIsTheLeastSquaresOne) 
   const Bonded bonded(*source, everyone(), {1e9, 0.2, density}, {1.5, -gravity});
   const auto& points = bonded.points.points();
   std::map<std::pair<int, int>, int> point_between;
-  for (int k = 0; k < bonded.points.size(); ++k) point_between[{points[k].node_i, points[k].node_j}] = k;
+  for (int k = 0; k < bonded.points.size(); ++k)
+    point_between[{points[k].shares_i.first(), points[k].shares_j.first()}] = k;
   int junctions = 0;
   for (const auto& [ij, k] : point_between)
     for (const auto& [jl, m] : point_between) {
@@ -142,34 +143,35 @@ TEUCHOS_UNIT_TEST(TiedForces, FollowFromTheResidualWithFreePointsAndReactionsSet
   // is tied with the node below held; the others are tied.
   const auto source = column(2);
   const auto s = structure_of(*source, alone());
-  const ContactPoints<2> points(*source, s);
+  const ContactPoints points(*source, s);
   std::vector<double> expected(2 * points.size()), residual(2 * s.nodes(), 0.0);
   for (std::size_t i = 0; i < expected.size(); ++i) expected[i] = noise(i);
   add_contact_forces(points, {}, expected, 1.0, residual);
   std::vector<int> cluster(s.nodes());
   for (int i = 0; i < s.nodes(); ++i) cluster[i] = i;
-  for (int k = 1; k < points.size(); ++k) cluster[points.points()[k].node_j] = points.points()[k].node_i;
+  for (int k = 1; k < points.size(); ++k)
+    cluster[points.points()[k].shares_j.first()] = points.points()[k].shares_i.first();
   std::vector<char> held(2 * s.nodes(), 0);
   for (const int k : {0, 1})
     for (int c = 0; c < 2; ++c) {
-      held[2 * points.points()[k].node_i + c] = 1;
-      residual[2 * points.points()[k].node_i + c] += 100;
+      held[2 * points.points()[k].shares_i.first() + c] = 1;
+      residual[2 * points.points()[k].shares_i.first() + c] += 100;
     }
   auto lambda = expected;
   std::fill(lambda.begin() + 2, lambda.end(), -7.0);  // what stood there before does not matter
-  recover_tied_forces(s, points, cluster, held, residual, lambda);
+  recover_tied_forces(points, cluster, held, residual, lambda);
   for (std::size_t i = 0; i < expected.size(); ++i) TEST_COMPARE(std::abs(lambda[i] - expected[i]), <=, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(ContactForces, CompressionPushesTheBlocksApartAndTiedPointsMayBeLeftOut) {
   const auto source = column(2);  // the normal of the joint points up, from stone 0 to stone 1
   const auto s = structure_of(*source, alone());
-  const ContactPoints<2> points(*source, s);
+  const ContactPoints points(*source, s);
   std::vector<double> lambda(2 * points.size(), 0.0), nodal(2 * s.nodes(), 0.0);
   for (int k = 0; k < points.size(); ++k) lambda[2 * k] = 3.0;
   std::vector<int> cluster(s.nodes());
   for (int i = 0; i < s.nodes(); ++i) cluster[i] = i;
-  cluster[points.points()[0].node_j] = points.points()[0].node_i;
+  cluster[points.points()[0].shares_j.first()] = points.points()[0].shares_i.first();
   add_contact_forces(points, cluster, lambda, 2.0, nodal);
   double sum = 0, size = 0;
   for (double f : nodal) {
@@ -180,8 +182,8 @@ TEUCHOS_UNIT_TEST(ContactForces, CompressionPushesTheBlocksApartAndTiedPointsMay
   TEST_EQUALITY(size, 2 * 3 * 6.0);  // three of the four points, both sides
   for (int k = 0; k < points.size(); ++k) {
     const auto& p = points.points()[k];
-    TEST_EQUALITY(nodal[2 * p.node_j + 1], k == 0 ? 0.0 : 6.0);
-    TEST_EQUALITY(nodal[2 * p.node_i + 1], k == 0 ? 0.0 : -6.0);
+    TEST_EQUALITY(nodal[2 * p.shares_j.first() + 1], k == 0 ? 0.0 : 6.0);
+    TEST_EQUALITY(nodal[2 * p.shares_i.first() + 1], k == 0 ? 0.0 : -6.0);
   }
 }
 

@@ -49,7 +49,7 @@ class BondedWall {
   }
   std::unique_ptr<BlockSource<2>> source_;
   Structure<2> structure_;
-  ContactPoints<2> points_;
+  ContactPoints points_;
   std::unique_ptr<Continuum<2>> continuum_;
 };
 

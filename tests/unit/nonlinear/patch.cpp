@@ -71,10 +71,10 @@ TEUCHOS_UNIT_TEST(Patch, KeepsTheStatusesOfItsBorder) {
   parts.force_scale = weight;
   parts.length_scale = 1;
   auto between = on_the_ground(0.3);
-  between.unknown = {2, 3, 0, 1};
+  between.shares = {{2, 0, -1.0}, {3, 1, -1.0}, {0, 0, 1.0}, {1, 1, 1.0}};
   parts.points = {between};
   auto below = on_the_ground(0.0);
-  below.unknown = {-1, -1, 2, 3};
+  below.shares = {{2, 0, 1.0}, {3, 1, 1.0}};
   below.resistance = {stone, 2 * spring, 0};
   parts.border = {below};
   Patch patch(parts);

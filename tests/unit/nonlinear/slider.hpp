@@ -9,7 +9,7 @@ constexpr double weight = 100, push = 50, spring = 1000, stone = 1e6;
 
 inline PatchPoint on_the_ground(double friction) {
   PatchPoint p;
-  p.unknown = {-1, -1, 0, 1};
+  p.shares = {{0, 0, 1.0}, {1, 1, 1.0}};
   p.axis = {{{0, 1}, {-1, 0}}};
   p.law.friction = friction;
   p.local_stiffness = stone;

@@ -69,8 +69,8 @@ JointRows joint_between_them() {
     joints.area.push_back(0.5);
     joints.block_i.push_back(0);
     joints.block_j.push_back(1);
-    joints.node_i.push_back(point == 0 ? 1 : 2);
-    joints.node_j.push_back(point == 0 ? 4 : 7);
+    joints.main_of_i.push_back(point == 0 ? 1 : 2);
+    joints.main_of_j.push_back(point == 0 ? 4 : 7);
   }
   return joints;
 }

@@ -28,7 +28,7 @@ Warnings said_at(double share_of_strength, double fracture_energy = 0) {
     if (joint.block_i != 0) continue;
     const auto& p = model.points().points()[k];
     const double middle = joint.block_j == 1 ? 0.125 : 0.375;
-    const double side = (model.structure().position()[p.node_i][0] - middle) / 0.125;  // -1, 0, 1
+    const double side = (model.structure().position()[p.shares_i.first()][0] - middle) / 0.125;  // -1, 0, 1
     state.lambda[2 * k] = 2.0 / 3 * side * share_of_strength * strength * p.area;
   }
   return coarse_joints(model, state, "a step");

@@ -31,7 +31,7 @@ struct Moved {
     for (int k = 0; k < model.points().size(); ++k) {
       const auto& joint = joint_of(model, k);
       if (joint.block_i != 0 || joint.block_j != 2) continue;
-      const double x = model.structure().position()[model.points().points()[k].node_i][0];
+      const double x = model.structure().position()[model.points().points()[k].shares_i.first()][0];
       state.lambda[2 * k] = presses[static_cast<std::size_t>(std::lround((x - 0.25) / cell))];
     }
   }

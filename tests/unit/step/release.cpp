@@ -70,8 +70,7 @@ TEUCHOS_UNIT_TEST(Release, WithoutATolerancePointsThatViolateAtAllAreReleasedEac
   scene.selection.whole_joints = false;
   Drawn wall(scene);
   const auto released = wall.release_by([&](const Joint& joint, int k) {
-    const auto& p = wall.model().points().points()[k];
-    const bool at_the_end = wall.model().structure().position()[p.node_i][0] == 0;
+    const bool at_the_end = wall.model().points().points()[k].place[0] == 0;
     return joint.block_i != 0 || joint.block_j != 1 ? 0.0 : at_the_end ? 1e6 : 1.0;
   });
   TEST_EQUALITY(released, wall.selected_between(0, 1)[1]);

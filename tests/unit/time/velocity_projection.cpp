@@ -19,11 +19,12 @@ constexpr double solved = 1e-8;  // impulses are found to 1e-11 of their size
 /// Points whose two nodes belong to no other point: what happens there is between the two.
 std::vector<int> pairs_alone(const Model<2>& model) {
   std::map<int, int> points_of_node;
-  for (const auto& p : model.points().points()) ++points_of_node[p.node_i], ++points_of_node[p.node_j];
+  for (const auto& p : model.points().points())
+    ++points_of_node[p.shares_i.first()], ++points_of_node[p.shares_j.first()];
   std::vector<int> alone;
   for (int k = 0; k < model.points().owned(); ++k) {
     const auto& p = model.points().points()[k];
-    if (points_of_node[p.node_i] == 1 && points_of_node[p.node_j] == 1) alone.push_back(k);
+    if (points_of_node[p.shares_i.first()] == 1 && points_of_node[p.shares_j.first()] == 1) alone.push_back(k);
   }
   return alone;
 }
@@ -40,7 +41,7 @@ TEUCHOS_UNIT_TEST(VelocityProjection, MassAtAPointIsThatOfItsTwoNodesInSeries) {
   const VelocityProjection<2> projection(wall.model, wall.mass);
   for (int k = 0; k < wall.model.points().owned(); ++k) {
     const auto& p = wall.model.points().points()[k];
-    const double series = 1 / (1 / wall.mass_of_node[p.node_i] + 1 / wall.mass_of_node[p.node_j]);
+    const double series = 1 / (1 / wall.mass_of_node[p.shares_i.first()] + 1 / wall.mass_of_node[p.shares_j.first()]);
     TEST_FLOATING_EQUALITY(projection.mass(k, 0), series, 1e-13);
     TEST_FLOATING_EQUALITY(projection.mass(k, 1), series, 1e-13);
   }
@@ -58,15 +59,16 @@ TEUCHOS_UNIT_TEST(VelocityProjection, TwoNodesThatMeetGoOnWithTheirMeanAndTheOth
   for (const int k : pairs) {
     const auto& p = wall.model.points().points()[k];
     const bool bed = std::abs(p.axis[0][1]) > 0.5;
-    const double mi = wall.mass_of_node[p.node_i], mj = wall.mass_of_node[p.node_j];
-    const double mean = (mi * before[2 * p.node_i + 1] + mj * before[2 * p.node_j + 1]) / (mi + mj);
-    for (const int n : {p.node_i, p.node_j}) {
+    const double mi = wall.mass_of_node[p.shares_i.first()], mj = wall.mass_of_node[p.shares_j.first()];
+    const double mean = (mi * before[2 * p.shares_i.first() + 1] + mj * before[2 * p.shares_j.first() + 1]) / (mi + mj);
+    for (const int n : {p.shares_i.first(), p.shares_j.first()}) {
       if (bed) TEST_COMPARE(std::abs(v[2 * n + 1] - mean), <, 3 * solved);
       if (bed) TEST_COMPARE(std::abs(v[2 * n] - before[2 * n]), <, 3 * solved);  // normals alone are held
     }
   }
   std::vector<char> on_a_joint(wall.mass.nodes(), 0);
-  for (const auto& p : wall.model.points().points()) on_a_joint[p.node_i] = on_a_joint[p.node_j] = 1;
+  for (const auto& p : wall.model.points().points())
+    on_a_joint[p.shares_i.first()] = on_a_joint[p.shares_j.first()] = 1;
   for (int i = 0; i < 2 * wall.mass.owned_nodes(); ++i)
     if (!on_a_joint[i / 2]) TEST_EQUALITY(v[i], before[i]);
 }

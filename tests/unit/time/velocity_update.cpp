@@ -75,16 +75,12 @@ class Flight {
   }
   double apply() { return update_.apply(step_, state, 0.0, resting).friction; }
 
-  bool bed(std::size_t k) const { return std::abs(at_rest_.points().points()[k].axis[0][1]) > 0.5; }
+  bool bed(int k) const { return std::abs(at_rest_.points().points()[k].axis[0][1]) > 0.5; }
   /// Largest relative velocity at bed points, normal (0) or tangential (1) [m/s].
   double relative(int axis) const {
     double mine = 0, all = 0;
-    const auto& points = at_rest_.points().points();
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto& p = points[k];
-      double speed = 0;
-      for (int c = 0; c < 2; ++c)
-        speed += (state.velocity[2 * p.node_j + c] - state.velocity[2 * p.node_i + c]) * p.axis[axis][c];
+    for (int k = 0; k < at_rest_.points().size(); ++k) {
+      const double speed = at_rest_.points().at(k).motion(state.velocity)[axis];
       if (bed(k)) mine = std::max(mine, std::abs(speed));
     }
     Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));

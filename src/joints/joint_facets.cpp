@@ -1,0 +1,58 @@
+#include "joints/joint_facets.hpp"
+
+#include "mesh/border.hpp"
+
+namespace voussoir {
+namespace {
+
+// Points are shared by facets that meet at less than 20 degrees (joints/joint_finder): a facet belongs to its side.
+constexpr double same_side = 0.94;
+
+struct Place {
+  int joint, within;
+  Vector<2> outward;  ///< of the block whose node it is
+};
+
+/// Per local node the points that stand at it.
+std::vector<std::vector<Place>> points_at_nodes(const Structure<2>& s, const ContactPoints& points) {
+  std::vector<std::vector<Place>> at_node(static_cast<std::size_t>(s.nodes()));
+  std::vector<int> count(points.joints().size(), 0);
+  for (int k = 0; k < points.owned(); ++k) {
+    const auto& p = points.points()[static_cast<std::size_t>(k)];
+    const bool on_i = p.shares_i.is_one();
+    const int node = (on_i ? p.shares_i : p.shares_j).first();
+    const auto normal = in_plane(p.axis[0]);
+    at_node[static_cast<std::size_t>(node)].push_back(
+        {p.joint, count[static_cast<std::size_t>(p.joint)]++, on_i ? normal : -1.0 * normal});
+  }
+  return at_node;
+}
+
+}  // namespace
+
+std::vector<std::vector<FacetOfJoint>> facets_of_joints(const BlockSource<2>& source, const Structure<2>& s,
+                                                        const ContactPoints& points) {
+  const auto at_node = points_at_nodes(s, points);
+  std::vector<std::vector<FacetOfJoint>> facets(points.joints().size());
+  for (const auto& block : s.blocks()) {
+    const auto at = [&](int node) -> const std::vector<Place>& {
+      return at_node[static_cast<std::size_t>(block.first_local + node)];
+    };
+    bool any = false;
+    for (int n = 0; n < static_cast<int>(block.mesh.position.size()); ++n) any |= !at(n).empty();
+    if (!any) continue;
+    for (const auto& edge : border_edges({source.block(block.mesh.id)})) {
+      const auto along =
+          s.position()[block.first_local + edge.node[1]] - s.position()[block.first_local + edge.node[0]];
+      const Vector<2> outward{along[1], -along[0]};
+      const auto faces = [&](const Place& p) { return dot(p.outward, outward) > same_side * norm(outward); };
+      for (const auto& one : at(edge.node[0]))
+        for (const auto& other : at(edge.node[1]))
+          if (one.joint == other.joint && faces(one) && faces(other))
+            facets[static_cast<std::size_t>(one.joint)].push_back({one.within, other.within});
+    }
+  }
+  return facets;
+}
+
+}  // namespace voussoir
