@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <type_traits>
 
 #include "base/check.hpp"
@@ -84,8 +83,9 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
   const Table shape = file_->table(path);
   if (shape.rows != local.total || shape.columns != columns)
     throw ResourceError(cannot_read(path_, name + " of another size than the structure's"));
-  std::vector<std::size_t> order(local.ids.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < local.ids.size(); ++k)
+    if (local.ids[k] >= 0) order.push_back(k);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return local.ids[a] < local.ids[b]; });
   std::vector<long long> ascending;
   for (const auto k : order) ascending.push_back(local.ids[k]);

@@ -16,7 +16,7 @@ namespace voussoir {
 
 /// Rows of a table as a rank holds them: the owned ones first, then its halo, each part ascending.
 struct LocalRows {
-  std::vector<long long> ids;
+  std::vector<long long> ids;  ///< to restore, -1 for what has no row in the file: it reads as zero
   long long owned = 0;
   long long total = 0;  ///< of all ranks
 };

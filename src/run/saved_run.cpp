@@ -13,6 +13,7 @@
 #include "base/digest.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "model/carried_points.hpp"
 #include "model/handed_over.hpp"
 #include "model/phase.hpp"
 #include "output/checkpoint.hpp"
@@ -25,8 +26,8 @@ namespace voussoir {
 namespace {
 
 constexpr int dim = 2;
-constexpr int format = 12;          // of the file; raised when a value changes its meaning
-constexpr double most_steps = 2e9;  // numbers that can be added to
+constexpr int format = 13;     // of the file; raised when a value changes its meaning
+constexpr double near = 1e-9;  // [-] of the structure's size: places of one drawing, read twice, are one
 constexpr double largest = std::numeric_limits<double>::max();
 
 long long number_of(const std::string& text) { return static_cast<long long>(digest(text.data(), text.size())); }
@@ -85,9 +86,52 @@ LocalRows node_rows(const Structure<dim>& s) {
   return {{s.node_id().begin(), s.node_id().end()}, s.owned_nodes(), s.total_nodes()};
 }
 
-LocalRows point_rows(const ContactPoints& points) {
+/// Blocks, place and normal of points, as a checkpoint holds them.
+struct PlaceRows {
+  std::vector<int> blocks;
+  std::vector<double> places;
+
+  explicit PlaceRows(const std::vector<PointPlace>& of) {
+    for (const auto& p : of) {
+      blocks.insert(blocks.end(), {p.block_i, p.block_j});
+      places.insert(places.end(), p.place.begin(), p.place.end());
+      places.insert(places.end(), p.normal.begin(), p.normal.end());
+    }
+  }
+  void keep(Checkpoint& checkpoint, const LocalRows& rows) {
+    checkpoint.rows("points.blocks", rows, 2, blocks);
+    checkpoint.rows("points.places", rows, 6, places);
+  }
+  std::vector<PointPlace> list() const {
+    std::vector<PointPlace> all(blocks.size() / 2);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      all[k].block_i = blocks[2 * k];
+      all[k].block_j = blocks[2 * k + 1];
+      std::copy_n(&places[6 * k], 3, all[k].place.begin());
+      std::copy_n(&places[6 * k + 3], 3, all[k].normal.begin());
+    }
+    return all;
+  }
+};
+
+/// Where a checkpoint has the points. One that is restored is known by its place, and has no row if it was not there.
+/// Collective.
+LocalRows point_rows(Checkpoint& checkpoint, const Model<dim>& model) {
+  const auto& points = model.points();
   LocalRows rows{{}, points.owned(), points.total()};
   for (const auto& p : points.points()) rows.ids.push_back(p.id);
+  const auto here = places_of(points, model.structure());
+  checkpoint.value("points", rows.total);
+  if (checkpoint.saving()) {
+    PlaceRows(here).keep(checkpoint, rows);
+    return rows;
+  }
+  LocalRows all{{}, rows.total, rows.total};
+  for (long long k = 0; k < rows.total; ++k) all.ids.push_back(k);
+  PlaceRows saved(std::vector<PointPlace>(static_cast<std::size_t>(rows.total)));
+  saved.keep(checkpoint, all);
+  const auto same = same_places(here, saved.list(), near * model.structure().size());
+  rows.ids.assign(same.begin(), same.end());
   return rows;
 }
 
@@ -96,7 +140,7 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   run.time_step.keep(checkpoint);
   run.record.keep(checkpoint);
   run.state.fast_way.keep(checkpoint);
-  const auto nodes = node_rows(model.structure()), points = point_rows(model.points());
+  const auto nodes = node_rows(model.structure()), points = point_rows(checkpoint, model);
   auto& state = run.state;
   checkpoint.rows("displacement", nodes, dim, state.displacement);
   checkpoint.rows("velocity", nodes, dim, state.velocity);
@@ -104,21 +148,17 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
   checkpoint.rows("acceleration before", nodes, dim, state.acceleration_before);
   checkpoint.value("largest_energy_J", state.largest_energy);
   checkpoint.rows("load", nodes, dim, run.load);
-  checkpoint.rows("lambda", points, dim, state.lambda);
-  checkpoint.rows("slip_origin", points, dim, state.slip_origin);
-  checkpoint.rows_within("selected", points, 1, state.selected, 0, 1);
-  checkpoint.rows("opened", points, 1, state.opened);
-  checkpoint.rows("slipped", points, 1, state.slipped);
-  constexpr auto last_status = static_cast<double>(PointStatus::bonded);
-  checkpoint.rows_within("status", points, 1, state.status, 0, last_status);
+  each_list_of_points(state, dim, [&](const std::string& name, auto& list, int values, double most) {
+    if (static_cast<const void*>(&list) == &state.initial_gap) return;  // below
+    if (most < 0)
+      checkpoint.rows(name, points, values, list);
+    else
+      checkpoint.rows_within(name, points, values, list, 0, most);
+  });
   checkpoint.within("rest.error.ratio", state.rest.error.ratio, 0, largest);
   checkpoint.within("rest.error.root_known", state.rest.error.root_known, 0, largest);
   checkpoint.within("rest.error.root", state.rest.error.root, 0, largest);
   checkpoint.within("rest.error.travelled", state.rest.error.travelled, 0, largest);
-  checkpoint.rows("rest.place", points, dim, state.rest.place);
-  checkpoint.rows_within("rest.steps", points, 1, state.rest.steps, 0, most_steps);
-  checkpoint.rows_within("rest.needed", points, 1, state.rest.needed, 0, most_steps);
-  checkpoint.rows_within("rest.bonded", points, 1, state.rest.bonded, 0, 1);
   bool built = model.settings().builds;  // restored: that of the scene it was saved with
   checkpoint.value("built", built);
   if (built) {
@@ -126,6 +166,9 @@ void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState&
     checkpoint.rows("initial_gap", points, 1, state.initial_gap);
   }
   if (!model.settings().builds) state.initial_gap.clear();
+  std::vector<char> begins;
+  for (const auto row : points.ids) begins.push_back(row < 0);
+  begin_points(begins, model.points(), state);
   bool searching = run.steps.finished() && run.load_factor && run.load_factor->begun();
   checkpoint.value("load_factor.begun", searching);
   if (searching && run.load_factor) run.load_factor->keep(checkpoint, nodes, points, dim, model.weakens());
@@ -225,7 +268,6 @@ void check_identity(Checkpoint& checkpoint, const Model<dim>& model, const std::
   same("format", format, "format and that of this program");
   same("blocks", model.source().block_count(), "numbers of blocks");
   same("nodes", model.structure().total_nodes(), "numbers of nodes");
-  same("points", model.points().total(), "numbers of contact points");
   same("geometry", geometry_digest(model.structure()), "places of nodes");
   same("cells", cells_digest(model.structure()), "cells");
 }

@@ -1,0 +1,45 @@
+#include "joints/point_places.hpp"
+
+#include <map>
+#include <utility>
+
+namespace voussoir {
+namespace {
+
+constexpr double same_side = 0.94;  // cosine of 20 degrees: a sharper corner has two points (joints/joint_finder)
+
+}  // namespace
+
+std::vector<PointPlace> places_of(const ContactPoints& points, const Structure<2>& structure) {
+  std::vector<PointPlace> places;
+  for (int k = 0; k < points.size(); ++k) {
+    const auto& joint = points.joint_of(k);
+    const auto& p = points.points()[k];
+    const Rotation back(-(structure.turn(joint.local_i) + structure.turn(joint.local_j)) / 2);
+    places.push_back({joint.block_i, joint.block_j, p.place, in_space(back(in_plane(p.axis[0])))});
+  }
+  return places;
+}
+
+std::vector<int> same_places(const std::vector<PointPlace>& points, const std::vector<PointPlace>& others,
+                             double near) {
+  std::map<std::pair<BlockId, BlockId>, std::vector<int>> of_joint;
+  for (std::size_t k = 0; k < others.size(); ++k)
+    of_joint[{others[k].block_i, others[k].block_j}].push_back(static_cast<int>(k));
+  std::vector<char> taken(others.size(), 0);
+  std::vector<int> same;
+  for (const auto& p : points) {
+    same.push_back(-1);
+    const auto joint = of_joint.find({p.block_i, p.block_j});
+    if (joint == of_joint.end()) continue;
+    for (const int k : joint->second) {
+      if (taken[k] || norm(others[k].place - p.place) > near || dot(others[k].normal, p.normal) < same_side) continue;
+      taken[k] = 1;
+      same.back() = k;
+      break;
+    }
+  }
+  return same;
+}
+
+}  // namespace voussoir

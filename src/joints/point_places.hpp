@@ -1,0 +1,25 @@
+// Points known by where they are: numbers and ranks change where points come and go, places do not.
+#pragma once
+
+#include <vector>
+
+#include "joints/contact_points.hpp"
+
+namespace voussoir {
+
+/// A point as the mesh draws it.
+struct PointPlace {
+  BlockId block_i = 0, block_j = 0;
+  Vector<3> place{};   ///< [m]
+  Vector<3> normal{};  ///< one place has two points where a joint turns a corner
+};
+
+/// Of all points of this rank, wherever their blocks have turned to.
+std::vector<PointPlace> places_of(const ContactPoints&, const Structure<2>&);
+
+/// For each point the number of the one that stands at its place among others, -1 where none does. No other is taken
+/// twice.
+/// @param near  [m] places within this are one
+std::vector<int> same_places(const std::vector<PointPlace>& points, const std::vector<PointPlace>& others, double near);
+
+}  // namespace voussoir
