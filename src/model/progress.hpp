@@ -1,8 +1,8 @@
-// What happens within a step, while it does: counted, told to those who print, and judged by those who may end it.
+// What happens within a step, while it does: counted, told to those who print, and asked of those who may end it.
 //
-// A judge is asked after every linear solve, when all have been told of it, and ends the step by throwing: what it
-// throws is its own, and so is catching it. Judges are asked on every rank and come to the same answer there. Those who
-// print have no say.
+// Whoever may want no more of a step is asked after every linear solve, when all have been told of it. Where one says
+// no the step ends as stopped, an outcome like others: the state is that before it, and who said no knows why. The
+// question is put on every rank and answered alike there. Those who print have no say.
 #pragma once
 
 #include <functional>
@@ -23,30 +23,32 @@ class Progress {
   /// The error estimate is NaN where it was not computed.
   std::function<void(int round, long long selected, double error_estimate)> print_round;
 
-  /// Has a judge asked as long as this lives.
-  class Judging {
+  /// Asked after every linear solve whether the step goes on, as long as this lives.
+  class Question {
    public:
-    Judging(Progress& progress, std::function<void()> judge) : judges_(progress.judges_) {
-      judges_.push_back(std::move(judge));
-      mine_ = std::prev(judges_.end());
+    Question(Progress& progress, std::function<GoOn()> ask) : questions_(progress.questions_) {
+      questions_.push_back(std::move(ask));
+      mine_ = std::prev(questions_.end());
     }
-    ~Judging() { judges_.erase(mine_); }
-    Judging(const Judging&) = delete;
-    Judging& operator=(const Judging&) = delete;
+    ~Question() { questions_.erase(mine_); }
+    Question(const Question&) = delete;
+    Question& operator=(const Question&) = delete;
 
    private:
-    std::list<std::function<void()>>& judges_;
-    std::list<std::function<void()>>::iterator mine_;
+    std::list<std::function<GoOn()>>& questions_;
+    std::list<std::function<GoOn()>>::iterator mine_;
   };
 
   /// Linear solves so far, each correction by patches counted as one.
   int solves() const { return solves_; }
 
-  /// A linear solve was done. Collective.
-  void solved(const NewtonProgress& solve) {
+  /// A linear solve was done. The first who says no is the last who is asked. Collective.
+  GoOn solved(const NewtonProgress& solve) {
     ++solves_;
     if (print) print(solve);
-    for (const auto& judge : judges_) judge();
+    for (const auto& ask : questions_)
+      if (ask() == GoOn::no) return GoOn::no;
+    return GoOn::yes;
   }
   /// A selection was looked at.
   void looked(int round, long long selected, double error_estimate) const {
@@ -55,7 +57,7 @@ class Progress {
 
  private:
   int solves_ = 0;
-  std::list<std::function<void()>> judges_;
+  std::list<std::function<GoOn()>> questions_;
 };
 
 }  // namespace voussoir

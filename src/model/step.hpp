@@ -54,7 +54,7 @@ struct StepReport {
 };
 
 /// On anything but convergence the state is that of the last attempt: its displacement is where a collapse runs away
-/// to, and nothing goes on from it.
+/// to, and nothing goes on from it. A step that was stopped leaves the state before it.
 struct StepResult {
   ContactState after;
   StepReport report;

@@ -308,7 +308,8 @@ std::optional<ActiveSetEnd> ActiveSet::judge_solve(TpetraVector& x, PointField& 
                                                    int krylov, Search& search, NewtonReport& report) {
   search.size = measure(x, lambda, report);
   tell(report, krylov);
-  correct_locally(x, lambda, start, search, report);
+  if (!report.stopped) correct_locally(x, lambda, start, search, report);
+  if (report.stopped) return ActiveSetEnd::stopped;
   if (search.size <= search.tolerance) {
     lambda = admissible_;
     report.outcome = NewtonOutcome::converged;
@@ -378,7 +379,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
   return ActiveSetEnd::circled;
 }
 
-void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) const {
+void ActiveSet::tell(NewtonReport& report, int krylov, int local_solves) const {
   long long mine[2] = {0, 0}, all[2];
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -386,9 +387,8 @@ void ActiveSet::tell(const NewtonReport& report, int krylov, int local_solves) c
     mine[1] += slides(k);
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
-  if (!narrate) return;
-  narrate({report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0], all[1], krylov,
-           length_, augmentation_, local_solves});
+  report.tell(watch, {report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0],
+                      all[1], krylov, length_, augmentation_, local_solves});
 }
 
 }  // namespace voussoir

@@ -26,8 +26,8 @@
 namespace voussoir {
 
 /// Where active sets ended: at a solution, nowhere since they circle or take too long, before stones that next to
-/// nothing holds, or before a system that a library refused.
-enum class ActiveSetEnd { arrived, circled, loose_stones, refused };
+/// nothing holds, before a system that a library refused, or where no more solves were wanted.
+enum class ActiveSetEnd { arrived, circled, loose_stones, refused, stopped };
 
 /// What is solved: a structure at rest, one whose blocks have mass or move against a drag, and no free motions, or a
 /// patch, where solves are direct.
@@ -38,8 +38,8 @@ class ActiveSet {
   /// @param patience  so many solves that gain less than half: it circles
   ActiveSet(NonlinearProblem& problem, ActiveSetUse, const MethodParameters&, int patience);
 
-  /// Called after each linear solve; may be empty.
-  std::function<void(const NewtonProgress&)> narrate;
+  /// Told and asked after each linear solve; may be empty.
+  SolveWatch watch;
 
   /// Solves from x and contact forces lambda [N], which are somewhere unless it arrives, in a patch where they were
   /// nearest to rest.
@@ -90,7 +90,7 @@ class ActiveSet {
   bool lost_a_stone(const Search&) const;
   void correct_locally(TpetraVector& x, PointField& lambda, const TpetraVector& start, Search&, NewtonReport&);
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
-  void tell(const NewtonReport&, int krylov, int local_solves = 0) const;
+  void tell(NewtonReport&, int krylov, int local_solves = 0) const;
 
   NonlinearProblem& problem_;
   const MethodParameters methods_;

@@ -71,7 +71,8 @@ void ContactSolver::solve_linear(TpetraVector& x, PointField& lambda, double tol
                        {std::clamp(aim, methods_.solver.finest_accuracy, methods_.path.solve_accuracy)});
     report.count(solved);
     x.update(1.0, *d, 1.0);
-    if (narrate) narrate({report.newton_iterations, report.residual, 0, 0, 0, solved.iterations});
+    report.tell(watch, {report.newton_iterations, report.residual, 0, 0, 0, solved.iterations});
+    if (report.stopped) return;
   }
   report.outcome = NewtonOutcome::converged;
 }
@@ -94,7 +95,7 @@ ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, 
   const PointField lambda_before = lambda;
   ActiveSet active(problem_, parameters_.has_inertia ? ActiveSetUse::in_time : ActiveSetUse::at_rest, methods_,
                    patience);
-  active.narrate = narrate;
+  active.watch = watch;
   const int most = std::min(methods_.solver.fast_solves, parameters_.largest_iterations);
   const auto end = active.solve(x, lambda, tolerance, most, known_gap, report);
   if (end != ActiveSetEnd::arrived) {
@@ -107,7 +108,7 @@ ActiveSetEnd ContactSolver::try_active_set(TpetraVector& x, PointField& lambda, 
 PathEnd ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, double tolerance,
                                       const PointField* known_gap, bool shortcut, NewtonReport& report) {
   InteriorPath interior(problem_, methods_);
-  interior.narrate = narrate;
+  interior.watch = watch;
   if (shortcut)
     interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
       return try_active_set(near_x, near_lambda, tolerance, nullptr, methods_.solver.patience_from_near, report) ==
@@ -129,7 +130,7 @@ PathEnd ContactSolver::along_the_path(TpetraVector& x, PointField& lambda, doubl
 void ContactSolver::in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                                    int most, NewtonReport& report) {
   PseudoTime falling(problem_, parameters_, methods_);
-  falling.narrate = narrate;
+  falling.watch = watch;
   falling.follow(x, lambda, tolerance, known_gap, most, report);
   Tpetra::deep_copy(*mechanism_, falling.mechanism());
 }
@@ -145,6 +146,7 @@ void ContactSolver::go_the_ways(TpetraVector& x, PointField& lambda, double tole
         report.outcome = NewtonOutcome::converged;
         return;
       }
+      if (report.stopped) return;
       if (end == PathEnd::stuck) known_gap = nullptr;
     }
     if (!methods_.pseudo_time.used)
@@ -152,7 +154,7 @@ void ContactSolver::go_the_ways(TpetraVector& x, PointField& lambda, double tole
     const int left = std::max(1, parameters_.largest_iterations - report.newton_iterations);
     const bool last = !has_path || left <= most;
     in_pseudo_time(x, lambda, tolerance, known_gap, last ? left : most, report);
-    if (report.outcome != NewtonOutcome::not_converged || report.no_way_on || last) return;
+    if (report.stopped || report.outcome != NewtonOutcome::not_converged || report.no_way_on || last) return;
     known_gap = nullptr;
   }
 }
@@ -165,7 +167,7 @@ void ContactSolver::forget_the_way(TpetraVector& x, PointField& lambda, double t
   if (measure(x, lambda, report) <= tolerance) return;
   const int patience = methods_.active_set.patience;
   const bool there = try_active_set(x, lambda, tolerance, nullptr, patience, report) == ActiveSetEnd::arrived;
-  if (there) return;
+  if (there || report.stopped) return;
   take_wear(problem_, x, lambda);
   report.lost_on_the_way = largest_over_ranks(problem_, softening.lost_beyond(worn));
   softening.come_back(std::move(worn));
@@ -183,6 +185,7 @@ void ContactSolver::find_stable_branch(TpetraVector& x, PointField& lambda, doub
     report.unstable_at = found.leader;
     if (!found.any || report.newton_iterations >= std::min(most, parameters_.largest_iterations)) return;
     if (!leave(found, 1, x, lambda, tolerance, report) && !leave(found, -1, x, lambda, tolerance, report)) return;
+    if (report.stopped) return;
   }
 }
 
@@ -212,6 +215,7 @@ bool ContactSolver::leave(const Instability& found, double sign, TpetraVector& x
     }
     const bool arrived = attempt.outcome == NewtonOutcome::converged && is_another();
     report.add_work(attempt);
+    if (report.stopped) return true;
     if (arrived) {
       report.lost_on_the_way = attempt.lost_on_the_way;
       return true;
@@ -245,8 +249,8 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
     const bool there = (!known_gap && measure(x, lambda, report) <= rough) ||
                        try_active_set(x, lambda, rough, known_gap, patience, report) == ActiveSetEnd::arrived;
     if (!there) {
-      go_the_ways(x, lambda, rough, known_gap, report);
-      if (report.outcome != NewtonOutcome::converged) break;
+      if (!report.stopped) go_the_ways(x, lambda, rough, known_gap, report);
+      if (report.stopped || report.outcome != NewtonOutcome::converged) break;
       report.fail("the largest number of linear solves was reached");
     }
     known_gap = nullptr;
@@ -260,8 +264,19 @@ void ContactSolver::wear_down(TpetraVector& x, PointField& lambda, double tolera
       report.outcome = NewtonOutcome::converged;
       break;
     }
+    if (report.stopped) break;
   }
   softening.hold(false);
+}
+
+/// What is left to do where contact conditions are closed.
+void ContactSolver::finish(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport& report) {
+  if (problem_.softening() && !holds_strength_) {
+    forget_the_way(x, lambda, tolerance, report);
+    if (!report.stopped && !parameters_.has_inertia) find_stable_branch(x, lambda, tolerance, report);
+  }
+  split_forces(x, lambda, tolerance);
+  measure(x, lambda, report);
 }
 
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {
@@ -277,7 +292,7 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
     if (fast) end = try_active_set(x, lambda, tolerance, known_gap, methods_.active_set.patience, report);
     if (end == ActiveSetEnd::arrived) {
       fast_ = {};
-    } else {
+    } else if (!report.stopped) {
       if (fast) fast_.offered = end == ActiveSetEnd::circled;
       if (problem_.softening() && !holds_strength_)
         wear_down(x, lambda, tolerance, known_gap, report);
@@ -285,18 +300,14 @@ NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double to
         go_the_ways(x, lambda, tolerance, known_gap, report);
     }
   }
-  if (report.outcome == NewtonOutcome::converged) {
-    if (problem_.softening() && !holds_strength_) {
-      forget_the_way(x, lambda, tolerance, report);
-      if (!parameters_.has_inertia) find_stable_branch(x, lambda, tolerance, report);
-    }
-    split_forces(x, lambda, tolerance);
-    measure(x, lambda, report);
+  if (report.outcome == NewtonOutcome::converged && !report.stopped) {
+    finish(x, lambda, tolerance, report);
   } else if (report.failed_solves > 0) {
     report.reason += "; " + std::to_string(report.failed_solves) + " of " + std::to_string(report.newton_iterations) +
                      " linear solves failed, at last as " + report.failure;
   }
   if (holds_strength_) problem_.softening()->hold(false);
+  if (report.stopped) report.outcome = NewtonOutcome::stopped;
   return report;
 }
 

@@ -23,8 +23,8 @@ class ContactSolver {
  public:
   ContactSolver(NonlinearProblem&, const NewtonParameters&, const MethodParameters&, FastWay&);
 
-  /// Called after each linear solve; may be empty.
-  std::function<void(const NewtonProgress&)> narrate;
+  /// Told and asked after each linear solve; may be empty.
+  SolveWatch watch;
 
   /// Strength stays as it is wherever points open or slip to: what is found only shows where joints are overloaded.
   void hold_strength() { holds_strength_ = problem_.softening() != nullptr; }
@@ -55,6 +55,7 @@ class ContactSolver {
   void forget_the_way(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   void find_stable_branch(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   bool leave(const Instability&, double sign, TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
+  void finish(TpetraVector& x, PointField& lambda, double tolerance, NewtonReport&);
   void split_forces(const TpetraVector& x, PointField& lambda, double tolerance) const;
   void in_pseudo_time(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int most,
                       NewtonReport&);

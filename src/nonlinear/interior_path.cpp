@@ -303,6 +303,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     if (shortcut && size <= offered) {
       offered = numbers_.nearer * size;
       if (take_shortcut(x, lambda)) return PathEnd::arrived;
+      if (report.stopped) return PathEnd::stopped;
     }
     progress.sizes.push_back(size);
     if (before.distance(x) > run_away_ * problem_.length_scale()) {
@@ -311,12 +312,13 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
       return PathEnd::ran_away;
     }
     if (step(x, lambda, equilibrium, contact, progress, report).nothing) break;
+    if (report.stopped) return PathEnd::stopped;
   }
   leave(lambda);
   return PathEnd::stuck;
 }
 
-void InteriorPath::tell(const NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
+void InteriorPath::tell(NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
   long long mine[2] = {0, 0}, all[2];
   for (int k = 0; k < problem_.owned_points(); ++k) {
     const auto& p = path_[k];
@@ -326,9 +328,8 @@ void InteriorPath::tell(const NewtonReport& report, double equilibrium, double c
     mine[1] += p.w[1] < stiffness * p.y[1] || p.w[2] < stiffness * p.y[2];
   }
   Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
-  if (!narrate) return;
-  narrate(
-      {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step, augmentation_});
+  report.tell(watch, {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
+                      augmentation_});
 }
 
 }  // namespace voussoir

@@ -26,16 +26,17 @@
 
 namespace voussoir {
 
-/// Where a path ended: at its aim, where it led no further, or nowhere: the structure moved without end.
-enum class PathEnd { arrived, stuck, ran_away };
+/// Where a path ended: at its aim, where it led no further, nowhere, as the structure moved without end, or where no
+/// more solves were wanted.
+enum class PathEnd { arrived, stuck, ran_away, stopped };
 
 class InteriorPath {
  public:
   /// The law must have one tangential direction.
   InteriorPath(NonlinearProblem&, const MethodParameters&);
 
-  /// Called after each linear solve; may be empty.
-  std::function<void(const NewtonProgress&)> narrate;
+  /// Told and asked after each linear solve; may be empty.
+  SolveWatch watch;
   /// A shorter way to the end, tried when a solution is near, and again as it comes nearer; false when it leads
   /// nowhere, which leaves x and lambda as they were. May be empty.
   std::function<bool(TpetraVector& x, PointField& lambda)> shortcut;
@@ -88,7 +89,7 @@ class InteriorPath {
   LinearSolveResult step(TpetraVector& x, PointField& lambda, double equilibrium, double contact, Progress&,
                          NewtonReport&);
   void leave(PointField& lambda) const;
-  void tell(const NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
+  void tell(NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
   double friction(int point, double normal) const;
 

@@ -1,13 +1,18 @@
 // What a nonlinear solve did, for history, narration and tests.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "linalg/linear_solve_result.hpp"
 
 namespace voussoir {
 
-enum class NewtonOutcome { converged, not_converged, collapse };
+/// Stopped: whoever was asked after a linear solve wanted no more. Nothing is told of the state then.
+enum class NewtonOutcome { converged, not_converged, collapse, stopped };
+
+/// Whether a solve goes on, as asked after each of its linear solves. The same on every rank.
+enum class GoOn { yes, no };
 
 /// One line of the solver's narration.
 struct NewtonProgress {
@@ -20,6 +25,9 @@ struct NewtonProgress {
   double augmentation = 1;  ///< relative to the local stiffness
   int local_solves = 0;     ///< of patches; 0 unless this is a local correction, after the linear solve of that number
 };
+
+/// Told of every linear solve, and asked whether there are to be more; may be empty.
+using SolveWatch = std::function<GoOn(const NewtonProgress&)>;
 
 struct NewtonReport {
   NewtonOutcome outcome = NewtonOutcome::not_converged;
@@ -38,6 +46,7 @@ struct NewtonReport {
   std::string reason;          ///< why it stopped, when it did not converge
   std::string failure;         ///< what the last of the failed linear solves said
   bool no_way_on = false;      ///< it stopped because a library refused a system
+  bool stopped = false;        ///< no more linear solves are wanted: every method ends where it is
 
   /// One more linear solve.
   void count(const LinearSolveResult& solve) {
@@ -47,6 +56,10 @@ struct NewtonReport {
     if (solve.converged) return;
     ++failed_solves;
     failure = solve.failure;
+  }
+  /// Tells of it, and asks.
+  void tell(const SolveWatch& watch, const NewtonProgress& solve) {
+    if (watch && watch(solve) == GoOn::no) stopped = true;
   }
   /// Of a solve that ends here.
   void fail(const std::string& why) {
@@ -62,6 +75,7 @@ struct NewtonReport {
     krylov_iterations += other.krylov_iterations;
     largest_krylov = largest_krylov > other.largest_krylov ? largest_krylov : other.largest_krylov;
     local_solves += other.local_solves;
+    stopped = stopped || other.stopped;
   }
   void add(const NewtonReport& other) {
     add_work(other);

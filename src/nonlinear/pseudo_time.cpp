@@ -112,9 +112,10 @@ void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, c
     const PointField forces = lambda;
     Dragged dragged(problem_, from, drag);
     ActiveSet active(dragged, ActiveSetUse::in_time, methods_, methods_.active_set.patience);
-    active.narrate = narrate;
+    active.watch = watch;
     const auto end = active.solve(x, lambda, std::max(tolerance, numbers.accuracy * std::min(size, 1.0)),
                                   last - report.newton_iterations, known_gap, report);
+    if (report.stopped) return;
     if (end != ActiveSetEnd::arrived) {
       Tpetra::deep_copy(x, from);
       lambda = forces;

@@ -23,8 +23,8 @@ class PseudoTime {
  public:
   PseudoTime(NonlinearProblem&, const NewtonParameters&, const MethodParameters&);
 
-  /// Called after each linear solve; may be empty.
-  std::function<void(const NewtonProgress&)> narrate;
+  /// Told and asked after each linear solve; may be empty.
+  SolveWatch watch;
 
   /// Lets the structure go from x (held unknowns at their prescribed values) and contact forces lambda [N].
   /// @param tolerance       Karush-Kuhn-Tucker residual relative to the largest force

@@ -75,13 +75,13 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
   const SolveBudget budget(run.step, most);
   StaticTheorem theorem(run.model);
   theorem.begin(run.construction.absent(), before, increment.load_before, increment.load, false);
-  std::optional<Progress::Judging> asks;
+  std::optional<Progress::Question> asks;
   const bool follows = run.model.settings().rotations == Rotations::finite;
-  if (follows) asks.emplace(*run.step.progress(), [&theorem] { theorem.count_solve(); });
-  try {
-    found.report = follows ? theorem.solve(run.step, run.model, run.state, increment.prescribed)
-                           : solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
-  } catch (const OutOfSolves&) {
+  if (follows) asks.emplace(*run.step.progress(), [&theorem] { return theorem.after_solve(); });
+  found.report = follows ? theorem.solve(run.step, run.model, run.state, increment.prescribed)
+                         : solve_load_step(run.model, run.step, run.state, increment.load, increment.prescribed);
+  if (budget.spent()) {
+    found.report = {};
     go_back(run.model, before);
     found.report.newton.newton_iterations = budget.solves();
     found.report.newton.reason = "no equilibrium within " + std::to_string(most) +
@@ -111,6 +111,10 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
   found.solves = settled.solves;
   found.counts = settled.counts;
   const auto seconds = six_digits(settled.time) + " s";
+  if (settled.stopped) {
+    found.report.newton.outcome = NewtonOutcome::stopped;
+    return found;
+  }
   if (settled.verdict == Verdict::undecided) {
     run.narrator.say("  Not decided in " + seconds + " of time, " + std::to_string(settled.solves) + " linear solves.");
     return found;
@@ -151,6 +155,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const LoadStepBook<2> book(run.model, run.step, before, run.load);
   const auto found = decide(run, before, {run.load, next_load, prescribed});
   const auto& report = found.report;
+  if (report.newton.outcome == NewtonOutcome::stopped) return;  // the run is
   const double seconds = clock.totalElapsedTime(true);
   const int solves = report.newton.newton_iterations + report.estimate_solves + found.solves;
   const bool stands = report.newton.outcome == NewtonOutcome::converged;

@@ -31,8 +31,6 @@ const ContactState& start_of(bool builds, const ContactState& before, const Cont
   return copy.emplace(now);
 }
 
-struct StopWithinStep {};  ///< thrown when a signal is seen within a step, which is given up
-
 }  // namespace
 
 Run::Run(const Scene& scene, Model<2>& model, const RunOptions& options, const BranchedFolder* branched,
@@ -47,10 +45,11 @@ Run::Run(const Scene& scene, Model<2>& model, const RunOptions& options, const B
       state_(step_.initial_state()),
       construction_(scene, model),
       theorem_(model),
-      refuse_(progress_, [this] { theorem_.count_solve(); }),
+      refuse_(progress_, [this] { return theorem_.after_solve(); }),
       stop_(progress_,
             [this] {
-              if (stop_signal_on_any_rank(*model_.structure().comm())) throw StopWithinStep{};
+              signalled_ = stop_signal_on_any_rank(*model_.structure().comm());
+              return signalled_ ? GoOn::no : GoOn::yes;
             }),
       range_(model, [this](const Warning& w) { warn(w); }),
       load_(state_.displacement.size(), 0.0),
@@ -105,16 +104,17 @@ bool Run::one_step() {
   if (in_time) begin_time();  // initial velocities belong to the state a failed step goes back to
   const auto before = state_;
   construction_.begin(stage, model_, state_);
-  try {
-    if (steps_.finished())
-      load_factor_->attempt(attempting());
-    else if (!(in_time ? time_step(before) : load_step(before)))
-      return false;
-  } catch (const StopWithinStep&) {
+  bool goes_on = true;
+  if (steps_.finished())
+    load_factor_->attempt(attempting());
+  else
+    goes_on = in_time ? time_step(before) : load_step(before);
+  if (signalled_) {
     state_ = before;
     interrupted();
     return false;
   }
+  if (!goes_on) return false;
   if (model_.weakens())
     for (const auto& w : coarse_joints(model_, state_, at_factor(stage, recorder_->summary().load_factor))) warn(w);
   return true;
@@ -167,6 +167,7 @@ bool Run::load_step(const ContactState& before) {
   const LoadStepBook<2> book(model_, step_, start, load_, construction_.let_go());
   theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
+  if (signalled_) return false;
   if (report.newton.outcome != NewtonOutcome::converged) {
     recorder_->spend(report);
     narrator_->failed(report, stage, target);
@@ -216,6 +217,7 @@ bool Run::pass_in_time(const ContactState& start, const LoadIncrement& increment
   if (!model_.weakens() || failure_->collapse() || !can_settle_in_time(model_)) return false;
   narrator_->say("  Statics leads nowhere: let go in time.");
   auto settled = settle_in_time(model_, step_, start, increment, std::numeric_limits<int>::max());
+  if (signalled_) return false;
   recorder_->spend(settled.counts);
   if (settled.verdict == Verdict::undecided) return false;
   if (settled.verdict == Verdict::collapse) {
@@ -245,6 +247,7 @@ bool Run::time_step(const ContactState& before) {
   narrator_->begin(recorder_->summary().steps + 1, stage, time, steps_.progress());
   Teuchos::Time clock("step", true);
   const auto report = advance(*dynamics_, state_, {load, prescribed});
+  if (signalled_) return false;
   const double seconds = clock.totalElapsedTime(true);
   if (report.step.newton.outcome != NewtonOutcome::converged) {
     recorder_->spend(report.step);
@@ -309,6 +312,7 @@ bool Run::in_range(const StepEnd& end, const ContactState& before) {
 }
 
 bool Run::fail(const Failure& failure, double last) {
+  if (signalled_) return false;  // what was given up tells nothing
   auto& summary = recorder_->summary();
   // What the step took in vain is of this run, not of the state before it, from which another may go on.
   const auto in_vain = std::exchange(recorder_->so_far().in_vain, {});

@@ -122,7 +122,8 @@ class Run {
   ContactState state_;
   Construction<2> construction_;
   StaticTheorem theorem_;
-  Progress::Judging refuse_, stop_;  ///< what no forces can bear is not tried; a signal ends a step
+  bool signalled_ = false;            ///< within a step, which is given up
+  Progress::Question refuse_, stop_;  ///< what no forces can bear is not tried; a signal ends a step
   RangeCheck range_;
   std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one
   /// The load step that failed while smaller ones are tried: a collapse where one was found. Not in checkpoints: a run

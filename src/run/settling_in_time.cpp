@@ -47,21 +47,22 @@ double largest_motion(const Structure<2>& s, const std::vector<double>& a, const
   return largest_over_ranks(*s.comm(), largest);
 }
 
-/// A load step from where the structure has come to rest. Says whether that is an equilibrium.
+/// A load step from where the structure has come to rest. Says whether that is an equilibrium, or all is given up.
 bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increment, int most_solves,
              Settled& settled) {
   auto state = settled.state;
   untie_what_moved(model, state);
   state.velocity.clear();
   const SolveBudget budget(step, std::min(solves_to_confirm, most_solves));
-  try {
-    settled.report = solve_load_step(model, step, state, increment.load, increment.prescribed);
-  } catch (const OutOfSolves&) {
+  const auto report = solve_load_step(model, step, state, increment.load, increment.prescribed);
+  settled.stopped = report.newton.stopped && !budget.spent();
+  if (budget.spent()) {
     settled.solves += budget.solves();
-    settled.counts.newton_iterations += budget.solves();  // all that is known
+    settled.counts.newton_iterations += budget.solves();
     settled.counts.linear_solves += budget.solves();
-    return false;
   }
+  if (report.newton.stopped) return settled.stopped;
+  settled.report = report;
   settled.solves += budget.solves();
   if (settled.report.newton.outcome != NewtonOutcome::converged) {
     settled.counts.add_work(numbers_of(settled.report));
@@ -70,6 +71,21 @@ bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increm
   settled.state = state;
   settled.verdict = Verdict::equilibrium;
   return true;
+}
+
+/// One step of the motion; without an equilibrium where it was given up.
+TimeStepReport take_step(DynamicStep<2>& dynamics, ContactState& state, const StepInput& input, int most_solves,
+                         Settled& settled) {
+  const SolveBudget budget(dynamics, most_solves - settled.solves);
+  auto report = advance(dynamics, state, input);
+  settled.stopped = report.step.newton.stopped && !budget.spent();
+  if (report.step.newton.stopped) {
+    report = {};
+    report.step.newton.newton_iterations = budget.solves();
+  }
+  settled.solves += budget.solves();
+  settled.counts.add_work(numbers_of(report.step));
+  return report;
 }
 
 }  // namespace
@@ -112,16 +128,7 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
       const double moved = length > 0 ? 1.0 : (k + 1.0) / steps_of_a_length;
       auto held = equilibrium.displacement;
       for (std::size_t i = 0; i < held.size(); ++i) held[i] += moved * (increment.prescribed[i] - held[i]);
-      SolveBudget budget(dynamics, most_solves - settled.solves);
-      TimeStepReport report;
-      try {
-        report = advance(dynamics, state, {load, held});
-      } catch (const OutOfSolves&) {
-        report.step.newton.outcome = NewtonOutcome::not_converged;
-        report.step.newton.newton_iterations = budget.solves();
-      }
-      settled.solves += budget.solves();
-      settled.counts.add_work(numbers_of(report.step));
+      const auto report = take_step(dynamics, state, {load, held}, most_solves, settled);
       if (report.step.newton.outcome != NewtonOutcome::converged) return settled;
       settled.time += time_step;
       elastic = report.elastic, kinetic = report.kinetic;

@@ -29,6 +29,7 @@ struct Settled {
   int solves = 0;                 ///< linear solves of it all, each correction by patches counted as one
   StepNumbers counts;             ///< of it all but that load step
   double time = 0;                ///< [s] it took the structure
+  bool stopped = false;           ///< by somebody else: nothing of it is to be used
 };
 
 /// Whether a scene can be told so: stones have mass and turn by small angles.
@@ -39,23 +40,24 @@ bool can_settle_in_time(const Model<2>&);
 Settled settle_in_time(Model<2>&, AdaptiveStep<2>&, const ContactState& equilibrium, const LoadIncrement&,
                        int most_solves);
 
-/// Thrown out of a step that takes more linear solves than it may.
-struct OutOfSolves {};
-
 /// Gives a step no more than so many linear solves while it lives, and counts them.
 class SolveBudget {
  public:
   template <class Step>
   SolveBudget(const Step& step, int most)
-      : progress_(*step.progress()), before_(progress_.solves()), judging_(progress_, [this, most] {
-          if (solves() >= most) throw OutOfSolves{};
+      : progress_(*step.progress()), before_(progress_.solves()), question_(progress_, [this, most] {
+          spent_ = solves() >= most;
+          return spent_ ? GoOn::no : GoOn::yes;
         }) {}
   int solves() const { return progress_.solves() - before_; }
+  /// Whether it has ended a step.
+  bool spent() const { return spent_; }
 
  private:
   Progress& progress_;
   int before_;
-  Progress::Judging judging_;
+  bool spent_ = false;
+  Progress::Question question_;
 };
 
 }  // namespace voussoir

@@ -31,9 +31,6 @@ constexpr double shares_along[] = {0.01, 0.1};
 // Of the way from the loads before, what is none: what the theorem answers is exact to 1e-7.
 constexpr double nothing_borne = 1e-6;
 
-/// Thrown from within a step.
-struct Refused {};
-
 bool follows(const Model<2>& model) { return model.settings().rotations == Rotations::finite; }
 
 }  // namespace
@@ -58,32 +55,31 @@ void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& b
   refusal_.reset();
 }
 
-void StaticTheorem::count_solve() {
-  if (!solving_) return;
+GoOn StaticTheorem::after_solve() {
+  if (!solving_) return GoOn::yes;
   ++solves_;
   if (std::exchange(arrangement_, model_.arrangement()) != model_.arrangement()) {
     if (++places_ > 1) asked_ = !applies_ || !follows(model_);
     solves_here_ = 0;
   }
   const bool few = places_ > 1 && model_.source().block_count() <= most_stones_at_ends;
-  if (!asked_ && ++solves_here_ >= (few ? solves_before_asking_few : solves_before_asking) && refuses())
-    throw Refused{};
+  const int enough = few ? solves_before_asking_few : solves_before_asking;
+  return !asked_ && ++solves_here_ >= enough && refuses() ? GoOn::no : GoOn::yes;
 }
 
 StepReport StaticTheorem::solve(AdaptiveStep<2>& step, Model<2>& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
   VOUSSOIR_EXPECT(state_ && load_ && "a step has begun");
+  const bool asks_first = follows(model_) && model_.source().block_count() <= most_stones_at_ends;
+  const bool at_once = asks_first && nothing_has_moved() && refuses();
   StepReport report;
-  try {
-    const bool asks_first = follows(model_) && model_.source().block_count() <= most_stones_at_ends;
-    if (asks_first && nothing_has_moved() && refuses()) throw Refused{};
-    report = solve_load_step(model, step, state, *load_, prescribed);
-    solving_ = false;
-    if (!in_doubt(report, state) || !refuses()) return report;
-  } catch (const Refused&) {
-    solving_ = false;
+  if (!at_once) report = solve_load_step(model, step, state, *load_, prescribed);
+  solving_ = false;
+  if (at_once || (report.newton.stopped && refusal_)) {
     report = {};
     report.newton.newton_iterations = solves_;
+  } else if (report.newton.stopped || !in_doubt(report, state) || !refuses()) {
+    return report;
   }
   report.newton.outcome = NewtonOutcome::collapse;
   report.newton.reason = reason(model, at_the_start() ? *state_ : state);

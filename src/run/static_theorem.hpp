@@ -41,8 +41,9 @@ class StaticTheorem {
   /// Solves it. Where that takes many linear solves, or leads nowhere, the theorem is asked; if it refuses, the step
   /// ends as a collapse in a state that holds forces alone. Collective.
   StepReport solve(AdaptiveStep<2>&, Model<2>&, ContactState&, const std::vector<double>& prescribed);
-  /// To be called after each linear solve; counts those within solve(). Collective.
-  void count_solve();
+  /// To be asked after each linear solve: counts those within solve(), and when they are many asks the theorem, which
+  /// takes about as long as they did. Collective.
+  GoOn after_solve();
   /// What the last step came to, if the theorem refused it.
   const std::optional<Refusal>& refusal() const { return refusal_; }
   /// Whether it has refused the last step so that parts of it gain nothing: with small rotations its end is

@@ -66,6 +66,7 @@ StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& 
   StepResult result{before, {}};
   auto& [state, report] = result;
   report = find_equilibrium(state, input);
+  if (report.newton.stopped) state = before;
   if (!report.converged()) return result;
   const auto gap = stone_gaps(state);
   state.status = point_statuses(model_, state, gap, before.slip_origin);

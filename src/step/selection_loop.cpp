@@ -179,7 +179,7 @@ bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
   auto& problem =
       tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
   ContactSolver newton(problem, way_of_solving(), model_.settings().internals.methods, state_.fast_way);
-  newton.narrate = [this](const NewtonProgress& solve) { progress_.solved(solve); };
+  newton.watch = [this](const NewtonProgress& solve) { return progress_.solved(solve); };
   const bool looks = hope_.wanted > tolerance_ && !in_time() && !cracks_;
   if (looks) newton.hold_strength();
   cracks_ = !looks;
@@ -221,8 +221,8 @@ void SelectionLoop<dim>::recover_ties() {
 /// mechanism in which tied points move alike is one without ties too.
 template <int dim>
 bool SelectionLoop<dim>::resolve_all() {
-  const bool falls = report_.newton.outcome == NewtonOutcome::collapse;
-  if (falls || all_selected() || selection_.mode != SelectionMode::adaptive) return false;
+  const bool ends = report_.newton.outcome == NewtonOutcome::collapse || report_.newton.stopped;
+  if (ends || all_selected() || selection_.mode != SelectionMode::adaptive) return false;
   state_.displacement = displacement_;
   state_.lambda = lambda_;
   state_.fast_way = before_.fast_way;

@@ -324,7 +324,7 @@ TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInpu
   report.step = std::move(step);
   report.step.newton.penetration *= 2;  // at the end the gap is twice that of the middle
   if (!report.step.converged()) {
-    after = std::move(mid);
+    after = report.step.newton.stopped ? before : std::move(mid);
     return result;
   }
   if (at_rest_.weakens()) {

@@ -56,6 +56,38 @@ TEUCHOS_UNIT_TEST(ContactSolver, FindsRestByEachWayAlone) {
   }
 }
 
+// Whoever is asked after a linear solve ends the whole of it there, whichever way it is on.
+TEUCHOS_UNIT_TEST(ContactSolver, EndsAtTheSolveAfterWhichNoMoreAreWanted) {
+  for (const int way : {0, 1, 2, 3, 4}) {
+    auto methods = way < 3 ? none() : MethodParameters{};
+    if (way == 0) methods.solver.active_sets = true;
+    if (way == 1) methods.path.used = true;
+    if (way == 2) methods.pseudo_time.used = true;
+    if (way == 3) methods.solver.fast_solves = 1;  // active sets fail, and the path offers them its end
+    auto parts = parts_of_slider(friction);
+    if (way == 4) parts.points.clear(), parts.imbalance[1] = 0;  // a linear system
+    const auto stopped_after = [&](int most) {
+      Patch problem(parts);
+      TpetraVector x(problem.map());
+      PointField lambda = way == 4 ? PointField{} : PointField{weight, 0};
+      FastWay fast;
+      ContactSolver solver(problem, {}, methods, fast);
+      int asked = 0;
+      solver.watch = [&](const NewtonProgress&) { return ++asked < most ? GoOn::yes : GoOn::no; };
+      const auto report = solver.solve(x, lambda, 1e-9);
+      TEST_COMPARE(asked, <=, most);
+      return report;
+    };
+    const auto whole = stopped_after(1000);
+    TEST_ASSERT(whole.outcome == NewtonOutcome::converged);
+    for (int most = 1; most <= whole.newton_iterations; ++most) {
+      const auto report = stopped_after(most);
+      TEST_ASSERT(report.outcome == NewtonOutcome::stopped);
+      TEST_EQUALITY(report.newton_iterations, most);
+    }
+  }
+}
+
 // One solve is not enough for active sets: they fail, and are left out of the next solve.
 TEUCHOS_UNIT_TEST(ContactSolver, BacksOffOnlyWhereThatIsSwitchedOn) {
   for (const bool back_off : {true, false}) {

@@ -90,7 +90,10 @@ TEUCHOS_UNIT_TEST(InteriorPath, ItsBarrierBeginsAtTheDistanceFromTheBoundsAndFal
   NewtonReport report;
   InteriorPath path(problem, {});
   std::vector<double> resistance;  // bounds on it, relative to the stiffness of the stones
-  path.narrate = [&](const NewtonProgress& p) { resistance.push_back(p.augmentation); };
+  path.watch = [&](const NewtonProgress& p) {
+    resistance.push_back(p.augmentation);
+    return GoOn::yes;
+  };
   TEST_ASSERT(path.follow(x, lambda, tolerance, 100, nullptr, report) == PathEnd::arrived);
   TEST_FLOATING_EQUALITY(barrier_of(resistance.front()), (10.0 * 10 + 3 * 10 + 3 * 10) / 3, 1e-12);
   TEST_EQUALITY(resistance.back(), InteriorPathParameters().largest_resistance);  // at a barrier of 0.01 N2 or less

@@ -143,9 +143,7 @@ TEUCHOS_UNIT_TEST(Step, KeepsWhatPointsDoAsForcesAndGapsHaveIt) {
   }
 }
 
-struct Enough : std::exception {};
-
-TEUCHOS_UNIT_TEST(Step, EndsWhereAJudgeEndsItAndIsTakenAfterwards) {
+TEUCHOS_UNIT_TEST(Step, EndsWhereAQuestionIsAnsweredNoAndIsTakenAfterwards) {
   Loaded wall(wall_scene(6), SelectionMode::all);
   TEST_ASSERT(wall.stands());
   const auto before = wall.state();
@@ -155,15 +153,22 @@ TEUCHOS_UNIT_TEST(Step, EndsWhereAJudgeEndsItAndIsTakenAfterwards) {
   progress.print = [&](const NewtonProgress&) { order.emplace_back("print"); };
   auto state = before;
   {
-    const Progress::Judging first(progress, [&] { order.emplace_back("judge"); });
-    const Progress::Judging second(progress, [&] {
-      if (progress.solves() == 2) throw Enough{};
+    const Progress::Question first(progress, [&] {
+      order.emplace_back("ask");
+      return GoOn::yes;
     });
-    TEST_THROW(advance(step, state, wall.much()), Enough);
+    const Progress::Question second(progress, [&] { return progress.solves() < 2 ? GoOn::yes : GoOn::no; });
+    const Progress::Question third(progress, [&] {
+      if (progress.solves() == 2) order.emplace_back("too late");
+      return GoOn::yes;
+    });
+    const auto report = advance(step, state, wall.much());
+    TEST_ASSERT(report.newton.outcome == NewtonOutcome::stopped);
+    TEST_EQUALITY(report.newton.newton_iterations, 2);
   }
   TEST_ASSERT(same(state, before));
   TEST_EQUALITY(progress.solves(), 2);
-  TEST_ASSERT((order == std::vector<std::string>{"print", "judge", "print", "judge"}));
+  TEST_ASSERT((order == std::vector<std::string>{"print", "ask", "print", "ask"}));
   const auto after = step.take(before, wall.much());
   TEST_ASSERT(after.report.converged());
   TEST_EQUALITY(progress.solves(), 2 + after.report.newton.newton_iterations);
