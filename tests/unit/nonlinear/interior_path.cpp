@@ -107,6 +107,30 @@ TEUCHOS_UNIT_TEST(InteriorPath, EndsWithForcesOfTheLaw) {
   TEST_FLOATING_EQUALITY(walk.slip, at_rest, 1e-6);
 }
 
+// A node is pushed off a plane that leans by 60 degrees, with a coefficient of friction of 1: its spring holds it where
+// it has left the plane. Friction that follows the pressure all along a step leads into a fold, where the path ends.
+TEUCHOS_UNIT_TEST(InteriorPath, PassesAFoldWhereFrictionFollowsThePressureByLess) {
+  const double off_the_plane = weight / spring, half = 0.5, root = std::sqrt(3.0) / 2;
+  for (const bool folds : {true, false}) {
+    auto parts = parts_of_slider(1);
+    parts.points[0].axis = {{{root, half}, {-half, root}}};
+    parts.imbalance = {-weight, 0};
+    parts.stiffness = {{0, 0, spring}, {1, 1, 1e-3}};
+    Patch problem(parts);
+    TpetraVector x(problem.map());
+    PointField lambda(2, 0.0);
+    NewtonReport report;
+    MethodParameters methods;
+    methods.path.folds = folds;
+    InteriorPath path(problem, methods);
+    const auto end = path.follow(x, lambda, tolerance, 100, nullptr, report);
+    TEST_ASSERT(end == (folds ? PathEnd::arrived : PathEnd::stuck));
+    if (!folds) continue;
+    TEST_FLOATING_EQUALITY(local_view(x)[0], off_the_plane, 1e-6);
+    TEST_COMPARE(std::abs(lambda[0]) + std::abs(lambda[1]), <=, 2 * tolerance * weight);
+  }
+}
+
 // Without its spring nothing bears the 20 N that friction leaves of the push.
 TEUCHOS_UNIT_TEST(InteriorPath, WhatRunsAwayIsPutBack) {
   auto parts = parts_of_slider(friction);
