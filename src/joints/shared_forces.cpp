@@ -110,6 +110,58 @@ void make_orthonormal(Rows& basis) {
   basis = done;
 }
 
+/// An orthonormal basis of what forces of points that meet can change by, each over the root of its weight.
+/// @param points   that meet;  @param weight  of each
+/// @param balance  of their nodes: coefficients of the forces, 2 per point
+Rows ways_to_split(const std::vector<int>& points, const std::vector<double>& weight, const Rows& balance,
+                   const std::vector<PointFreedom>& freedom) {
+  // Directions in which a force may change: its components, or both in proportion.
+  struct Direction {
+    std::size_t at;  // of the point
+    double normal, tangential;
+  };
+  std::vector<Direction> directions;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& f = freedom[points[i]];
+    if (f.normal) directions.push_back({i, 1.0, f.tangential ? 0.0 : f.slope});
+    if (f.tangential) directions.push_back({i, 0.0, 1.0});
+  }
+  Rows rows;
+  for (const auto& row : balance) {
+    rows.emplace_back();
+    for (const auto& d : directions) rows.back().push_back(row[2 * d.at] * d.normal + row[2 * d.at + 1] * d.tangential);
+  }
+  Rows basis;
+  for (const auto& z : null_space(rows, static_cast<int>(directions.size()))) {
+    std::vector<double> force(2 * points.size(), 0.0);
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      const double root = std::sqrt(weight[directions[j].at]);
+      force[2 * directions[j].at] += z[j] * directions[j].normal / root;
+      force[2 * directions[j].at + 1] += z[j] * directions[j].tangential / root;
+    }
+    basis.push_back(force);
+  }
+  make_orthonormal(basis);
+  return basis;
+}
+
+/// Bounds of the law of point i, which is to be kept by a margin.
+/// @param root   of its weight, by which forces are divided
+/// @param force  from which they change along the basis
+void add_bounds(const PointFreedom& f, std::size_t i, double root, const Rows& basis, const std::vector<double>& force,
+                double margin, std::vector<Bound>& bounds) {
+  const auto add = [&](double normal, double tangential, double strength) {
+    if (!std::isfinite(strength) || !std::isfinite(normal)) return;
+    Bound b;
+    for (const auto& z : basis) b.slope.push_back(normal * z[2 * i] + tangential * z[2 * i + 1]);
+    b.least = margin - strength / root - normal * force[2 * i] - tangential * force[2 * i + 1];
+    bounds.push_back(b);
+  };
+  if (f.normal) add(1, 0, f.law.tension);
+  if (f.tangential)
+    for (const double side : {-1.0, 1.0}) add(f.law.friction, side, f.law.cohesion);
+}
+
 }  // namespace
 
 SharedForces::SharedForces(const Structure<2>& s, const ContactPoints& points, const std::vector<int>& cluster,
@@ -166,36 +218,8 @@ void SharedForces::split(const std::vector<PointFreedom>& freedom, std::vector<d
 
 void SharedForces::split(const Place& place, const std::vector<PointFreedom>& freedom,
                          std::vector<double>& lambda) const {
-  // Directions in which a force may change: its components, or both in proportion.
-  struct Direction {
-    std::size_t at;  // of the point
-    double normal, tangential;
-  };
-  std::vector<Direction> directions;
-  for (std::size_t i = 0; i < place.points.size(); ++i) {
-    const auto& f = freedom[place.points[i]];
-    if (f.normal) directions.push_back({i, 1.0, f.tangential ? 0.0 : f.slope});
-    if (f.tangential) directions.push_back({i, 0.0, 1.0});
-  }
-  Rows balance;
-  for (const auto& row : place.balance) {
-    balance.emplace_back();
-    for (const auto& d : directions)
-      balance.back().push_back(row[2 * d.at] * d.normal + row[2 * d.at + 1] * d.tangential);
-  }
-  // Of every force over the root of its weight.
-  Rows basis;
-  for (const auto& z : null_space(balance, static_cast<int>(directions.size()))) {
-    std::vector<double> force(2 * place.points.size(), 0.0);
-    for (std::size_t j = 0; j < z.size(); ++j) {
-      const double root = std::sqrt(place.weight[directions[j].at]);
-      force[2 * directions[j].at] += z[j] * directions[j].normal / root;
-      force[2 * directions[j].at + 1] += z[j] * directions[j].tangential / root;
-    }
-    basis.push_back(force);
-  }
+  const auto basis = ways_to_split(place.points, place.weight, place.balance, freedom);
   if (basis.empty()) return;
-  make_orthonormal(basis);
   std::vector<double> force(2 * place.points.size());
   for (std::size_t i = 0; i < place.points.size(); ++i)
     for (int c = 0; c < 2; ++c) force[2 * i + c] = lambda[2 * place.points[i] + c] / std::sqrt(place.weight[i]);
@@ -206,20 +230,8 @@ void SharedForces::split(const Place& place, const std::vector<PointFreedom>& fr
   double largest = 0;  // of what nothing bounds, which does not depend on how large the forces were that run round
   for (const double f : force) largest = std::max(largest, std::abs(f));
   std::vector<Bound> bounds;
-  for (std::size_t i = 0; i < place.points.size(); ++i) {
-    const auto& f = freedom[place.points[i]];
-    const double root = std::sqrt(place.weight[i]);
-    const auto add = [&](double normal, double tangential, double strength) {
-      if (!std::isfinite(strength) || !std::isfinite(normal)) return;
-      Bound b;
-      for (const auto& z : basis) b.slope.push_back(normal * z[2 * i] + tangential * z[2 * i + 1]);
-      b.least = within * largest - strength / root - normal * force[2 * i] - tangential * force[2 * i + 1];
-      bounds.push_back(b);
-    };
-    if (f.normal) add(1, 0, f.law.tension);
-    if (f.tangential)
-      for (const double side : {-1.0, 1.0}) add(f.law.friction, side, f.law.cohesion);
-  }
+  for (std::size_t i = 0; i < place.points.size(); ++i)
+    add_bounds(freedom[place.points[i]], i, std::sqrt(place.weight[i]), basis, force, within * largest, bounds);
   const auto y = shortest(bounds, basis.size(), exact * largest);
   for (std::size_t i = 0; i < place.points.size(); ++i)
     for (int c = 0; c < 2; ++c) {
