@@ -15,6 +15,20 @@
 #include "model/patch_cutter.hpp"
 
 namespace voussoir {
+namespace {
+
+/// Of absolute values.
+double largest_row_sum(const LocalCsr& matrix) {
+  double largest = 0;
+  for (int i = 0; i < matrix.rows(); ++i) {
+    double sum = 0;
+    for (int k = matrix.start[i]; k < matrix.start[i + 1]; ++k) sum += std::abs(matrix.value[k]);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+}  // namespace
 
 template <int dim>
 ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>& selected, const Asked& asked)
@@ -29,6 +43,7 @@ ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>&
                   "held: of node copies");
   space_ = std::make_unique<MergedSpace<dim>>(parts.structure, parts.points, selection_, parts.held);
   matrix_ = std::make_unique<SystemMatrix<dim>>(parts.structure, parts.points, selection_, *space_);
+  for (const auto& b : parts.structure.blocks()) row_sum_.push_back(largest_row_sum(*b.stiffness));
   make_preconditioner();
   begin(asked);
 }
@@ -56,6 +71,7 @@ void ContactProblem<dim>::begin(const Asked& asked) {
   rigid_gap_.clear();
   deformed_.clear();
   internal_scale_ = 0;
+  absolute_terms_ = 0;
   patches_.reset();
   set_proximal_weights();
   set_movable();
@@ -177,11 +193,30 @@ void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, Point
     parts_.structure.internal_forces(copies_, forces_);
   else
     parts_.structure.apply_stiffness(copies_, forces_);
+  if (parts_.inertia || !deformed_.empty()) set_absolute_terms(parts_.inertia ? copies_ : deformed_);
   internal_scale_ = 0;
   for (double f : forces_) internal_scale_ = std::max(internal_scale_, std::abs(f));
   for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] -= asked_->load[i];
   space_->sum(forces_, r);
   gaps(gap, true);
+}
+
+template <int dim>
+void ContactProblem<dim>::set_absolute_terms(const std::vector<double>& displacement) {
+  absolute_terms_ = 0;
+  const auto& blocks = parts_.structure.blocks();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto first = displacement.begin() + dim * blocks[b].first_local;
+    double largest = 0;
+    for (auto u = first; u != first + dim * static_cast<long>(blocks[b].mesh.position.size()); ++u)
+      largest = std::max(largest, std::abs(*u));
+    absolute_terms_ = std::max(absolute_terms_, row_sum_[b] * largest);
+  }
+}
+
+template <int dim>
+double ContactProblem<dim>::round_off() const {
+  return std::numeric_limits<double>::epsilon() * largest_over_ranks(*parts_.structure.comm(), absolute_terms_);
 }
 
 template <int dim>

@@ -89,6 +89,9 @@ class ContactProblem : public NonlinearProblem {
   const CoarseOperator<dim>& preconditioner() const { return *coarse_; }
   /// What its solves took besides Krylov iterations.
   SystemCost cost() const { return coarse_->cost(); }
+  /// In time displacements are those of the step. At rest what they move stones by as wholes is carried where it tells,
+  /// and what then deforms them is left.
+  double round_off() const override;
   /// Without loads: the forces that prescribed displacements cause.
   double force_scale() const override { return force_scale_ > 0 ? force_scale_ : internal_scale_; }
   double length_scale() const override { return parts_.structure.size(); }
@@ -99,6 +102,7 @@ class ContactProblem : public NonlinearProblem {
   Symmetry set_up(const std::vector<PointStiffness>&, double proximal_scale);
   void make_preconditioner();
   void set_scales();
+  void set_absolute_terms(const std::vector<double>& displacement);
   void set_proximal_weights();
   double stiffest_that_counts(double volume) const;
   void set_movable();
@@ -117,6 +121,8 @@ class ContactProblem : public NonlinearProblem {
   Teuchos::RCP<TpetraVector> carried_;
   std::vector<double> rigid_, rigid_gap_, deformed_;
   double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
+  std::vector<double> row_sum_;  ///< [N/m] of each block, the largest sum of absolute values in a row of its matrix
+  double absolute_terms_ = 0;    ///< [N] largest sum of absolute values of what makes a force within a block
   std::unique_ptr<SharedForces> shared_forces_;  ///< none where no joint softens
   bool shares_ = false;                          ///< some rank has such places
   std::unique_ptr<PatchSource> patches_;         ///< none as long as nothing was stuck

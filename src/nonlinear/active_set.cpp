@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linalg/reduce.hpp"
+#include "nonlinear/creeping_forces.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/stuck_stones.hpp"
@@ -34,8 +35,8 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
-/// Statuses that forces and gaps ask for. Where they are those of the last solve, which has left no stone out of
-/// balance, forces creep from one point to another: closed points then resist more, until a status changes.
+/// Statuses that forces and gaps ask for. Where they are those of the last solve, which at rest has left no stone out
+/// of balance, closed points resist more, until a status changes.
 /// @param in_balance  no stone is out of balance by more than the tolerance
 void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_balance) {
   laws_.follow(lambda, gap);
@@ -48,10 +49,9 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
       if (problem_.selected()[k]) set_status(k, lambda, gap, sliding);
   };
   set();
-  const bool may_creep = !in_time() && (in_balance || augmentation_ != numbers_.augmentation_at_rest);
-  settled_ = (in_time() || may_creep) && same_statuses(closed, sliding);
-  if (!may_creep || (settled_ && !in_balance)) return;
-  const double wanted = settled_ ? numbers_.augmentation_of_creeping : numbers_.augmentation_at_rest;
+  settled_ = same_statuses(closed, sliding);
+  if (in_time() || (settled_ && !in_balance)) return;
+  const double wanted = settled_ ? numbers_.augmentation_once_settled : numbers_.augmentation_at_rest;
   if (std::exchange(augmentation_, wanted) != wanted) set();
 }
 
@@ -187,7 +187,7 @@ double ActiveSet::measure(const TpetraVector& x, const PointField& lambda, Newto
   scale_ = force_scale(problem_, admissible_);
   report.residual = equilibrium / scale_;
   report.complementarity = contact / scale_;
-  return std::max(report.residual, report.complementarity);
+  return size_of(problem_, equilibrium, contact, scale_);
 }
 
 /// Share of the step from lambda to force_ after which residuals have fallen, or are least.
@@ -255,9 +255,12 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
   if (solved.nothing) return solved;
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
+  // Around a patch all holds still: which point gives way there says little of the whole.
+  if (use_ != ActiveSetUse::in_patch) change_before_ = std::exchange(change_, PointField(lambda.size()));
   for (int k = 0; k < problem_.points(); ++k)
     if (problem_.selected()[k])
       resistance_[k].yield(&gap_direction_[k * components_], components_, &force_[k * components_]);
+  for (std::size_t i = 0; i < change_.size(); ++i) change_[i] = force_[i] - lambda[i];
   length_ = in_time() ? step_length(lambda) : 1.0;
   x.update(length_, *direction_, 1.0);
   for (std::size_t i = 0; i < lambda.size(); ++i)
@@ -357,7 +360,10 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
   while (search.solves < largest_solves && search.solves < search.last_gain + patience_) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
     const PointField chosen = known_gap && search.solves == 0 ? *known_gap : gap_;
-    choose(lambda, chosen, report.residual <= tolerance);
+    const bool in_balance = size_of(problem_, report.residual * scale_, 0, scale_) <= tolerance;
+    choose(lambda, chosen, in_balance);
+    if (settled_ && go_to_the_bound(problem_, laws_, {closed_, sliding_, change_before_, change_}, lambda))
+      choose(lambda, chosen, in_balance);
     aim(lambda, chosen);
     const auto end = solve_once(x, lambda, search, report);
     if (end == ActiveSetEnd::refused && nearest.position) break;
@@ -365,7 +371,6 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     if (use_ == ActiveSetUse::in_patch && search.size < nearest.size)
       nearest = {search.size, std::make_unique<SavedPosition>(problem_, x), admissible_};
     search.damping /= numbers_.lost;
-
     if (!(search.size <= numbers_.gained * search.best)) continue;
     search.best = search.size;
     search.last_gain = search.solves;

@@ -105,10 +105,11 @@ class ActiveSet {
   std::vector<PointStiffness> resistance_;
   std::vector<char> closed_;  ///< per point
   PointField sliding_;  ///< direction of friction, [points x tangential components]; 0 where a point sticks or is open
-  bool settled_ = false;  ///< statuses are those of the last solve; where that is asked
+  bool settled_ = false;  ///< statuses are those of the last solve
   PointField target_, force_, gap_, gap_direction_, admissible_;
-  double scale_ = 1;   ///< [N]
-  double length_ = 1;  ///< of the last step
+  PointField change_before_, change_;  ///< [N] of forces by the last two linear solves at full length; empty in patches
+  double scale_ = 1;                   ///< [N]
+  double length_ = 1;                  ///< of the last step
   Teuchos::RCP<TpetraVector> linear_, gradient_, direction_;
 };
 

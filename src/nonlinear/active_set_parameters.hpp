@@ -8,13 +8,13 @@ namespace voussoir {
 class ParameterSection;
 
 struct ActiveSetParameters {
-  double augmentation_in_time = 1000;     ///< resistance of closed points in time, relative to their local stiffness
-  double augmentation_at_rest = 100;      ///< the same in load steps
-  double augmentation_of_creeping = 1e4;  ///< the same while forces creep
-  double accuracy = 1e-4;                 ///< of linear solves, relative to their right side
-  double finest_accuracy = 1e-10;         ///< of linear solves in time where statuses stay
-  int patience = 8;                       ///< solves that gain too little after which it circles
-  double gained = 0.5;                    ///< share of the best residual below which a solve has gained
+  double augmentation_in_time = 1000;      ///< resistance of closed points in time, relative to their local stiffness
+  double augmentation_at_rest = 100;       ///< the same in load steps
+  double augmentation_once_settled = 1e4;  ///< the same where statuses stay and all is in balance
+  double accuracy = 1e-4;                  ///< of linear solves, relative to their right side
+  double finest_accuracy = 1e-10;          ///< of linear solves in time where statuses stay
+  int patience = 8;                        ///< solves that gain too little after which it circles
+  double gained = 0.5;                     ///< share of the best residual below which a solve has gained
   int many_krylov =
       50;  ///< Krylov iterations of a solve at rest, at most; such a one without a gain means loose stones
   double shortest = 1.0 / 64;  ///< shortest step in time

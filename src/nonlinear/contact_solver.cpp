@@ -276,7 +276,9 @@ void ContactSolver::finish(TpetraVector& x, PointField& lambda, double tolerance
     if (!report.stopped && !parameters_.has_inertia) find_stable_branch(x, lambda, tolerance, report);
   }
   split_forces(x, lambda, tolerance);
-  measure(x, lambda, report);
+  const bool at_round_off = measure(x, lambda, report) == 0;
+  const double left = std::max(report.residual, report.complementarity);
+  report.round_off = at_round_off && left > tolerance ? left : 0;
 }
 
 NewtonReport ContactSolver::solve(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap) {

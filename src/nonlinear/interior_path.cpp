@@ -130,7 +130,7 @@ Imbalance InteriorPath::residuals(const PointField& lambda) {
 double InteriorPath::after_leaving(PointField lambda) {
   leave(lambda);
   const auto [equilibrium, contact] = residuals(lambda);
-  return std::max(equilibrium, contact);
+  return size_of(problem_, equilibrium * scale_, contact * scale_, scale_);
 }
 
 /// False when it leads nowhere.
@@ -294,7 +294,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     problem_.carry(x, tolerance * scale_);
     pull_back(x, lambda);
     const auto [equilibrium, contact] = measure(x, lambda);
-    const double size = std::max(equilibrium, contact);
+    const double size = size_of(problem_, equilibrium * scale_, contact * scale_, scale_);
     if (size <= tolerance && after_leaving(lambda) <= tolerance) {
       leave(lambda);
       return PathEnd::arrived;

@@ -40,6 +40,7 @@ struct NewtonReport {
   double residual = 0;         ///< [-] equilibrium, relative to the largest force
   double complementarity = 0;  ///< [-] contact law, relative to the largest force
   double penetration = 0;      ///< [m]
+  double round_off = 0;        ///< [-] larger residual, where round-off leaves more than was asked for; else 0
   double lost_on_the_way = 0;  ///< [-] largest damage of a point beyond what the state found gives it
   double unstable = 0;         ///< [-] by how much the state gives way on its own (stability.hpp); 0 where it does not
   long long unstable_at = -1;  ///< number of the point that softens fastest there
@@ -83,6 +84,7 @@ struct NewtonReport {
     residual = other.residual;
     complementarity = other.complementarity;
     penetration = other.penetration;
+    round_off = other.round_off;
     lost_on_the_way = other.lost_on_the_way;
     unstable = other.unstable;
     unstable_at = other.unstable_at;

@@ -84,6 +84,10 @@ class NonlinearProblem {
   virtual bool shares_forces() const { return false; }
   /// From where stuck stones are cut, or null where they cannot be.
   virtual PatchSource* patches() { return nullptr; }
+  /// What residuals of the state evaluated last may be by round-off alone [N]: that of the sums that make them, of
+  /// stiffness times displacement at each node and of resistance times motion at each point. 0 where it is not known.
+  /// Collective.
+  virtual double round_off() const { return 0; }
   /// Largest force in play [N]: what residuals are measured against.
   virtual double force_scale() const = 0;
   /// Size of the structure [m]: what run-away displacements are measured against.

@@ -47,6 +47,7 @@ class Dragged : public NonlinearProblem {
                           const SolveRequest& request) override {
     return problem_.solve(stiffness, proximal_scale + drag_, b, d, request);
   }
+  double round_off() const override { return problem_.round_off(); }
   double force_scale() const override { return problem_.force_scale(); }
   double length_scale() const override { return problem_.length_scale(); }
 

@@ -56,6 +56,11 @@ Imbalance imbalance(NonlinearProblem& problem, const CurrentLaws& laws, const Po
   return {residual.normInf(), contact_residual(problem, laws, lambda, gap)};
 }
 
+double size_of(const NonlinearProblem& problem, double equilibrium, double contact, double scale) {
+  const double larger = std::max(contact, equilibrium);
+  return larger <= problem.round_off() ? 0 : larger / scale;
+}
+
 double judge_state(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,
                    PointField& gap, NewtonReport& report) {
   problem.evaluate(x, residual, gap);
@@ -64,7 +69,7 @@ double judge_state(NonlinearProblem& problem, const TpetraVector& x, const Point
   const double scale = force_scale(problem, lambda);
   report.residual = equilibrium / scale;
   report.complementarity = contact / scale;
-  return std::max(report.residual, report.complementarity);
+  return size_of(problem, equilibrium, contact, scale);
 }
 
 }  // namespace voussoir

@@ -34,8 +34,12 @@ double contact_residual(const NonlinearProblem&, const CurrentLaws&, const Point
 Imbalance imbalance(NonlinearProblem&, const CurrentLaws&, const PointField& lambda, const PointField& gap,
                     TpetraVector& residual);
 
-/// A state as a solve is judged: its residuals relative to the largest force, which the report keeps. Returns the
-/// larger of the two. Collective.
+/// The larger of two residuals [N] relative to the largest force; 0 where it is no more than round-off of the sums that
+/// make it, since no state is better. Collective.
+double size_of(const NonlinearProblem&, double equilibrium, double contact, double scale);
+
+/// A state as a solve is judged: its residuals relative to the largest force, which the report keeps. Returns the size
+/// of the two. Collective.
 /// @param residual  becomes K x - f - B^T lambda
 /// @param gap       [m] becomes that of x
 double judge_state(NonlinearProblem&, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,

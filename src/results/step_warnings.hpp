@@ -36,6 +36,15 @@ inline Warnings lost_in_jump(double lost, const Energies& book, const std::strin
            "that it may come to"}};
 }
 
+/// @param left  larger residual of a step over the largest force, where that is round-off and more than was asked for
+inline Warnings round_off(double left, const std::string& when) {
+  if (!(left > 0)) return {};
+  return {{"round_off", "the structure", when, left,
+           "forces are exact to " + six_digits(left) +
+               " of the largest and not to the tolerance asked for: that is the round-off of stiffness times "
+               "displacement, which neither more solves nor shorter steps make less; ask for a tolerance above it"}};
+}
+
 /// @param when  stage and load factor or time
 inline Warnings warnings_of(const StepReport& report, const StepParameters& numbers, const std::string& when) {
   auto all = held_by_ties(report.tied_share, report.tied_block, when);
@@ -44,6 +53,7 @@ inline Warnings warnings_of(const StepReport& report, const StepParameters& numb
         std::to_string(report.unstable_joint[0]) + " - " + std::to_string(report.unstable_joint[1]);
     for (auto& warning : unstable(report.newton.unstable, stones, when)) all.push_back(std::move(warning));
   }
+  for (auto& warning : round_off(report.newton.round_off, when)) all.push_back(std::move(warning));
   if (!jumped(report, numbers)) return all;
   for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
   return all;
