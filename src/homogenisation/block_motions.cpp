@@ -33,6 +33,27 @@ class Pairs {
   std::size_t full_ = 1024;
 };
 
+/// The upper triangle of a matrix of blocks, all values 0.
+/// @param pairs  of blocks that meet, each with itself too, in ascending order
+LocalCsr pattern_of(const std::vector<Pairs::Pair>& pairs, int modes) {
+  LocalCsr matrix;
+  std::size_t entries = 0;
+  for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;
+  matrix.column.reserve(entries);
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    auto last = first;
+    while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
+    for (int m = 0; m < modes; ++m) {
+      for (auto pair = first; pair != last; ++pair)
+        for (int n = pair == first ? m : 0; n < modes; ++n) matrix.column.push_back(modes * (*pair)[1] + n);
+      matrix.start.push_back(static_cast<int>(matrix.column.size()));
+    }
+    first = last;
+  }
+  matrix.value.assign(matrix.column.size(), 0.0);
+  return matrix;
+}
+
 }  // namespace
 
 template <int dim>
@@ -159,23 +180,8 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
   for (int b = 0; b < blocks_; ++b) met.add(b, b);
   auto pairs = all_gather(std::move(met).all(), *structure_.comm());
   sort_unique(pairs);
-
-  std::size_t entries = 0;
-  for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;
-  matrix_.start.reserve(size() + 1);
-  matrix_.column.reserve(entries);
-  for (auto first = pairs.begin(); first != pairs.end();) {
-    auto last = first;
-    while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
-    for (int m = 0; m < modes; ++m) {
-      for (auto pair = first; pair != last; ++pair)
-        for (int n = pair == first ? m : 0; n < modes; ++n) matrix_.column.push_back(modes * (*pair)[1] + n);
-      matrix_.start.push_back(static_cast<int>(matrix_.column.size()));
-    }
-    first = last;
-  }
+  matrix_ = pattern_of(pairs, modes);
   VOUSSOIR_ENSURE(matrix_.rows() == size());
-  matrix_.value.assign(matrix_.column.size(), 0.0);
 }
 
 /// Where in the first row of a block the columns of another begin.

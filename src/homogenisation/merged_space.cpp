@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_OrdinalTraits.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/disjoint_sets.hpp"
@@ -30,37 +31,55 @@ std::vector<int> roots(const Structure<dim>& s, const ContactPoints& points, con
   return root;
 }
 
+/// Numbers of the clusters of all node copies. Owned are those whose root this rank owns; numbers run rank by rank.
+struct ClusterNumbers {
+  std::vector<long long> of_node;
+  std::vector<int> representative;       ///< a node copy of each owned cluster
+  long long first = 0, behind_last = 0;  ///< of the owned ones
+
+  bool owned(long long n) const { return n >= first && n < behind_last; }
+  int count() const { return static_cast<int>(representative.size()); }
+};
+
+template <int dim>
+ClusterNumbers number_clusters(const Structure<dim>& s, const std::vector<int>& root) {
+  ClusterNumbers numbers;
+  auto& number = numbers.of_node;
+  number.assign(s.nodes(), -1);
+  for (int i = 0; i < s.owned_nodes(); ++i)
+    if (root[i] == i) {
+      number[i] = numbers.count();
+      numbers.representative.push_back(i);
+    }
+  Teuchos::scan(*s.comm(), Teuchos::REDUCE_SUM, static_cast<long long>(numbers.count()),
+                Teuchos::outArg(numbers.behind_last));
+  numbers.first = numbers.behind_last - numbers.count();
+  for (const int i : numbers.representative) number[i] += numbers.first;
+  // Roots of owned nodes lie at owned vertices, so they are local; then halo nodes ask their owners.
+  s.node_exchange().update(number);
+  for (int i = 0; i < s.owned_nodes(); ++i) number[i] = number[root[i]];
+  s.node_exchange().update(number);
+  return numbers;
+}
+
 }  // namespace
 
 template <int dim>
 MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected,
                               const std::vector<char>& held)
     : held_copy_(held), nodes_(s.nodes()) {
-  const auto root = roots(s, points, selected);
-  // Owned clusters are those whose root this rank owns; numbers run rank by rank.
-  std::vector<long long> number(nodes_, -1);
-  for (int i = 0; i < s.owned_nodes(); ++i)
-    if (root[i] == i) {
-      number[i] = owned_clusters_++;
-      representative_.push_back(i);
-    }
-  long long until = 0;
-  Teuchos::scan(*s.comm(), Teuchos::REDUCE_SUM, static_cast<long long>(owned_clusters_), Teuchos::outArg(until));
-  for (int i : representative_) number[i] += until - owned_clusters_;
-  // Roots of owned nodes lie at owned vertices, so they are local; then halo nodes ask their owners.
-  s.node_exchange().update(number);
-  for (int i = 0; i < s.owned_nodes(); ++i) number[i] = number[root[i]];
-  s.node_exchange().update(number);
-
+  auto numbers = number_clusters(s, roots(s, points, selected));
+  representative_ = std::move(numbers.representative);
+  owned_clusters_ = static_cast<int>(representative_.size());
+  const auto& number = numbers.of_node;
+  const long long first = numbers.first;
   std::vector<long long> ghosts;
-  const long long first = until - owned_clusters_;
-  const auto owned = [&](long long n) { return n >= first && n < until; };
   for (long long n : number)
-    if (!owned(n)) ghosts.push_back(n);
+    if (!numbers.owned(n)) ghosts.push_back(n);
   sort_unique(ghosts);
   cluster_.resize(nodes_);
   for (int i = 0; i < nodes_; ++i)
-    cluster_[i] = owned(number[i])
+    cluster_[i] = numbers.owned(number[i])
                       ? static_cast<int>(number[i] - first)
                       : owned_clusters_ + static_cast<int>(std::lower_bound(ghosts.begin(), ghosts.end(), number[i]) -
                                                            ghosts.begin());

@@ -162,33 +162,44 @@ void add_bounds(const PointFreedom& f, std::size_t i, double root, const Rows& b
     for (const double side : {-1.0, 1.0}) add(f.law.friction, side, f.law.cohesion);
 }
 
+/// Points that meet, in groups, where a node is of this rank: those of one group in the order of their numbers.
+template <class NodeOf>
+std::vector<std::vector<int>> points_that_meet(const Structure<2>& s, const ContactPoints& points,
+                                               const std::vector<char>& counts, const NodeOf& node_of) {
+  DisjointSets sets(s.nodes());
+  std::vector<int> those;
+  for (int k = 0; k < points.size(); ++k)
+    if (counts[k] && points.points()[k].can_be_tied()) those.push_back(k);
+  for (const int k : those) {
+    const auto& p = points.points()[k];
+    sets.join(sets.root(node_of(p.shares_i.first())), sets.root(node_of(p.shares_j.first())));
+  }
+  std::vector<char> own(s.nodes(), 0);
+  std::map<int, std::vector<int>> points_at;  // by root
+  for (const int k : those) {
+    const int root = sets.root(node_of(points.points()[k].shares_i.first()));
+    points_at[root].push_back(k);
+    if (points.at(k).any([&](int node) { return node < s.owned_nodes(); })) own[root] = 1;
+  }
+  std::vector<std::vector<int>> groups;
+  for (auto& [root, here] : points_at) {
+    if (!own[root]) continue;
+    std::sort(here.begin(), here.end(), [&](int a, int b) { return points.points()[a].id < points.points()[b].id; });
+    groups.push_back(std::move(here));
+  }
+  return groups;
+}
+
 }  // namespace
 
 SharedForces::SharedForces(const Structure<2>& s, const ContactPoints& points, const std::vector<int>& cluster,
                            const std::vector<char>& held, const std::vector<char>& counts) {
-  DisjointSets sets(s.nodes());
   std::vector<int> first(s.nodes(), -1);  // node copy of each cluster
   const auto node_of = [&](int node) {
     auto& f = first[cluster[node]];
     return f < 0 ? f = node : f;
   };
-  std::vector<char> own(s.nodes(), 0);
-  for (int k = 0; k < points.size(); ++k) {
-    const auto& p = points.points()[k];
-    if (!counts[k] || !p.can_be_tied()) continue;
-    sets.join(sets.root(node_of(p.shares_i.first())), sets.root(node_of(p.shares_j.first())));
-  }
-  std::map<int, std::vector<int>> points_at;  // by root
-  for (int k = 0; k < points.size(); ++k) {
-    const auto& p = points.points()[k];
-    if (!counts[k] || !p.can_be_tied()) continue;
-    const int root = sets.root(node_of(p.shares_i.first()));
-    points_at[root].push_back(k);
-    if (points.at(k).any([&](int node) { return node < s.owned_nodes(); })) own[root] = 1;
-  }
-  for (auto& [root, here] : points_at) {
-    if (!own[root]) continue;
-    std::sort(here.begin(), here.end(), [&](int a, int b) { return points.points()[a].id < points.points()[b].id; });
+  for (auto& here : points_that_meet(s, points, counts, node_of)) {
     Place place;
     std::map<NodeId, std::array<std::vector<double>, 2>> rows;  // by node, in an order that no rank changes
     const std::size_t size = 2 * here.size();

@@ -89,6 +89,17 @@ class PlaceOfTies {
   std::vector<Tie> ties_;
 };
 
+/// The tied points, those of a cluster together.
+std::vector<TiedPoint> by_cluster(const ContactPoints& points, const std::vector<int>& cluster) {
+  std::vector<TiedPoint> tied;
+  for (int k = 0; k < points.size(); ++k) {
+    const auto& p = points.points()[k];
+    if (is_tied(p, cluster)) tied.push_back({cluster_of_tied(p, cluster), k});
+  }
+  std::stable_sort(tied.begin(), tied.end(), [](const auto& a, const auto& b) { return a.cluster < b.cluster; });
+  return tied;
+}
+
 }  // namespace
 
 void add_contact_forces(const ContactPoints& points, const std::vector<int>& cluster, const std::vector<double>& lambda,
@@ -110,13 +121,7 @@ void recover_tied_forces(const ContactPoints& points, const std::vector<int>& cl
   add_contact_forces(points, before.empty() ? cluster : std::vector<int>{}, lambda, -1.0, carried);
   const auto share = [&](int k) { return points.points()[k].area * (!open.empty() && open[k] ? share_of_open : 1.0); };
 
-  std::vector<TiedPoint> tied;
-  for (int k = 0; k < points.size(); ++k) {
-    const auto& p = points.points()[k];
-    if (is_tied(p, cluster)) tied.push_back({cluster_of_tied(p, cluster), k});
-  }
-  std::stable_sort(tied.begin(), tied.end(), [](const auto& a, const auto& b) { return a.cluster < b.cluster; });
-
+  const auto tied = by_cluster(points, cluster);
   PlaceOfTies place(static_cast<int>(cluster.size()));
   for (std::size_t first = 0; first < tied.size();) {
     std::size_t last = first;
