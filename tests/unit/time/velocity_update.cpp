@@ -57,13 +57,12 @@ class Flight {
         state.velocity[2 * (b.first_local + i) + 1] = vy;
       }
     }
-    const auto& points = at_rest_.points().points();
-    for (std::size_t k = 0; k < points.size(); ++k)
+    for (int k = 0; k < at_rest_.points().size(); ++k)
       if (bed(k)) state.lambda[2 * k] = 1000;
   }
   /// Ties all points of bed joints, as they move.
   void tie_beds() {
-    for (std::size_t k = 0; k < state.selected.size(); ++k) state.selected[k] = !bed(k);
+    for (int k = 0; k < at_rest_.points().size(); ++k) state.selected[k] = !bed(k);
   }
   double settle() { return update_.settle(state, resting).friction; }
   bool calm(double energy) const {
