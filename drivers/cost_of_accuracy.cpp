@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drivers/study.hpp"
+#include "linalg/agree.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_reader.hpp"
 #include "study/accuracy_study.hpp"

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
+#include "linalg/agree.hpp"
 
 namespace voussoir {
 
@@ -52,7 +53,9 @@ inline int run_study(int argc, char** argv,
     return code;
   };
   try {
-    study({argv + 1, argv + argc}, comm, first ? std::cout : nowhere);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    broadcast_strings(*comm, words);  // mpirun may give each rank others
+    study(words, comm, first ? std::cout : nowhere);
     return leaks::found() ? EXIT_FAILURE : exit_done;
   } catch (const InputError& error) {
     return failed(error, exit_input);

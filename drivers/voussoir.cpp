@@ -1,7 +1,6 @@
 // voussoir: computes how a masonry structure behaves, from a scene in XML.
 #include <mpi.h>
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -16,8 +15,8 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "base/version.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/blas_memory.hpp"
-#include "linalg/gather.hpp"
 #include "output/hdf5_file.hpp"
 #include "run/simulation.hpp"
 #include "run/stop_signals.hpp"
@@ -102,22 +101,10 @@ Arguments parse(const std::vector<std::string>& words) {
 
 /// The scene's text is read once and given to all ranks, so that all agree on what it says.
 Scene read_on_all_ranks(const Arguments& a, const Teuchos::Comm<int>& comm) {
-  std::string text, problem;
-  if (comm.getRank() == 0) {
-    try {
-      text = scene_text(a.xml);
-    } catch (const InputError& error) {
-      problem = error.what();
-    }
-  }
-  for (std::string* part : {&text, &problem}) {
-    int size = static_cast<int>(part->size());
-    Teuchos::broadcast(comm, 0, Teuchos::outArg(size));
-    part->resize(static_cast<std::size_t>(size));
-    Teuchos::broadcast(comm, 0, size, part->data());
-  }
-  if (!problem.empty()) throw InputError(problem);
-  return read_scene_from_text(text, a.xml, a.overrides);
+  std::vector<std::string> text(1);
+  on_first_rank(comm, [&] { text[0] = scene_text(a.xml); });
+  broadcast_strings(comm, text);
+  return read_scene_from_text(text[0], a.xml, a.overrides);
 }
 
 /// What stands beside the word equilibrium.
@@ -166,8 +153,9 @@ void print(const Arguments& a) {
     print_internals_reference(std::cout);
 }
 
-int run_program(const std::vector<std::string>& words) {
+int run_program(std::vector<std::string> words) {
   const auto comm = Tpetra::getDefaultComm();
+  broadcast_strings(*comm, words);  // mpirun may give each rank others
   std::ofstream nowhere;
   const bool first = comm->getRank() == 0;
   try {

@@ -1,6 +1,5 @@
 #include "blocks/structure.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,7 +52,7 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   group_copies(vertex);
   node_exchange_ = std::make_shared<Exchange>(node_id_, owned_nodes_, comm);
 
-  Vector<dim> low, high, all_low, all_high;
+  Vector<dim> low, high;
   low.fill(std::numeric_limits<double>::max());
   high.fill(std::numeric_limits<double>::lowest());
   for (const auto& x : position_)
@@ -61,10 +60,10 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
       low[c] = std::min(low[c], x[c]);
       high[c] = std::max(high[c], x[c]);
     }
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MIN, dim, low.data(), all_low.data());
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, dim, high.data(), all_high.data());
-  size_ = norm(all_high - all_low);
-  middle_ = all_low + 0.5 * (all_high - all_low);
+  low = least_of_each(*comm, low);
+  high = largest_of_each(*comm, high);
+  size_ = norm(high - low);
+  middle_ = low + 0.5 * (high - low);
 }
 
 template <int dim>

@@ -160,7 +160,7 @@ bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
               (differ(stiffness[k].coupling[t], before.coupling[t]) || differ(stiffness[k].pull[t], before.pull[t])));
   }
   for (std::size_t i = 0; i < proximal.size() && !here; ++i) here = differ(proximal[i], factored_proximal_[i]);
-  return largest_over_ranks(*h_->getComm(), here) > 0;
+  return any_of_ranks(*h_->getComm(), here);
 }
 
 template <int dim>

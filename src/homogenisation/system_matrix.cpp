@@ -218,7 +218,7 @@ bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
       return value;
     });
   }
-  return largest_over_ranks(*matrix_->getComm(), coupled) > 0;
+  return any_of_ranks(*matrix_->getComm(), coupled);
 }
 
 template <int dim>

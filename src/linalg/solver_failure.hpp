@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
-#include "linalg/reduce.hpp"
+#include "linalg/agree.hpp"
 
 namespace voussoir {
 
@@ -27,20 +28,13 @@ inline SolverFailure solver_failure(const std::string& library, const std::strin
 /// last collective call comes before what fails. Collective.
 template <class Work>
 void all_or_none(const Teuchos::Comm<int>& comm, const Work& work) {
-  std::string failure;
+  std::optional<std::string> failure;
   try {
     work();
   } catch (const SolverFailure& mine) {
     failure = mine.what();
   }
-  const int ranks = comm.getSize();
-  const double first = ranks - largest_over_ranks(comm, failure.empty() ? 0 : ranks - comm.getRank());
-  if (first == ranks) return;
-  int size = static_cast<int>(failure.size());
-  Teuchos::broadcast(comm, static_cast<int>(first), Teuchos::outArg(size));
-  failure.resize(static_cast<std::size_t>(size));
-  Teuchos::broadcast(comm, static_cast<int>(first), size, failure.data());
-  throw SolverFailure(failure);
+  if (const auto first = first_text(comm, failure)) throw SolverFailure(*first);
 }
 
 /// Does a solve of this rank alone inside an iteration of all ranks. Where that fails the solution is not a number: an

@@ -1,6 +1,8 @@
 #include "linalg/traffic.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
+#include <array>
+
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
@@ -11,9 +13,8 @@ TrafficOf now = TrafficOf::else_where;
 bool counted = false;
 
 Traffic over_ranks(const Traffic& mine, const Teuchos::Comm<int>& comm, Teuchos::EReductionType how) {
-  const long long here[] = {mine.messages, mine.bytes, mine.collectives, mine.collective_bytes};
-  long long all[4];
-  Teuchos::reduceAll(comm, how, 4, here, all);
+  const std::array<long long, 4> here{mine.messages, mine.bytes, mine.collectives, mine.collective_bytes};
+  const auto all = each_over_ranks(comm, how, here);
   return {all[0], all[1], all[2], all[3]};
 }
 

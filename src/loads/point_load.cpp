@@ -1,4 +1,3 @@
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <limits>
 
@@ -6,6 +5,7 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
+#include "linalg/reduce.hpp"
 #include "loads/bearer.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -37,12 +37,12 @@ NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point, const
   const auto counts = [&](int i) { return among.empty() || among[i]; };
   for (int i = 0; i < s.nodes(); ++i)
     if (counts(i)) mine = std::min(mine, norm(s.drawn_position()[i] - point));
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(nearest.distance));
-  long long first = std::numeric_limits<long long>::max(), id = 0;  // copies of a vertex are equally near
+  nearest.distance = least_over_ranks(*s.comm(), mine);
+  long long first = std::numeric_limits<long long>::max();  // copies of a vertex are equally near
   for (int i = 0; i < s.nodes(); ++i)
     if (counts(i) && norm(s.drawn_position()[i] - point) == nearest.distance)
       first = std::min<long long>(first, s.node_id()[i]);
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, first, Teuchos::outArg(id));
+  const long long id = least_over_ranks(*s.comm(), first);
   const auto it = std::find(s.node_id().begin(), s.node_id().end(), static_cast<NodeId>(id));
   nearest.local = it == s.node_id().end() ? -1 : static_cast<int>(it - s.node_id().begin());
   return nearest;

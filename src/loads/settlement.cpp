@@ -1,9 +1,9 @@
-#include <Teuchos_CommHelpers.hpp>
 #include <cmath>
 
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
+#include "linalg/reduce.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
 
@@ -51,7 +51,7 @@ namespace {
 
 /// The middle of the edges of a support, by their length [m]. Collective.
 Vector<2> middle_of_edges(const Structure<2>& s, const FacetSet& facets) {
-  std::array<double, 3> mine{}, all{};  // lengths, and their moments about the middle of the structure
+  std::array<double, 3> mine{};  // lengths, and their moments about the middle of the structure
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
     for (const auto& facet : block.mesh.facets) {
@@ -62,7 +62,7 @@ Vector<2> middle_of_edges(const Structure<2>& s, const FacetSet& facets) {
       mine = mine + norm(to - from) * std::array<double, 3>{1, middle[0], middle[1]};
     }
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, mine.data(), all.data());
+  const auto all = total_of_each(*s.comm(), mine);
   return all[0] > 0 ? s.middle() + Vector<2>{all[1] / all[0], all[2] / all[0]} : s.middle();
 }
 

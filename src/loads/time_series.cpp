@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "base/text.hpp"
-#include "mesh/on_rank_zero.hpp"
+#include "linalg/agree.hpp"
 
 namespace voussoir {
 namespace {
@@ -261,7 +261,7 @@ class Reading {
 TimeSeries read_time_series(const std::string& file, const RecordLayoutParameters& layout, const ValueColumn& column,
                             const std::string& where, const Teuchos::Comm<int>& comm) {
   TimeSeries series;
-  on_rank_zero(comm, [&] { series = Reading(file, layout, column, where).all(); });
+  on_first_rank(comm, [&] { series = Reading(file, layout, column, where).all(); });
   broadcast_values(comm, series.time);
   broadcast_values(comm, series.value);
   broadcast_strings(comm, series.heading);

@@ -5,7 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
-#include "mesh/on_rank_zero.hpp"
+#include "linalg/agree.hpp"
 
 namespace voussoir {
 namespace {

@@ -1,9 +1,9 @@
 #include "mesh/block_source.hpp"
 
+#include "linalg/agree.hpp"
 #include "mesh/cell_count.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/gmsh_reader.hpp"
-#include "mesh/on_rank_zero.hpp"
 
 namespace voussoir {
 
@@ -11,7 +11,7 @@ template <int dim>
 std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parameters, const Teuchos::Comm<int>& comm,
                                                     Trust trust) {
   static_assert(dim == 2, "there is no source of spatial blocks yet");
-  on_rank_zero(comm, [&] { refuse_too_many_cells(parameters); });  // machines of ranks may differ
+  on_first_rank(comm, [&] { refuse_too_many_cells(parameters); });  // machines of ranks may differ
   switch (parameters.type) {
     case MeshType::wall:
       return make_wall(parameters.wall);

@@ -14,6 +14,7 @@
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
+#include "linalg/agree.hpp"
 #include "mesh/cell_count.hpp"
 #include "mesh/divisions.hpp"
 #include "mesh/gmsh_failures.hpp"
@@ -22,7 +23,6 @@
 #include "mesh/lattice.hpp"
 #include "mesh/msh_format.hpp"
 #include "mesh/node_numbers.hpp"
-#include "mesh/on_rank_zero.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/temporary_file.hpp"
 
@@ -379,7 +379,7 @@ std::string mesh_of(const std::string& request) {
 std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, const Teuchos::Comm<int>& comm,
                                           Trust trust) {
   BlockList<2> list;
-  on_rank_zero(comm, [&] {
+  on_first_rank(comm, [&] {
     if (trust == Trust::no) refuse_commands(parameters.file, parameters.file);
     const auto died = [&](const ChildEnd& end) { refuse_end(parameters.file, end); };
     const std::string hint = in_child_process(look_at, bytes_of(parameters), died);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "mesh/on_rank_zero.hpp"
+#include "linalg/agree.hpp"
 
 namespace voussoir {
 namespace {
@@ -88,7 +88,7 @@ void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>&
 template <int dim>
 void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>& supported,
                   const Teuchos::Comm<int>& comm) {
-  on_rank_zero(comm, [&] { check_blocks(source, supported); });
+  on_first_rank(comm, [&] { check_blocks(source, supported); });
 }
 
 template void check_supports(const BlockSource<2>&, const std::vector<FacetNames>&);

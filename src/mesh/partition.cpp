@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/check.hpp"
-#include "mesh/on_rank_zero.hpp"
+#include "linalg/agree.hpp"
 
 namespace voussoir {
 namespace {
@@ -131,7 +131,7 @@ std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& v
 std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& vertex_weights,
                            const Teuchos::Comm<int>& comm) {
   std::vector<int> rank_of_block;
-  on_rank_zero(comm, [&] { rank_of_block = partition(graph, vertex_weights, comm.getSize()); });
+  on_first_rank(comm, [&] { rank_of_block = partition(graph, vertex_weights, comm.getSize()); });
   broadcast_values(comm, rank_of_block);
   return rank_of_block;
 }

@@ -1,12 +1,12 @@
 #include "mesh/partition_quality.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <utility>
 
 #include "base/check.hpp"
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 
@@ -38,9 +38,7 @@ PartitionQuality partition_quality(const BlockGraph& graph, const std::vector<in
 }
 
 double imbalance(const Teuchos::Comm<int>& comm, long long mine) {
-  long long sum = 0, largest = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(sum));
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  const long long sum = total_over_ranks(comm, mine), largest = largest_over_ranks(comm, mine);
   return sum > 0 ? static_cast<double>(largest) * comm.getSize() / static_cast<double>(sum) : 1.0;
 }
 

@@ -91,7 +91,7 @@ void ContactProblem<dim>::find_shared_forces() {
     if (parts_.compliance[k].normal > 0 && parts_.compliance[k].tangential > 0) counts[k] = 0;
   shared_forces_ =
       std::make_unique<SharedForces>(parts_.structure, parts_.points, space_->cluster(), space_->held(), counts);
-  shares_ = largest_over_ranks(*parts_.structure.comm(), shared_forces_->any()) > 0;
+  shares_ = any_of_ranks(*parts_.structure.comm(), shared_forces_->any());
 }
 
 template <int dim>

@@ -41,7 +41,7 @@ inline PointStatus status_of(const ContactState& state, int k) {
 
 /// Whether the state has velocities on any rank: those without blocks never have. Collective.
 inline bool in_motion(const Teuchos::Comm<int>& comm, const ContactState& state) {
-  return largest_over_ranks(comm, !state.velocity.empty()) > 0;
+  return any_of_ranks(comm, !state.velocity.empty());
 }
 
 }  // namespace voussoir

@@ -1,6 +1,5 @@
 #include "model/loads_at_work.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "linalg/reduce.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -147,16 +147,13 @@ template <int dim>
 std::map<std::string, EffectSummary> LoadsAtWork<dim>::costs(const Teuchos::Comm<int>& comm) const {
   std::map<std::string, EffectSummary> costs;
   for (const auto& n : loads_) {
-    const long long mine[2] = {n.calls, static_cast<long long>(n.load->bytes() + n.time_function.bytes())};
-    long long all[2];
-    double slowest = 0;
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 2, mine, all);
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, n.seconds, Teuchos::outArg(slowest));
+    const auto bytes = static_cast<long long>(n.load->bytes() + n.time_function.bytes());
+    const auto [calls, all_bytes] = total_of_each(comm, std::array<long long, 2>{n.calls, bytes});
     auto& cost = costs[n.word];
     cost.in_play = true;
-    cost.calls += all[0];
-    cost.bytes += all[1];
-    cost.seconds += slowest;
+    cost.calls += calls;
+    cost.bytes += all_bytes;
+    cost.seconds += largest_over_ranks(comm, n.seconds);
   }
   return costs;
 }

@@ -282,7 +282,7 @@ std::vector<char> Model<dim>::between_supports() const {
   std::vector<double> flag(points_->size(), 0.0);
   for (int k = 0; k < points_->owned(); ++k) flag[k] = points_->at(k).any([&](int node) { return apart[node] != 0; });
   const bool any = std::find(flag.begin(), flag.end(), 1.0) != flag.end();
-  if (largest_over_ranks(*s.comm(), any) == 0) return {};
+  if (!any_of_ranks(*s.comm(), any)) return {};
   points_->exchange().update(flag, 1);
   return {flag.begin(), flag.end()};
 }

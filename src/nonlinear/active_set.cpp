@@ -58,7 +58,7 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
 /// Whether all points of all ranks have the statuses that they had. Collective.
 bool ActiveSet::same_statuses(const std::vector<char>& closed, const PointField& sliding) const {
   const bool differ = closed != closed_ || sliding != sliding_;
-  return largest_over_ranks(*problem_.map()->getComm(), differ) == 0;
+  return !any_of_ranks(*problem_.map()->getComm(), differ);
 }
 
 void ActiveSet::set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before) {

@@ -1,6 +1,5 @@
 #include "output/checkpoint.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,6 +7,8 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "linalg/agree.hpp"
+#include "linalg/reduce.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {
@@ -64,9 +65,7 @@ template <class T>
 void Checkpoint::rows(const std::string& name, const LocalRows& local, int columns, std::vector<T>& values) {
   using Stored = std::conditional_t<std::is_same_v<T, double>, double, int>;
   const std::string path = "/state/" + name;
-  const int here = values.empty() ? 0 : 1;
-  int anywhere = 0;
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, here, Teuchos::outArg(anywhere));
+  const bool anywhere = any_of_ranks(*comm_, !values.empty());
   if (saving()) {
     if (!anywhere) return;
     VOUSSOIR_EXPECT(values.size() == local.ids.size() * columns);
@@ -99,10 +98,7 @@ void Checkpoint::rows(const std::string& name, const LocalRows& local, int colum
 }
 
 void Checkpoint::require_all(const std::string& what, bool mine) const {
-  const int wrong = !mine;
-  int wrong_anywhere = 0;
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, wrong, Teuchos::outArg(wrong_anywhere));
-  if (wrong_anywhere) throw ResourceError(cannot_read(path_, what));
+  if (!all_of_ranks(*comm_, mine)) throw ResourceError(cannot_read(path_, what));
 }
 
 template <class T>

@@ -9,6 +9,8 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "linalg/agree.hpp"
+#include "linalg/reduce.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {
@@ -80,10 +82,7 @@ FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm
 }
 
 FieldsFile::Rows FieldsFile::counted(const std::vector<long long>& ids) const {
-  const auto here = static_cast<long long>(ids.size());
-  Rows rows{ids, 0};
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, here, Teuchos::outArg(rows.total));
-  return rows;
+  return {ids, total_over_ranks(*comm_, static_cast<long long>(ids.size()))};
 }
 
 template <class T>
@@ -108,7 +107,7 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   int width = dim_ + 1;
   const auto& count = mesh.corner_count;
   if (!count.empty()) width = std::max(width, *std::max_element(count.begin(), count.end()));
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, width, Teuchos::outArg(xdmf_.corners));
+  xdmf_.corners = largest_over_ranks(*comm_, width);
   cells_ = counted(mesh.cell);
   write("/mesh/cells", cells_, padded_corners(mesh, xdmf_.corners), xdmf_.corners, "-",
         "nodes of each cell; a cell with fewer corners repeats its last node");

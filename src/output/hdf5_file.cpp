@@ -13,6 +13,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "linalg/agree.hpp"
 #include "output/even_rows.hpp"
 #include "output/safe_file.hpp"
 
@@ -108,20 +109,11 @@ class Hdf5File::Impl {
   /// Every rank agrees before anyone throws.
   /// @param why  reason, where it is not HDF5 that refused
   void require(bool good, const char* why = nullptr) const {
-    std::string reason = good ? "" : why ? why : last_error();
-    int rank = 0, ranks = 1;
-    MPI_Comm_rank(mpi, &rank);
-    MPI_Comm_size(mpi, &ranks);
-    int failed = good ? ranks : rank;
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, mpi);
-    if (failed == ranks) return;
-    auto length = static_cast<int>(reason.size());
-    MPI_Bcast(&length, 1, MPI_INT, failed, mpi);
-    reason.resize(static_cast<std::size_t>(length));
-    MPI_Bcast(reason.data(), length, MPI_CHAR, failed, mpi);
+    const auto reason = first_text(*comm, good ? std::optional<std::string>() : why ? why : last_error());
+    if (!reason) return;
     broken = mode != Mode::read;
     any_broken |= broken;
-    throw ResourceError(mode == Mode::read ? cannot_read(name, reason) : cannot_write(name, reason));
+    throw ResourceError(mode == Mode::read ? cannot_read(name, *reason) : cannot_write(name, *reason));
   }
 
   Handle create(const std::string& path, hid_t type, hid_t space, hid_t properties) const {

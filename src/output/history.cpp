@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "linalg/agree.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {

@@ -15,6 +15,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include "base/error.hpp"
+#include "linalg/agree.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {
@@ -116,10 +117,7 @@ OutputFolder::OutputFolder(const std::string& folder, Earlier earlier, const Teu
     if (lock_ >= 0) ::close(lock_);
     throw;
   }
-  int length = static_cast<int>(kept_.size());
-  Teuchos::broadcast(comm, 0, &length);
-  kept_.resize(static_cast<std::size_t>(length));
-  Teuchos::broadcast(comm, 0, length, kept_.data());
+  kept_ = *first_text(comm, kept_);
 }
 
 OutputFolder::~OutputFolder() {

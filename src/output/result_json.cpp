@@ -8,6 +8,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <nlohmann/json.hpp>
 
+#include "linalg/agree.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {

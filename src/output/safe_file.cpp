@@ -12,8 +12,6 @@
 #include <fstream>
 #include <vector>
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include "base/digest.hpp"
 #include "base/error.hpp"
 
@@ -57,24 +55,6 @@ std::string cannot_write(const std::string& path, const std::string& reason) {
 
 std::string cannot_read(const std::string& path, const std::string& reason) {
   return path + ": cannot be read\n  because of: " + reason + ".\n  Give a file written by Voussoir, unchanged.";
-}
-
-void on_first_rank(const Teuchos::Comm<int>& comm, const std::function<void()>& action) {
-  std::string message;
-  int length = -1;
-  if (comm.getRank() == 0) {
-    try {
-      action();
-    } catch (const std::exception& error) {
-      message = message_of(error);
-      length = static_cast<int>(message.size());
-    }
-  }
-  Teuchos::broadcast(comm, 0, &length);
-  if (length < 0) return;
-  message.resize(static_cast<std::size_t>(length));
-  Teuchos::broadcast(comm, 0, length, message.data());
-  throw ResourceError(message);
 }
 
 void seal_file(const std::string& path) {

@@ -1,15 +1,9 @@
-// Files one rank writes for all: whole or not at all, and every rank learns when it failed.
+// Files one rank writes for all (linalg/agree.hpp): whole or not at all.
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include <Teuchos_Comm.hpp>
-
 namespace voussoir {
-
-/// Runs `action` on rank 0 alone; what it throws is thrown as ResourceError on every rank. Collective.
-void on_first_rank(const Teuchos::Comm<int>& comm, const std::function<void()>& action);
 
 /// Writes `content` beside `path` and renames it, so that a reader or a killed run never sees half a file.
 /// Not collective. Throws ResourceError.

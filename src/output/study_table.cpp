@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/text.hpp"
+#include "linalg/agree.hpp"
 #include "output/safe_file.hpp"
 
 namespace voussoir {

@@ -1,11 +1,11 @@
 #include "range/input_warnings.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "base/text.hpp"
+#include "linalg/reduce.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
 #include "range/idle_loads.hpp"
@@ -116,7 +116,7 @@ void warn_of_idle_laws(const Scene& scene, const Model<2>& model, Warnings& all)
   const auto& s = model.structure();
   if (model.points().total() == 0) return;
   const std::size_t laws = scene.joints.size();
-  std::vector<long long> mine(2 * laws, 0), total(2 * laws);  // joints a law holds for; joints its sets name
+  std::vector<long long> mine(2 * laws, 0);  // joints a law holds for; joints its sets name
   for (const Joint& joint : model.points().joints()) {
     if (s.owner_of_block()[joint.block_i] != s.comm()->getRank()) continue;
     ++mine[joint.family];
@@ -124,7 +124,7 @@ void warn_of_idle_laws(const Scene& scene, const Model<2>& model, Warnings& all)
     const auto& j = s.blocks()[s.local_block(joint.block_j)].mesh;
     for (std::size_t f = 0; f < laws; ++f) mine[laws + f] += joins(model.source(), scene.joints[f].parameters, i, j);
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), total.data());
+  const auto total = total_of_each(*s.comm(), mine);
   for (std::size_t f = 0; f < laws; ++f) {
     const auto& law = scene.joints[f].parameters;
     const bool fallback = law.between == "all" && law.and_ == "all";  // needed, also where others hold everywhere
@@ -144,7 +144,7 @@ void warn_of_idle_laws(const Scene& scene, const Model<2>& model, Warnings& all)
 void warn_of_raised_energies(const Scene& scene, const Model<2>& model, Warnings& all) {
   const std::size_t laws = scene.joints.size();
   if (!model.weakens()) return;
-  std::vector<double> mine(2 * laws, 0.0), most(2 * laws);  // [J/m2] the most that a point takes
+  std::vector<double> mine(2 * laws, 0.0);  // [J/m2] the most that a point takes
   for (int k = 0; k < model.points().owned(); ++k) {
     const auto& p = model.points().points()[k];
     const int family = model.points().joints()[p.joint].family;
@@ -157,8 +157,7 @@ void warn_of_raised_energies(const Scene& scene, const Model<2>& model, Warnings
     raise(0, law.tension_strength, law.cohesion, rate.per_opening);
     raise(1, law.cohesion, law.tension_strength, rate.per_slip);
   }
-  Teuchos::reduceAll(*model.structure().comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(),
-                     most.data());
+  const auto most = largest_of_each(*model.structure().comm(), mine);
   for (std::size_t i = 0; i < most.size(); ++i) {
     const auto& law = scene.joints[i / 2].parameters;
     const double asked = i % 2 == 0 ? law.fracture_energy : law.shear_fracture_energy;

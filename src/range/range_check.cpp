@@ -50,13 +50,8 @@ void RangeCheck::measure() {
     length[model_.points().points()[k].joint] += model_.points().points()[k].area / s.model().thickness;
   for (const double l : length)
     if (l > 0) half = std::min(half, l / 2);
-  const auto smallest = [&](double mine) {
-    double all = 0;
-    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-    return all;
-  };
-  sizes_.smallest_side = smallest(side);
-  sizes_.smallest_half_joint = smallest(half);
+  sizes_.smallest_side = least_over_ranks(*s.comm(), side);
+  sizes_.smallest_half_joint = least_over_ranks(*s.comm(), half);
   measured_ = true;
 }
 

@@ -1,5 +1,6 @@
 #include "range/stone_overlap.hpp"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -57,9 +58,8 @@ Box<2> motions_here(const Model<2>& model, const StepEnd& end) {
 /// The largest difference between motions anywhere in the structure [m]. Collective.
 double spread(const Model<2>& model, const StepEnd& end) {
   const auto mine = motions_here(model, end);
-  const double ends[4] = {-mine.low[0], -mine.low[1], mine.high[0], mine.high[1]};
-  double all[4];
-  Teuchos::reduceAll(*model.structure().comm(), Teuchos::REDUCE_MAX, 4, ends, all);
+  const std::array<double, 4> ends{-mine.low[0], -mine.low[1], mine.high[0], mine.high[1]};
+  const auto all = largest_of_each(*model.structure().comm(), ends);
   return std::hypot(all[0] + all[2], all[1] + all[3]);
 }
 

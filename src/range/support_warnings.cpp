@@ -1,6 +1,5 @@
 #include "range/support_warnings.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <array>
 
@@ -45,14 +44,14 @@ long long common_nodes(const Model<2>& model, const SupportParameters& a, const 
 std::array<double, 9> held_of_whole(const Model<2>& model) {
   const auto& s = model.structure();
   const auto is_held = [&](int node, int c) { return model.held()[2 * node + c] != 0; };
-  double sum[3] = {0, 0, 0}, total[3];  // [m, m, -] levers are about the middle of what is held
+  std::array<double, 3> sum{};  // [m, m, -] levers are about the middle of what is held
   for (int node = 0; node < s.owned_nodes(); ++node) {
     if (!is_held(node, 0) && !is_held(node, 1)) continue;
     sum[2] += 1;
     for (int c = 0; c < 2; ++c) sum[c] += s.drawn_position()[node][c];
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 3, sum, total);
-  std::array<double, 9> mine{}, all;
+  const auto total = total_of_each(*s.comm(), sum);
+  std::array<double, 9> mine{};
   for (int node = 0; node < s.owned_nodes(); ++node) {
     const auto& x = s.drawn_position()[node];
     const double row[2][3] = {{1, 0, -(x[1] - total[1] / total[2]) / s.size()},
@@ -60,8 +59,7 @@ std::array<double, 9> held_of_whole(const Model<2>& model) {
     for (int c = 0; c < 2; ++c)
       for (int i = 0; is_held(node, c) && i < 9; ++i) mine[i] += row[c][i / 3] * row[c][i % 3];
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 9, mine.data(), all.data());
-  return all;
+  return total_of_each(*s.comm(), mine);
 }
 
 /// Supports that leave the whole free to move in some way: where it ends up is then round-off, or nothing holds it.

@@ -1,5 +1,6 @@
 #include "range/turn_range.hpp"
 
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -214,13 +215,13 @@ bool small_motion(const Model<2>& model, const StepEnd& end, double smallest_hal
   const auto& s = model.structure();
   const auto& comm = *s.comm();
   const auto& u = end.state.displacement;
-  double range[4] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY}, all[4];  // x, -x, y, -y
+  std::array<double, 4> range{-INFINITY, -INFINITY, -INFINITY, -INFINITY};  // x, -x, y, -y
   for (int n = 0; n < s.owned_nodes(); ++n)
     for (int c = 0; c < 2; ++c) {
       range[2 * c] = std::max(range[2 * c], u[2 * n + c]);
       range[2 * c + 1] = std::max(range[2 * c + 1], -u[2 * n + c]);
     }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 4, range, all);
+  const auto all = largest_of_each(comm, range);
   if (std::hypot(all[0] + all[1], all[2] + all[3]) > worth_telling * smallest_half_joint) return false;
   double friction = INFINITY, turn = 0;
   for (const auto& joint : model.families())

@@ -1,8 +1,7 @@
 #include "results/effect_costs.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
-
 #include "joints/softening.hpp"
+#include "linalg/reduce.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_effects.hpp"
 
@@ -19,10 +18,9 @@ constexpr long long bytes_of_slip = 2 * sizeof(double);
 /// Of all ranks: the mass of each block and the matrix of the midpoint rule, as large as its stiffness; velocity and
 /// acceleration of each node.
 long long bytes_of_inertia(const Structure<2>& s) {
-  long long mine = 2LL * 2 * s.nodes() * static_cast<long long>(sizeof(double)), all = 0;
+  long long mine = 2LL * 2 * s.nodes() * static_cast<long long>(sizeof(double));
   for (const auto& b : s.blocks()) mine += 2 * b.stiffness->bytes();
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
+  return total_over_ranks(*s.comm(), mine);
 }
 
 }  // namespace
@@ -31,8 +29,7 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
                                                   const Structure<2>& structure, long long mine) {
   const auto& comm = *structure.comm();
   auto costs = loads.costs(comm);
-  long long points = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(points));
+  const long long points = total_over_ranks(comm, mine);
   for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
   const bool friction = costs["friction"].in_play;
   costs["friction"].bytes = friction ? points * (bytes_of_number + bytes_of_slip) : 0;

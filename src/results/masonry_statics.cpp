@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 #include "joints/joint_facets.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"

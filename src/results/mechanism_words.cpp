@@ -1,6 +1,5 @@
 #include "results/mechanism_words.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -106,11 +105,8 @@ MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>&
     const double moved = std::hypot(motion[2 * i], motion[2 * i + 1]);
     if (moved > size) size = moved, block = s.blocks()[s.block_of_node()[i]].mesh.id;
   }
-  double largest = 0;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, size, Teuchos::outArg(largest));
-  const int candidate = size == largest ? block : -1;
-  int found = -1;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, candidate, Teuchos::outArg(found));
+  const double largest = largest_over_ranks(*s.comm(), size);
+  const int found = largest_over_ranks(*s.comm(), size == largest ? block : -1);
   return {found, model.source().block(found).name, largest, false};
 }
 

@@ -1,6 +1,5 @@
 #include "results/observations.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <limits>
 
@@ -36,7 +35,7 @@ std::vector<std::pair<int, double>> node_near(const ObservationParameters& p, co
 template <int dim>
 std::vector<std::pair<int, double>> mean_of(const Structure<dim>& s, const std::vector<char>& observed) {
   std::vector<std::pair<int, double>> weights;
-  double mine = 0, all = 0;
+  double mine = 0;
   for (int n = 0; n < s.owned_blocks(); ++n) {
     const auto& b = s.blocks()[n];
     if (!observed[b.first_local]) continue;
@@ -46,7 +45,7 @@ std::vector<std::pair<int, double>> mean_of(const Structure<dim>& s, const std::
       mine += volume[i];
     }
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  const double all = total_over_ranks(*s.comm(), mine);
   for (auto& [node, weight] : weights) weight /= all;
   return weights;
 }
@@ -136,7 +135,7 @@ std::vector<double> Observations<dim>::values(const Observed& observed) const {
                                     : observed.reaction;
   };
   const std::size_t columns = columns_.size();
-  std::vector<double> mine(2 * columns, 0.0), all(2 * columns);  // sums, and their weights that are not there
+  std::vector<double> mine(2 * columns, 0.0);  // sums, and their weights that are not there
   const auto gone = [&](int at) {
     return !observed.absent.empty() && observed.absent[structure_.block_of_node()[at / dim]];
   };
@@ -144,7 +143,7 @@ std::vector<double> Observations<dim>::values(const Observed& observed) const {
     if (const auto& field = of(sums_[k].field); !field.empty())
       for (const auto& [at, weight] : sums_[k].weights)
         (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  auto all = total_of_each(*comm_, mine);
   constexpr double round_off = 1e-9;  // of weights, which add up to 1
   for (std::size_t k = 0; k < columns; ++k) {
     const bool is_mean = sums_[k].field != Field::reaction;

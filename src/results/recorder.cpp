@@ -1,7 +1,7 @@
 #include "results/recorder.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -70,12 +70,12 @@ void Recorder<dim>::write_tables() {
   mesh.block_set_names = model_.source().block_sets();
   std::size_t most = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) most = std::max(most, s.blocks()[b].mesh.sets.size());
-  mesh.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<double>(most)));
+  mesh.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<long long>(most)));
   // Cells are numbered block by block, like nodes.
-  std::vector<long long> mine(s.owner_of_block().size(), 0), cells(mine.size(), 0);
+  std::vector<long long> mine(s.owner_of_block().size(), 0);
   for (int b = 0; b < s.owned_blocks(); ++b)
     mine[s.blocks()[b].mesh.id] = static_cast<long long>(s.blocks()[b].mesh.cells.size());
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), cells.data());
+  const auto cells = total_of_each(*s.comm(), mine);
   std::vector<long long> first(cells.size() + 1, 0);
   for (std::size_t b = 0; b < cells.size(); ++b) first[b + 1] = first[b] + cells[b];
   for (int b = 0; b < s.owned_blocks(); ++b) {
@@ -189,9 +189,9 @@ void Recorder<dim>::record(const ContactState& after, const TimeStepReport& repo
 template <int dim>
 void Recorder<dim>::count(const std::vector<int>& status, StepNumbers& numbers) const {
   for (const int s : status) VOUSSOIR_EXPECT(s >= open && s <= bonded && "status: one of those of fields.h5");
-  long long mine[4] = {0, 0, 0, 0}, all[4];
+  std::array<long long, 4> mine{};
   for (int s : status) ++mine[s];
-  Teuchos::reduceAll(*model_.structure().comm(), Teuchos::REDUCE_SUM, 4, mine, all);
+  const auto all = total_of_each(*model_.structure().comm(), mine);
   numbers.selected_points = all[open] + all[stick] + all[slip];
   numbers.open_points = all[open];
   numbers.stick_points = all[stick];

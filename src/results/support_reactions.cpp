@@ -1,6 +1,5 @@
 #include "results/support_reactions.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "blocks/supports.hpp"
+#include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
 #include "model/handed_over.hpp"
 
@@ -64,14 +64,13 @@ std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, 
   double largest = 0;
   for (std::size_t k = 0; k < held.size(); ++k) {
     // Number of nodes, sums of their places, their forces, and the moment of these.
-    std::array<double, 6> mine{}, all{};
+    std::array<double, 6> mine{};
     for (const auto& [node, length, share] : held[k]) {
       const auto x = s.position()[node] - origin;
       const Vector<2> force{residual[2 * node] * share[0], residual[2 * node + 1] * share[1]};
       mine = mine + std::array<double, 6>{1, x[0], x[1], force[0], force[1], cross(x, force)};
     }
-    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-    const auto [count, sum_x, sum_y, fx, fy, moment] = all;
+    const auto [count, sum_x, sum_y, fx, fy, moment] = total_of_each(*s.comm(), mine);
     if (!(count > 0)) continue;
     const double x = sum_x / count, y = sum_y / count, square = fx * fx + fy * fy;
     const double shift = square > 0 ? (moment - x * fy + y * fx) / square : std::numeric_limits<double>::quiet_NaN();

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "blocks/supports.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
@@ -143,15 +144,15 @@ RigidLimits::RigidLimits(const Model<2>& model, const RigidTask& task) : model_(
     support.stone = number(row.block);
     rigid.supports.push_back(support);
   }
-  if (comm.getRank() == 0) analysis_ = std::make_unique<const LimitAnalysis>(std::move(rigid));
+  on_first_rank(comm, [&] { analysis_ = std::make_unique<const LimitAnalysis>(std::move(rigid)); });
 }
 
 /// The first rank asks, the others are told; all but the mechanism itself, for which its motion stands.
 template <class Ask>
-LimitAnswer RigidLimits::on_first_rank(const Ask& ask) const {
+LimitAnswer RigidLimits::ask_first_rank(const Ask& ask) const {
   const auto& comm = *model_.structure().comm();
   LimitAnswer answer;
-  if (analysis_) answer = ask(*analysis_);
+  on_first_rank(comm, [&] { answer = ask(*analysis_); });
   if (comm.getSize() == 1) return answer;
   double head[6] = {static_cast<double>(answer.verdict),
                     answer.factor,
@@ -173,28 +174,30 @@ LimitAnswer RigidLimits::on_first_rank(const Ask& ask) const {
 }
 
 LimitAnswer RigidLimits::largest_factor(double largest) const {
-  return on_first_rank([&](const LimitAnalysis& a) { return a.largest_factor(largest); });
+  return ask_first_rank([&](const LimitAnalysis& a) { return a.largest_factor(largest); });
 }
 
 LimitAnswer RigidLimits::bears(double factor) const {
-  return on_first_rank([&](const LimitAnalysis& a) { return a.bears(factor); });
+  return ask_first_rank([&](const LimitAnalysis& a) { return a.bears(factor); });
 }
 
 bool RigidLimits::borne_at_any_factor() const {
-  int borne = analysis_ && analysis_->borne_at_any_factor() ? 1 : 0;
+  int borne = 0;
+  on_first_rank(*model_.structure().comm(), [&] { borne = analysis_->borne_at_any_factor() ? 1 : 0; });
   Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(borne));
   return borne > 0;
 }
 
 bool RigidLimits::is_rows() const {
-  int rows = analysis_ && analysis_->is_rows() ? 1 : 0;
+  int rows = 0;
+  on_first_rank(*model_.structure().comm(), [&] { rows = analysis_->is_rows() ? 1 : 0; });
   Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(rows));
   return rows > 0;
 }
 
 LimitAnswer RigidLimits::most_balanced(double factor, double* free_share) const {
   double share = 0;
-  const auto answer = on_first_rank([&](const LimitAnalysis& a) { return a.most_balanced(factor, &share); });
+  const auto answer = ask_first_rank([&](const LimitAnalysis& a) { return a.most_balanced(factor, &share); });
   Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(share));
   if (free_share) *free_share = share;
   return answer;
@@ -202,8 +205,9 @@ LimitAnswer RigidLimits::most_balanced(double factor, double* free_share) const 
 
 std::optional<double> RigidLimits::without_dilatancy(double largest, const LimitAnswer& associated) const {
   double found[2] = {0, 0};
-  if (analysis_)
+  on_first_rank(*model_.structure().comm(), [&] {
     if (const auto factor = analysis_->without_dilatancy(largest, associated)) found[0] = 1, found[1] = *factor;
+  });
   Teuchos::broadcast(*model_.structure().comm(), 0, 2, found);
   return found[0] > 0 ? std::optional<double>(found[1]) : std::nullopt;
 }
@@ -211,13 +215,13 @@ std::optional<double> RigidLimits::without_dilatancy(double largest, const Limit
 std::vector<std::array<ReactionRange, 2>> RigidLimits::reactions(int supports, double factor) const {
   constexpr double none = std::numeric_limits<double>::infinity();
   std::vector<double> ends(4 * static_cast<std::size_t>(supports));
-  if (analysis_) {
+  on_first_rank(*model_.structure().comm(), [&] {
     const auto ranges = analysis_->reactions(supports, factor);
     for (std::size_t k = 0; k < 2 * ranges.size(); ++k) {
       const auto& range = ranges[k / 2][k % 2];
       ends[2 * k] = range.least.value_or(-none), ends[2 * k + 1] = range.most.value_or(none);
     }
-  }
+  });
   if (!ends.empty()) Teuchos::broadcast(*model_.structure().comm(), 0, static_cast<int>(ends.size()), ends.data());
   std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
   for (std::size_t k = 0; k < 2 * ranges.size(); ++k) {

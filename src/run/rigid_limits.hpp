@@ -46,7 +46,7 @@ class RigidLimits {
 
  private:
   template <class Ask>
-  LimitAnswer on_first_rank(const Ask& ask) const;
+  LimitAnswer ask_first_rank(const Ask& ask) const;
 
   const Model<2>& model_;
   std::vector<Vector<2>> middle_;                  ///< [m] of all blocks, from the middle of the structure

@@ -13,6 +13,8 @@
 #include "base/digest.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "linalg/agree.hpp"
+#include "linalg/reduce.hpp"
 #include "model/carried_points.hpp"
 #include "model/handed_over.hpp"
 #include "model/phase.hpp"
@@ -40,10 +42,7 @@ InputError another_structure(const std::string& path, const std::string& what) {
 /// One number for parts that ranks have; a sum, so that ranks do not matter. Only its lower half is summed as a number,
 /// or signs could overflow. Collective.
 long long sum_of_digests(std::uint64_t here, const Teuchos::Comm<int>& comm) {
-  const auto mine = static_cast<long long>(here & 0xffffffffu);
-  long long all = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all & 0xffffffff;
+  return total_over_ranks(comm, static_cast<long long>(here & 0xffffffffu)) & 0xffffffff;
 }
 
 /// Of all nodes of the structure and their places.

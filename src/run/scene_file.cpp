@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "linalg/agree.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
 #include "scene/scene_printer.hpp"

@@ -1,7 +1,8 @@
 #include "run/stop_signals.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <csignal>
+
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
@@ -25,11 +26,6 @@ void listen_for_stop_signals() {
 
 bool stop_signal_here() { return received != 0; }
 
-bool stop_signal_on_any_rank(const Teuchos::Comm<int>& comm) {
-  const int mine = received;
-  int any = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  return any != 0;
-}
+bool stop_signal_on_any_rank(const Teuchos::Comm<int>& comm) { return any_of_ranks(comm, stop_signal_here()); }
 
 }  // namespace voussoir

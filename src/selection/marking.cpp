@@ -1,10 +1,10 @@
 #include "selection/marking.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 
@@ -12,15 +12,14 @@ std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const 
                             const RestParameters& numbers) {
   VOUSSOIR_EXPECT(share > 0 && share <= 1);
   const auto sum_from = [&](double cut) {
-    double mine = 0, all = 0;
+    double mine = 0;
     for (double e : eta)
       if (e >= cut) mine += e;
-    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-    return all;
+    return total_over_ranks(comm, mine);
   };
-  double mine = 0, largest = 0;
+  double mine = 0;
   for (double e : eta) mine = std::max(mine, e);
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(largest));
+  const double largest = largest_over_ranks(comm, mine);
   std::vector<char> marked(eta.size(), 0);
   if (largest == 0) return marked;
   // The largest cut that still holds the share, by bisection over the octaves below the largest value.

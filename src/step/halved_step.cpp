@@ -30,8 +30,8 @@ bool is_multiple(const Teuchos::Comm<int>& comm, const std::vector<double>& one,
 bool is_homogeneous(const Model<2>& model, const ContactState& before, bool at_the_start) {
   const bool opens = largest_of(model.initial_gap()) > 0;
   const double moved = std::max(largest_of(before.displacement), largest_of(before.lambda));
-  const double mine = opens || model.weakens() || moved > 0;
-  return largest_over_ranks(*model.structure().comm(), mine) == 0 && at_the_start;
+  const bool mine = opens || model.weakens() || moved > 0;
+  return !any_of_ranks(*model.structure().comm(), mine) && at_the_start;
 }
 
 }  // namespace

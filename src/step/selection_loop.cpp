@@ -62,7 +62,7 @@ ContactProblem<dim>& SelectionTools<dim>::problem(const std::vector<char>& selec
                                                   const typename ContactProblem<dim>::Asked& asked) {
   const bool other = !problem_ || arrangement_ != model_.arrangement() || problem_->selection() != selected;
   // A selection that changed on one rank changed for all.
-  if (largest_over_ranks(*model_.structure().comm(), other) == 0) {
+  if (!any_of_ranks(*model_.structure().comm(), other)) {
     problem_->begin(asked);
     return *problem_;
   }

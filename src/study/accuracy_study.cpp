@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "dynamics/load_steps.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/reduce.hpp"
 #include "output/safe_file.hpp"
 #include "run/simulation.hpp"

@@ -1,6 +1,5 @@
 #include "time/dynamic_step.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,9 +80,7 @@ double DynamicStep<dim>::courant_time() const {
         shortest = std::min(shortest, norm(edge) / speed);
       }
   }
-  double all = 0;
-  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, shortest, Teuchos::outArg(all));
-  return all;
+  return least_over_ranks(*mass_.comm(), shortest);
 }
 
 template <int dim>
@@ -142,7 +139,7 @@ void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<doub
       v[i] = rule_.midpoint_velocity(half[i]);
       mine = true;
     }
-  if (largest_over_ranks(*mass_.comm(), mine) == 0) return;
+  if (!any_of_ranks(*mass_.comm(), mine)) return;
   report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
   state.velocity = v;
 }
@@ -201,7 +198,7 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
     acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
   auto change = acceleration;
   const auto& first = after.acceleration_before;
-  const bool known = largest_over_ranks(*mass_.comm(), !first.empty()) > 0;  // empty ranks have none
+  const bool known = any_of_ranks(*mass_.comm(), !first.empty());  // empty ranks have none
   for (std::size_t i = 0; i < first.size(); ++i) change[i] = (change[i] - first[i]) / 2;
   after.acceleration_before = std::exchange(after.acceleration, std::move(acceleration));
   after.largest_energy = std::max(after.largest_energy, energy);
@@ -229,7 +226,7 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
     if (!at_rest_.joined(static_cast<int>(k))) calm[k] = 0;  // a tie would hold a stone by one that is not there
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,
                                               negligible, selection.rest, at_rest_.settings().internals.rest);
-  if (largest_over_ranks(*mass_.comm(), mine) == 0) return {};
+  if (!any_of_ranks(*mass_.comm(), mine)) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);
 }

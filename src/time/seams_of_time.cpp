@@ -1,11 +1,11 @@
 // Where stages with a duration begin, what each of their steps is given, and what load steps after them are left.
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/check.hpp"
 #include "blocks/assembly.hpp"
+#include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/scene_fit.hpp"
 #include "time/dynamic_step.hpp"
@@ -19,7 +19,7 @@ Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityPar
   const auto& s = model.structure();
   Vector<dim> centre{given.about_x, given.about_y};
   if (given.rotation == 0) return s.middle();
-  std::array<double, dim + 1> mine{}, all{};  // mass, and its moments about the middle of the structure
+  std::array<double, dim + 1> mine{};  // mass, and its moments about the middle of the structure
   for (int n = 0; n < s.owned_blocks(); ++n) {
     const auto& b = s.blocks()[n];
     if (!in_set(model.source(), b.mesh, given.blocks)) continue;
@@ -30,7 +30,7 @@ Vector<dim> centre_of_rotation(const Model<dim>& model, const InitialVelocityPar
       for (int c = 0; c < dim; ++c) mine[c] += mass * (b.mesh.position[i][c] - s.middle()[c]);
     }
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
+  const auto all = total_of_each(*s.comm(), mine);
   for (int c = 0; c < dim; ++c)
     if (std::isinf(centre[c])) centre[c] = s.middle()[c] + all[c] / all[dim];
   return centre;

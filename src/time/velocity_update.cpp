@@ -144,7 +144,7 @@ template <int dim>
 typename VelocityUpdate<dim>::Supports VelocityUpdate<dim>::moving_supports(const std::vector<double>& velocity) const {
   bool mine = false;
   for (std::size_t i = 0; i < velocity.size(); ++i) mine |= at_rest_.held()[i] && velocity[i] != 0;
-  return largest_over_ranks(*mass_.comm(), mine) > 0 ? std::make_unique<const std::vector<double>>(velocity) : nullptr;
+  return any_of_ranks(*mass_.comm(), mine) ? std::make_unique<const std::vector<double>>(velocity) : nullptr;
 }
 
 /// What is held, and all of the points that are tied. Returns the work of supports.
@@ -233,7 +233,7 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
   EnergyOfJump energy;
   if (impact) {
     // A selection that changed on one rank changed for all.
-    if (largest_over_ranks(*mass_.comm(), !spread_ || spread_->state.selected != state.selected) > 0)
+    if (any_of_ranks(*mass_.comm(), !spread_ || spread_->state.selected != state.selected))
       spread_ = std::make_unique<Spread>(at_rest_, mass_, step, state, solver_);
     const double before = kinetic_energy(v);
     const auto given = v;

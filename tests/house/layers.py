@@ -33,6 +33,9 @@ SEES = {
 # Pure functions of numbers, without geometry: the headers of joints that all folders from linalg up may see.
 PURE = {"joints/contact_law.hpp", "joints/point_freedom.hpp", "joints/softening.hpp"}
 
+# What ranks tell each other: all folders but base may see it.
+RANKS = {"linalg/agree.hpp", "linalg/gather.hpp", "linalg/reduce.hpp"}
+
 # Libraries with one owner: each is included by at most one source file and by no header.
 ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp",
              "CLI11": "CLI/", "pugixml": "pugixml", "Eigen": "Eigen/"}
@@ -67,7 +70,7 @@ def problem_of(path, name):
     if is_parameters(path.name):
         # A parameter struct is plain data: the scene reads it without seeing the module.
         allowed = target == "base" or is_parameters(name)
-    elif name in PURE and folder != "base":
+    elif name in PURE | RANKS and folder != "base":
         allowed = True
     elif folder == "scene" and is_parameters(name):
         allowed = True

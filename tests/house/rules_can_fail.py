@@ -50,9 +50,14 @@ class IncludesPointDown(unittest.TestCase):
         self.assertIsNone(include("src/run/simulation.cpp", "output/history.hpp"))
         self.assertIsNone(include("drivers/voussoir.cpp", "scene/scene.hpp"))
 
+    def test_ranks_may_be_asked_everywhere(self):
+        self.assertIsNone(include("src/mesh/partition.cpp", "linalg/agree.hpp"))
+        self.assertIn("points up", include("src/mesh/partition.cpp", "linalg/linear_solver.hpp"))
+
     def test_a_module_may_not_include_what_is_above_or_beside(self):
         self.assertIn("points up", include("src/mesh/mesh.hpp", "joints/joint.hpp"))
         self.assertIn("points up", include("src/base/log.hpp", "mesh/mesh.hpp"))
+        self.assertIn("points up", include("src/base/log.hpp", "linalg/agree.hpp"))
         self.assertIn("points up", include("src/nonlinear/newton.cpp", "output/history.hpp"))
         self.assertIn("points up", include("src/mesh/mesh.cpp", "scene/scene.hpp"))
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "linalg/agree.hpp"
 #include "output/history.hpp"
 #include "output/output_folder.hpp"
 #include "output/result_json.hpp"

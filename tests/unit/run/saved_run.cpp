@@ -1,5 +1,6 @@
 // Checkpoints of whole runs that are whole and sealed but do not hold what a run needs: they are refused on all ranks.
 #include "run/saved_run.hpp"
+#include "linalg/agree.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <filesystem>
