@@ -19,14 +19,13 @@ namespace {
 template <int dim>
 std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints& points,
                                const std::vector<char>& selected) {
-  std::vector<int> mine(s.owner_of_block().size(), 0), all(mine.size());
+  std::vector<int> mine(s.owner_of_block().size(), 0);
   for (int k = 0; k < points.owned(); ++k) {
     if (!selected[k]) continue;
     const auto& joint = points.joints()[points.points()[k].joint];
     mine[joint.block_i] = mine[joint.block_j] = 1;
   }
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
+  return largest_of_each(*s.comm(), mine);
 }
 
 }  // namespace

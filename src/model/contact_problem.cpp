@@ -10,6 +10,7 @@
 #include "blocks/rigid_motion.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
 #include "model/patch_cutter.hpp"
@@ -105,10 +106,10 @@ void ContactProblem<dim>::split_shared_forces(const std::vector<PointFreedom>& f
 template <int dim>
 void ContactProblem<dim>::set_scales() {
   const auto& s = parts_.structure;
-  double largest[2] = {0, 0}, all[2];
+  std::array<double, 2> largest{};
   for (int i = 0; i < dim * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
   for (double k : parts_.local_stiffness) largest[1] = std::max(largest[1], k);
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, 2, largest, all);
+  const auto all = largest_of_each(*s.comm(), largest);
   force_scale_ = all[0];
   stiffest_ = all[1];
 }
@@ -118,9 +119,9 @@ void ContactProblem<dim>::set_scales() {
 template <int dim>
 double ContactProblem<dim>::stiffest_that_counts(double volume) const {
   const auto& s = parts_.structure;
-  double mine[2] = {0, volume}, all[2];
+  std::array<double, 2> mine{0, volume};
   for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(asked_->load[i]);
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  const auto all = total_of_each(*s.comm(), mine);
   return all[0] > 0 ? parts_.internals.step.next_to_rigid * all[0] * s.size() / all[1]
                     : std::numeric_limits<double>::infinity();
 }

@@ -233,9 +233,7 @@ RelaxedStones StoneRelaxation::relax(const std::vector<double>& bearable, int lo
   auto& lacks = relaxed.lacks;
   const auto over_ranks = [&](const Lacking& mine, double known) {
     const std::array<double, 4> here{mine.stones, mine.force, mine.stuck + loose, known};
-    std::array<double, 4> all{};
-    Teuchos::reduceAll(*model_.structure().comm(), Teuchos::REDUCE_SUM, 4, here.data(), all.data());
-    return all;
+    return total_of_each(*model_.structure().comm(), here);
   };
   // One message tells of both, of where the stones begin and of the places known.
   const auto begun = measure(lacks);

@@ -122,11 +122,11 @@ std::vector<char> absent_here(const Model<2>& model) {
 DependentStones dependent_stones(const Model<2>& model, const std::vector<char>& absent) {
   const auto& s = model.structure();
   const auto blocks = static_cast<long>(s.owner_of_block().size());
-  std::vector<int> mine(2 * blocks, 0), all(2 * blocks);  // is a block held, is it absent
+  std::vector<int> mine(2 * blocks, 0);  // is a block held, is it absent
   for (std::size_t i = 0; i < model.held().size() / 2; ++i)
     if (model.held()[2 * i] || model.held()[2 * i + 1]) mine[s.blocks()[s.block_of_node()[i]].mesh.id] = 1;
   for (std::size_t b = 0; b < absent.size(); ++b) mine[blocks + s.blocks()[b].mesh.id] = absent[b];
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  const auto all = largest_of_each(*s.comm(), mine);
   return {model.source().graph(), {all.begin(), all.begin() + blocks}, {all.begin() + blocks, all.end()}};
 }
 
@@ -157,8 +157,7 @@ TieBalance balance_of(const Structure<2>& s, const std::vector<double>& lacks, c
   balance.largest = largest_over_ranks(*s.comm(), mine);
   // The lowest number of those that share it, so that all ranks name the same.
   const int none = std::numeric_limits<int>::max();
-  const int here = balance.where >= 0 && mine == balance.largest ? balance.where : none;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MIN, here, Teuchos::outArg(balance.where));
+  balance.where = least_over_ranks(*s.comm(), balance.where >= 0 && mine == balance.largest ? balance.where : none);
   if (balance.where == none) balance.where = -1;
   return balance;
 }
@@ -177,8 +176,7 @@ struct TieCriterion::Stones {
     const auto& s = model.structure();
     const int first = s.local_block(dependent.dependants()[0]);
     if (first >= 0 && first < s.owned_blocks()) centre = relaxation.stones()[first].middle;
-    const auto mine = centre;
-    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, 2, mine.data(), centre.data());
+    centre = total_of_each(*s.comm(), centre);
   }
 
   int arrangement;
@@ -202,7 +200,7 @@ std::map<BlockId, BlockSums> TieCriterion::of_dependants(const Demands& demands)
   const auto& s = model_.structure();
   for (;;) {
     const auto& ids = stones_->dependent.dependants();
-    std::vector<double> mine(6 * ids.size() + 1, 0.0), all(mine.size());
+    std::vector<double> mine(6 * ids.size() + 1, 0.0);
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const int b = s.local_block(ids[k]);
       if (b < 0 || b >= s.owned_blocks()) continue;
@@ -214,7 +212,7 @@ std::map<BlockId, BlockSums> TieCriterion::of_dependants(const Demands& demands)
     }
     auto absent = absent_here(model_);
     mine.back() = absent != stones_->absent;
-    Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+    const auto all = total_of_each(*s.comm(), mine);
     if (all.back() > 0) {
       arrange(std::move(absent));
       continue;

@@ -5,16 +5,11 @@
 #include <numeric>
 
 #include "base/check.hpp"
+#include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
-
-/// Sums over the ranks in the place of those of each.
-void add_over_ranks(const Teuchos::Comm<int>& comm, std::vector<double>& sums) {
-  const auto mine = sums;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(sums.size()), mine.data(), sums.data());
-}
 
 /// Lowest number of a block of the same body, per block of the structure; -1 where a support holds the body.
 /// Collective.
@@ -33,7 +28,7 @@ std::vector<int> bodies_of(const Model<dim>& model, const std::vector<char>& sel
   }
   for (std::size_t i = 0; i < model.held().size(); ++i)
     if (model.held()[i]) mine[graph.neighbour.size() + id_of(static_cast<int>(i) / dim)] = 1;
-  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  all = largest_of_each(*s.comm(), mine);
   std::vector<int> body(blocks);
   std::iota(body.begin(), body.end(), 0);
   const auto first_of = [&](int b) {
@@ -82,7 +77,7 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
     sums[3 * b] += weight[dim * n];
     for (int c = 0; c < 2; ++c) sums[3 * b + 1 + c] += weight[dim * n] * arm[c];
   }
-  add_over_ranks(*mass.comm(), sums);
+  sums = total_of_each(*mass.comm(), sums);
   for (int n = 0; n < mass.nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
@@ -94,7 +89,7 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
   inertia_.assign(count, 0.0);
   for (int i = 0; i < dim * mass.owned_nodes(); ++i)
     if (const int b = body_[of_node[i / dim]]; b >= 0) inertia_[b] += turn_[i] * weight[i];
-  add_over_ranks(*mass.comm(), inertia_);
+  inertia_ = total_of_each(*mass.comm(), inertia_);
   for (int b = 0; b < count; ++b) weight_.push_back(sums[3 * b]);
 }
 
@@ -111,7 +106,7 @@ Vector<dim> FreeBodies<dim>::remove_motion(std::vector<double>& velocity) const 
     sums[3 * b + i % dim] += momentum[i];
     sums[3 * b + 2] += turn_[i] * momentum[i];
   }
-  add_over_ranks(*mass_.comm(), sums);
+  sums = total_of_each(*mass_.comm(), sums);
   for (int i = 0; i < dim * mass_.nodes(); ++i)
     if (const int b = body_[of_node[i / dim]]; b >= 0)
       velocity[i] -= sums[3 * b + i % dim] / weight_[b] + sums[3 * b + 2] / inertia_[b] * turn_[i];

@@ -125,10 +125,9 @@ double VelocityUpdate<dim>::product(const std::vector<double>& v, const std::vec
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, v) && is_of_nodes(at_rest_, w) && "velocities: of node copies");
   std::vector<double> mw;
   mass_.apply_stiffness(w, mw);
-  double mine = 0, all = 0;
+  double mine = 0;
   for (int i = 0; i < dim * mass_.owned_nodes(); ++i) mine += v[i] * mw[i];
-  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
+  return total_over_ranks(*mass_.comm(), mine);
 }
 
 /// Largest relative velocity of what is held and can move.
@@ -204,7 +203,7 @@ template <int dim>
 typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::within_bodies(Way way, const Supports& supports) const {
   const auto momentum = spread_->bodies.remove_motion(way.velocity);
   if (!supports) return way;
-  std::array<double, dim + 1> mine{}, all{};  // velocities of what is held, and how many nodes are
+  std::array<double, dim + 1> mine{};  // velocities of what is held, and how many nodes are
   for (int n = 0; n < mass_.owned_nodes(); ++n) {
     bool holds = false;
     for (int c = 0; c < dim; ++c) holds = holds || at_rest_.held()[dim * n + c];
@@ -212,7 +211,7 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::within_bodies(Way way, co
     mine[dim] += 1;
     for (int c = 0; c < dim; ++c) mine[c] += at_rest_.held()[dim * n + c] ? (*supports)[dim * n + c] : 0.0;
   }
-  Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_SUM, dim + 1, mine.data(), all.data());
+  const auto all = total_of_each(*mass_.comm(), mine);
   for (int c = 0; c < dim; ++c) way.work_of_supports -= momentum[c] * all[c] / all[dim];
   return way;
 }
