@@ -27,6 +27,7 @@
 #include "mesh/generators.hpp"
 #include "model/model.hpp"
 #include "run/rigid_limits.hpp"
+#include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
 
 namespace {
