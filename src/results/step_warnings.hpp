@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "dynamics/energy_book.hpp"
 #include "model/joint_strength.hpp"
+#include "model/model_settings.hpp"
 #include "model/step.hpp"
 #include "step/step_parameters.hpp"
 #include "ties/tie_balance.hpp"
@@ -36,9 +37,11 @@ inline Warnings lost_in_jump(double lost, const Energies& book, const std::strin
            "that it may come to"}};
 }
 
-/// @param left  larger residual of a step over the largest force, where that is round-off and more than was asked for
-inline Warnings round_off(double left, const std::string& when) {
-  if (!(left > 0)) return {};
+/// @param left   larger residual of a step over the largest force, where that is round-off and more than the step was to
+///               leave; time steps ask themselves for less than a scene does
+/// @param asked  tolerance of the scene
+inline Warnings round_off(double left, double asked, const std::string& when) {
+  if (!(left > asked)) return {};
   return {{"round_off", "the structure", when, left,
            "forces are exact to " + six_digits(left) +
                " of the largest and not to the tolerance asked for: that is the round-off of stiffness times "
@@ -46,15 +49,16 @@ inline Warnings round_off(double left, const std::string& when) {
 }
 
 /// @param when  stage and load factor or time
-inline Warnings warnings_of(const StepReport& report, const StepParameters& numbers, const std::string& when) {
+inline Warnings warnings_of(const StepReport& report, const ModelSettings& settings, const std::string& when) {
   auto all = held_by_ties(report.tied_share, report.tied_block, when);
   if (report.newton.unstable > 0) {
     const std::string stones =
         std::to_string(report.unstable_joint[0]) + " - " + std::to_string(report.unstable_joint[1]);
     for (auto& warning : unstable(report.newton.unstable, stones, when)) all.push_back(std::move(warning));
   }
-  for (auto& warning : round_off(report.newton.round_off, when)) all.push_back(std::move(warning));
-  if (!jumped(report, numbers)) return all;
+  for (auto& warning : round_off(report.newton.round_off, settings.newton.tolerance, when))
+    all.push_back(std::move(warning));
+  if (!jumped(report, settings.internals.step)) return all;
   for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
   return all;
 }

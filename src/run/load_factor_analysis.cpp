@@ -173,7 +173,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   }
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
-    tell(run, warnings_of(report, run.model.settings().internals.step, end.when));
+    tell(run, warnings_of(report, run.model.settings(), end.when));
     run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
     const double jumps = summary.energy.jump;
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);

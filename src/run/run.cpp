@@ -187,7 +187,7 @@ bool Run::load_step(const ContactState& before) {
   }
   const double seconds = clock.totalElapsedTime(true);
   if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
-  for (const auto& w : warnings_of(report, model_.settings().internals.step, at_factor(stage, target))) warn(w);
+  for (const auto& w : warnings_of(report, model_.settings(), at_factor(stage, target))) warn(w);
   for (const auto& w : dropped) warn(w);
   failure_.reset();
   recorder_->remove(construction_.taken(start, state_));
@@ -261,7 +261,7 @@ bool Run::time_step(const ContactState& before) {
   }
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
-  for (const auto& w : warnings_of(report.step, model_.settings().internals.step, at_time(stage, time))) warn(w);
+  for (const auto& w : warnings_of(report.step, model_.settings(), at_time(stage, time))) warn(w);
   recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
   const double duration = steps_.stage_parameters().duration;
   steps_.accept();

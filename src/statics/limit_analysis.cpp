@@ -288,7 +288,7 @@ std::optional<double> LimitAnalysis::without_dilatancy(double largest, const Lim
     for (std::size_t k = 0; k < kept_.size(); ++k) {
       const auto& law = s_.contacts[static_cast<std::size_t>(kept_[k])].law;
       if (p.forces[k].generators.size() != 3 || !dry(law)) continue;
-      const double shear = (1 - slope_left) * law.friction * presses[k] / unit_;
+      const double shear = (1 - slope_left) * law.friction * std::max(0.0, presses[k]) / unit_;  // but for round-off
       p.lp.set_column(p.first_column[k] + 2, -shear, shear);
     }
     const auto found = p.lp.maximise();

@@ -21,7 +21,7 @@ SQUEEZED = 0.1  # [m]
 
 
 class RoundOff(program.SceneTest):
-    def fly(self, modulus, density, ranks=1, unit=1.0, force=1.0):
+    def fly(self, modulus, density, ranks=1, unit=1.0, force=1.0, tolerance=1e-8):
         """Two stones thrown off a floor; lengths in `unit` metres, forces in `force` newtons."""
         drawn = {"floor": (-1, -1, 3, 0), "a": (0, 0, 0.4, 0.2), "b": (0, 0.2, 0.4, 0.4)}
         drawing = stones.geo({name: stones.rectangle(*(x / unit for x in at)) for name, at in drawn.items()},
@@ -34,7 +34,8 @@ class RoundOff(program.SceneTest):
                              {"flight": stage},
                              materials={"stone": {"Young modulus": modulus * unit**2 / force,
                                                   "density": density * unit**3 / mass}},
-                             model={"thickness": 1.0 / unit}, initial_velocities=thrown)
+                             model={"thickness": 1.0 / unit}, newton={"tolerance": tolerance},
+                             initial_velocities=thrown)
         run = self.run_scene(scene, drawing=drawing, ranks=ranks, out=f"out{ranks}", seconds=120)
         self.assertEqual((run.code, run.outcome), (0, "equilibrium"), run.said)
         self.assertEqual(run.result["steps"], STEPS, "a step was halved")
@@ -62,8 +63,9 @@ class RoundOff(program.SceneTest):
         return [w["how_much"] for w in run.result["warnings"] if w["what"] == "round_off"]
 
     def test_light_stiff_stones_in_flight(self):
-        run = self.fly(200e9, 50.0)
+        run = self.fly(200e9, 50.0, tolerance=1e-11)
         left, = self.told(run)
+        self.assertLess(1e-11, left)
         self.assertLess(left, 1e-7)
         energy = run.history[-1]
         self.assertLess(abs(energy["imbalance_J"]), 1e-6 * energy["kinetic_J"])
@@ -79,7 +81,8 @@ class RoundOff(program.SceneTest):
             self.assertLess(left, 1e-9)
 
     def test_nothing_is_said_where_the_tolerance_is_met(self):
-        self.assertEqual(self.told(self.fly(10e9, 2000.0)), [])
+        self.assertEqual(self.told(self.fly(10e9, 2000.0, tolerance=1e-11)), [])
+        self.assertEqual(self.told(self.fly(200e9, 50.0)), [], "less than the scene asks for")
         self.assertEqual(self.told(self.squeeze(1e-8)), [])
 
 
