@@ -37,8 +37,8 @@ inline Warnings lost_in_jump(double lost, const Energies& book, const std::strin
            "that it may come to"}};
 }
 
-/// @param left   larger residual of a step over the largest force, where that is round-off and more than the step was to
-///               leave; time steps ask themselves for less than a scene does
+/// @param left   larger residual of a step over the largest force, where that is round-off and more than the step was
+///               to leave; time steps ask themselves for less than a scene does
 /// @param asked  tolerance of the scene
 inline Warnings round_off(double left, double asked, const std::string& when) {
   if (!(left > asked)) return {};
