@@ -25,7 +25,7 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "mesh/generators.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "run/rigid_limits.hpp"
 #include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
@@ -104,7 +104,7 @@ struct Weighed {
   }
   Scene scene;
   std::unique_ptr<BlockSource<2>> source;
-  Model<2> model;
+  PlaneModel model;
   std::vector<double> load, prescribed;
 };
 
@@ -115,7 +115,7 @@ void report(double thickness, const char* answer, const std::string& by) {
 /// What elastic stones do.
 NewtonOutcome settled(const Arguments& a, double thickness) {
   Weighed weighed(a, thickness);
-  AdaptiveStep<2> step(weighed.model);
+  AdaptiveStep step(weighed.model);
   auto state = step.initial_state();
   const auto solved = advance(step, state, {weighed.load, weighed.prescribed}).newton;
   const bool found = solved.outcome == NewtonOutcome::converged, falls = solved.outcome == NewtonOutcome::collapse;

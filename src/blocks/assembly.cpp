@@ -105,4 +105,15 @@ std::vector<double> nodal_volumes(const Block<2>& block, double thickness) {
   return volume;
 }
 
+std::vector<double> nodal_volumes(const Block<3>& block) {
+  std::vector<double> volume(block.position.size(), 0.0);
+  for (const auto& cell : block.cells) {
+    std::array<Vector<3>, 8> x;
+    for (int i = 0; i < 8; ++i) x[i] = block.position[cell.node[i]];
+    const auto share = hexahedron_volumes(x);
+    for (int i = 0; i < 8; ++i) volume[cell.node[i]] += share[i];
+  }
+  return volume;
+}
+
 }  // namespace voussoir

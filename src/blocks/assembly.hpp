@@ -33,5 +33,6 @@ LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr
 
 /// Volume that each node of a block stands for [m3].
 std::vector<double> nodal_volumes(const Block<2>&, double thickness);
+std::vector<double> nodal_volumes(const Block<3>&);
 
 }  // namespace voussoir

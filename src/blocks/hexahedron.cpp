@@ -51,4 +51,17 @@ std::vector<double> hexahedron_stiffness(const std::array<Vector<3>, 8>& x, cons
   return k;
 }
 
+std::array<double, 8> hexahedron_volumes(const std::array<Vector<3>, 8>& x) {
+  const double g = 1 / std::sqrt(3.0);
+  std::array<double, 8> share{};
+  for (const auto& corner : corners) {
+    const auto xi = g * corner;
+    const auto p = point_at(x, xi);
+    for (int i = 0; i < 8; ++i)
+      share[i] +=
+          p.weight * (1 + corners[i][0] * xi[0]) * (1 + corners[i][1] * xi[1]) * (1 + corners[i][2] * xi[2]) / 8;
+  }
+  return share;
+}
+
 }  // namespace voussoir

@@ -15,4 +15,7 @@ namespace voussoir {
 /// @param x  positions of its nodes [m], in the order of Cell
 std::vector<double> hexahedron_stiffness(const std::array<Vector<3>, 8>& x, const Material&);
 
+/// Integral of each shape function [m3].
+std::array<double, 8> hexahedron_volumes(const std::array<Vector<3>, 8>& x);
+
 }  // namespace voussoir

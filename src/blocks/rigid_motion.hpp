@@ -47,4 +47,40 @@ inline RigidMotion rigid_motion(const std::vector<Vector<2>>& position, const Lo
   return rigid;
 }
 
+/// A small motion of a block in space.
+struct RigidMotionInSpace {
+  Vector<3> middle{}, mean{};  ///< [m] as in the plane
+  Vector<3> rotation{};        ///< [-] right-handed about its direction
+
+  Vector<3> at(const Vector<3>& x) const { return mean + cross(rotation, x - middle); }
+};
+
+/// The rotation balances the moment of the motion about the middle, with each node of weight one.
+inline RigidMotionInSpace rigid_motion(const std::vector<Vector<3>>& position, const LocalBlock<3>& block,
+                                       const std::vector<double>& motion) {
+  RigidMotionInSpace rigid;
+  const int first = block.first_local;
+  const auto of_node = [&](int i) { return Vector<3>{motion[3 * i], motion[3 * i + 1], motion[3 * i + 2]}; };
+  for (int i = first; i < first + block.nodes; ++i) {
+    rigid.middle = rigid.middle + (1.0 / block.nodes) * (position[i] - position[first]);
+    rigid.mean = rigid.mean + (1.0 / block.nodes) * of_node(i);
+  }
+  rigid.middle = position[first] + rigid.middle;
+  Vector<3> moment{};
+  std::array<Vector<3>, 3> inertia{};
+  for (int i = first; i < first + block.nodes; ++i) {
+    const auto r = position[i] - rigid.middle;
+    moment = moment + cross(r, of_node(i) - rigid.mean);
+    for (int a = 0; a < 3; ++a) {
+      inertia[a][a] += dot(r, r);
+      for (int b = 0; b < 3; ++b) inertia[a][b] -= r[a] * r[b];
+    }
+  }
+  const double determinant = dot(inertia[0], cross(inertia[1], inertia[2]));
+  if (determinant > 0)  // else all nodes lie in a line
+    for (int a = 0; a < 3; ++a)
+      rigid.rotation = rigid.rotation + (moment[a] / determinant) * cross(inertia[(a + 1) % 3], inertia[(a + 2) % 3]);
+  return rigid;
+}
+
 }  // namespace voussoir

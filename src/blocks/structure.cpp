@@ -21,7 +21,7 @@ template <int dim>
 Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner_of_block, const ModelParameters& model,
                           const std::function<Material(const Block<dim>&)>& material_of,
                           const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-    : owner_(std::move(owner_of_block)), model_(model), comm_(comm) {
+    : BlockSystem(dim, std::move(owner_of_block), model, comm) {
   const auto first = first_nodes(source);
   total_nodes_ = first.back();
   const auto& graph = source.graph();
@@ -73,6 +73,8 @@ void Structure<dim>::add_block(Block<dim> mesh, NodeId first_node, const Materia
   vertex.insert(vertex.end(), mesh.vertex.begin(), mesh.vertex.end());
   std::vector<VertexId>().swap(mesh.vertex);
   LocalBlock<dim> b;
+  b.id = mesh.id;
+  b.nodes = static_cast<int>(mesh.position.size());
   b.mesh = std::move(mesh);
   b.first_node = first_node;
   b.first_local = nodes();
@@ -108,36 +110,32 @@ void Structure<dim>::group_copies(const std::vector<VertexId>& vertex) {
 }
 
 template <int dim>
-int Structure<dim>::local_block(BlockId id) const {
-  const auto less = [](const LocalBlock<dim>& b, BlockId wanted) { return b.mesh.id < wanted; };
-  const auto middle = blocks_.begin() + owned_blocks_;
-  const auto search = [&](auto from, auto to) {
-    const auto it = std::lower_bound(from, to, id, less);
-    return it != to && it->mesh.id == id ? static_cast<int>(it - blocks_.begin()) : -1;
-  };
-  const int owned = search(blocks_.begin(), middle);
-  return owned >= 0 ? owned : search(middle, blocks_.end());
+void Structure<dim>::split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const {
+  rigid.resize(u.size());
+  for (const auto& block : blocks_) {
+    const auto motion = rigid_motion(position_, block, u);
+    for (int i = block.first_local; i < block.first_local + block.nodes; ++i) {
+      const auto whole = motion.at(position_[i]);
+      for (int c = 0; c < dim; ++c) {
+        rigid[dim * i + c] = whole[c];
+        u[dim * i + c] -= whole[c];
+      }
+    }
+  }
 }
 
 template <int dim>
-void Structure<dim>::apply_stiffness(const std::vector<double>& u, std::vector<double>& y) const {
-  y.resize(u.size());
-  for (const auto& b : blocks_) b.stiffness->multiply(&u[dim * b.first_local], &y[dim * b.first_local]);
-}
-
-template <int dim>
-void Structure<dim>::internal_forces(const std::vector<double>& u, std::vector<double>& y) const {
-  if (rigid_motion_.empty())
-    apply_stiffness(u, y);
-  else
-    apply_stiffness(deformation(u), y);
-}
-
-template <int dim>
-std::vector<double> Structure<dim>::deformation(const std::vector<double>& u) const {
-  auto d = u;
-  for (std::size_t i = 0; i < rigid_motion_.size(); ++i) d[i] -= rigid_motion_[i];
-  return d;
+std::vector<double> Structure<dim>::nodal_volumes() const {
+  std::vector<double> volume;
+  for (const auto& b : blocks_) {
+    std::vector<double> more;
+    if constexpr (dim == 2)
+      more = voussoir::nodal_volumes(b.mesh, model_.thickness);
+    else
+      more = voussoir::nodal_volumes(b.mesh);
+    volume.insert(volume.end(), more.begin(), more.end());
+  }
+  return volume;
 }
 
 /// The motion is found about the middle of the block, and its matrix where that is the origin: places far from the
@@ -178,15 +176,6 @@ double Structure<dim>::follow(const std::vector<double>& u) {
   double largest = 0;
   for (int b = 0; b < static_cast<int>(blocks_.size()); ++b) largest = std::max(largest, follow_block(b, u));
   return largest_over_ranks(*comm_, largest);
-}
-
-template <int dim>
-double Structure<dim>::elastic_energy(const std::vector<double>& u) const {
-  std::vector<double> ku;
-  apply_stiffness(u, ku);
-  double energy = 0;
-  for (int i = 0; i < dim * owned_nodes(); ++i) energy += u[i] * ku[i] / 2;
-  return total_over_ranks(*comm_, energy);
 }
 
 /// Blocks that are alike and as dense have one matrix here too, so one must not depend on where its block stands, not

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "base/sort_unique.hpp"
+#include "homogenisation/block_motions_kernel.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/traffic.hpp"
@@ -57,8 +59,9 @@ LocalCsr pattern_of(const std::vector<Pairs::Pair>& pairs, int modes) {
 }  // namespace
 
 template <int dim>
-BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected,
-                                const MergedSpace<dim>& space, const std::vector<int>& active)
+BlockMotions::Motions<dim>::Motions(const BlockSystem& s, const ContactPoints& points,
+                                    const std::vector<char>& selected, const MergedSpace& space,
+                                    const std::vector<int>& active)
     : structure_(s), points_(points), space_(space) {
   std::vector<int> number(active.size(), -1);  // of each block among those that are active
   for (std::size_t b = 0; b < active.size(); ++b)
@@ -70,7 +73,7 @@ BlockMotions<dim>::BlockMotions(const Structure<dim>& s, const ContactPoints& po
 
 /// The copies at owned vertices, and those of all other clusters that an owned point with weights reaches.
 template <int dim>
-std::vector<int> BlockMotions<dim>::copies_met(const std::vector<char>& selected) const {
+std::vector<int> BlockMotions::Motions<dim>::copies_met(const std::vector<char>& selected) const {
   auto copies = structure_.copy();
   const auto& cluster = space_.cluster();
   std::vector<char> reached(space_.clusters(), 0);
@@ -91,9 +94,9 @@ std::vector<int> BlockMotions<dim>::copies_met(const std::vector<char>& selected
 /// Sorts copies by clusters.
 /// @param met  the copies
 template <int dim>
-void BlockMotions<dim>::find_copies(const std::vector<int>& number, const std::vector<int>& met) {
+void BlockMotions::Motions<dim>::find_copies(const std::vector<int>& number, const std::vector<int>& met) {
   const auto& s = structure_;
-  const auto number_of = [&](int node) { return number[s.blocks()[s.block_of_node()[node]].mesh.id]; };
+  const auto number_of = [&](int node) { return number[s.nodes_of(s.block_of_node()[node]).id]; };
   const auto& cluster = space_.cluster();
   copy_start_.assign(space_.clusters() + 1, 0);
   for (int k : met)
@@ -103,15 +106,19 @@ void BlockMotions<dim>::find_copies(const std::vector<int>& number, const std::v
   auto next = copy_start_;
   for (int k : met) {
     if (number_of(k) < 0) continue;
-    const auto& position = s.blocks()[s.block_of_node()[k]].mesh.position;
-    const double length = norm(position.back() - position.front());
-    copies_[next[cluster[k]]++] = {number_of(k), (1 / length) * (s.position()[k] - position.front())};
+    const auto& block = s.nodes_of(s.block_of_node()[k]);
+    const auto first = s.place(block.first_local);
+    const auto arm = (1 / norm(s.place(block.first_local + block.nodes - 1) - first)) * (s.place(k) - first);
+    auto& copy = copies_[next[cluster[k]]++];
+    copy.block = number_of(k);
+    std::copy_n(arm.begin(), dim, copy.arm.begin());
   }
 }
 
 /// How far each motion of a block moves a place in it along a direction.
 template <int dim>
-typename BlockMotions<dim>::Modes BlockMotions<dim>::motion(const Vector<dim>& arm, const Vector<dim>& direction) {
+typename BlockMotions::Motions<dim>::Modes BlockMotions::Motions<dim>::motion(const Vector<dim>& arm,
+                                                                              const Vector<dim>& direction) {
   Modes m;
   std::copy(direction.begin(), direction.end(), m.begin());
   int turn = dim;
@@ -122,7 +129,7 @@ typename BlockMotions<dim>::Modes BlockMotions<dim>::motion(const Vector<dim>& a
 
 /// How a place in a block moves by its motions.
 template <int dim>
-Vector<dim> BlockMotions<dim>::displacement(const Vector<dim>& arm, const Modes& motions) {
+Vector<dim> BlockMotions::Motions<dim>::displacement(const Vector<dim>& arm, const Modes& motions) {
   Vector<dim> u;
   std::copy_n(motions.begin(), dim, u.begin());
   int turn = dim;
@@ -136,7 +143,7 @@ Vector<dim> BlockMotions<dim>::displacement(const Vector<dim>& arm, const Modes&
 
 /// Adds factor times the motion of a cluster along a direction; components that are held do not move.
 template <int dim>
-void BlockMotions<dim>::add_motion(int cluster, Vector<dim> direction, double factor, Row& row) const {
+void BlockMotions::Motions<dim>::add_motion(int cluster, Vector<dim> direction, double factor, Row& row) const {
   for (int c = 0; c < dim; ++c)
     if (space_.held()[dim * cluster + c]) direction[c] = 0;
   const double share = factor / space_.multiplicity()[cluster];
@@ -151,7 +158,7 @@ void BlockMotions<dim>::add_motion(int cluster, Vector<dim> direction, double fa
 
 /// Pairs of blocks that meet at a node of an owned block or across a point; all ranks get all of them.
 template <int dim>
-void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
+void BlockMotions::Motions<dim>::set_pattern(const std::vector<char>& selected) {
   Pairs met;
   std::vector<int> around;
   const auto meet_at = [&](int cluster) {
@@ -166,9 +173,8 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
   };
   const auto& cluster = space_.cluster();
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
-    const auto& block = structure_.blocks()[b];
-    for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
-      meet_at(cluster[block.first_local + static_cast<int>(i)]);
+    const auto& block = structure_.nodes_of(b);
+    for (int i = 0; i < block.nodes; ++i) meet_at(cluster[block.first_local + i]);
     couple();
   }
   for (int k = 0; k < points_.owned(); ++k) {
@@ -186,7 +192,7 @@ void BlockMotions<dim>::set_pattern(const std::vector<char>& selected) {
 
 /// Where in the first row of a block the columns of another begin.
 template <int dim>
-std::size_t BlockMotions<dim>::place(int block, int other) const {
+std::size_t BlockMotions::Motions<dim>::place(int block, int other) const {
   const auto row = matrix_.column.begin() + matrix_.start[modes * block];
   const auto end = matrix_.column.begin() + matrix_.start[modes * block + 1];
   return std::lower_bound(row, end, modes * other) - row;
@@ -194,7 +200,7 @@ std::size_t BlockMotions<dim>::place(int block, int other) const {
 
 /// Adds left^T right to the part of the matrix that a block and another, not before it, have in common.
 template <int dim>
-void BlockMotions<dim>::add_to(int block, int other, const Modes& left, const double* right) {
+void BlockMotions::Motions<dim>::add_to(int block, int other, const Modes& left, const double* right) {
   const std::size_t along = place(block, other);
   for (int m = 0; m < modes; ++m) {
     // Each row of a block begins one column later than the one above.
@@ -205,18 +211,18 @@ void BlockMotions<dim>::add_to(int block, int other, const Modes& left, const do
 
 /// Adds factor row^T row to the matrix.
 template <int dim>
-void BlockMotions<dim>::add_product(const Row& row, double factor) {
+void BlockMotions::Motions<dim>::add_product(const Row& row, double factor) {
   for (auto i = row.begin(); i != row.end(); ++i)
     for (auto j = i; j != row.end(); ++j) add_to(i->block, j->block, factor * i->value, j->value.data());
 }
 
 template <int dim>
-void BlockMotions<dim>::add_elastic_energy() {
+void BlockMotions::Motions<dim>::add_elastic_energy() {
   std::vector<int> local(blocks_, -1);  // place of a block among those around another
   std::vector<Row> z;
   std::vector<double> kz;
   for (int b = 0; b < structure_.owned_blocks(); ++b) {
-    const auto& block = structure_.blocks()[b];
+    const auto& block = structure_.nodes_of(b);
     const auto& k = *block.stiffness;
     z.assign(k.rows(), {});
     std::vector<int> around;
@@ -247,7 +253,8 @@ void BlockMotions<dim>::add_elastic_energy() {
 }
 
 template <int dim>
-void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
+void BlockMotions::Motions<dim>::update(const std::vector<PointStiffness>& stiffness,
+                                        const std::vector<double>& proximal) {
   matrix_.value = elastic_;
   Row row;
   for (int k : couplings_) {
@@ -293,7 +300,7 @@ void BlockMotions<dim>::update(const std::vector<PointStiffness>& stiffness, con
 }
 
 template <int dim>
-void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
+void BlockMotions::Motions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
   std::vector<double> mine(size(), 0.0), coarse(size(), 0.0);
   const double* fine = local_view(r);
   for (int cluster = 0; cluster < space_.owned_clusters(); ++cluster) {
@@ -326,13 +333,28 @@ void BlockMotions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
 }
 
 template <int dim>
-long long BlockMotions<dim>::bytes() const {
+long long BlockMotions::Motions<dim>::bytes() const {
   return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
          static_cast<long long>(copies_.size() * sizeof(Copy) + elastic_.size() * sizeof(double) +
                                 (copy_start_.size() + couplings_.size()) * sizeof(int));
 }
 
-template class BlockMotions<2>;
-template class BlockMotions<3>;
+BlockMotions::BlockMotions(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
+                           const MergedSpace& space, const std::vector<int>& active)
+    : kernel_(with_components(s.components(), [&](auto dim) -> std::unique_ptr<Kernel> {
+        return std::make_unique<Motions<dim>>(s, points, selected, space, active);
+      })) {}
+
+BlockMotions::~BlockMotions() = default;
+
+void BlockMotions::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
+  kernel_->update(stiffness, proximal);
+}
+
+void BlockMotions::add(const TpetraVector& r, TpetraVector& z) const { kernel_->add(r, z); }
+
+int BlockMotions::size() const { return kernel_->size(); }
+
+long long BlockMotions::bytes() const { return kernel_->bytes(); }
 
 }  // namespace voussoir

@@ -9,15 +9,15 @@
 
 namespace voussoir {
 
-template <int dim>
-BlockSolves<dim>::BlockSolves(const Structure<dim>& s, const MergedSpace<dim>& space, const std::vector<int>& active) {
+BlockSolves::BlockSolves(const BlockSystem& s, const MergedSpace& space, const std::vector<int>& active) {
+  const int dim = space.components();
   std::vector<int> count(static_cast<std::size_t>(dim) * space.owned_clusters(), 0);
   block_start_.push_back(0);
   for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto& block = s.blocks()[b];
-    if (!active[block.mesh.id]) continue;
+    const auto& block = s.nodes_of(b);
+    if (!active[block.id]) continue;
     std::vector<int> rows;
-    for (int i = 0; i < static_cast<int>(block.mesh.position.size()); ++i) {
+    for (int i = 0; i < block.nodes; ++i) {
       const int k = space.cluster()[block.first_local + i];
       if (k >= space.owned_clusters()) continue;
       for (int c = 0; c < dim; ++c)
@@ -32,8 +32,7 @@ BlockSolves<dim>::BlockSolves(const Structure<dim>& s, const MergedSpace<dim>& s
   work_.resize(unknown_.size());
 }
 
-template <int dim>
-void BlockSolves<dim>::update(const OwnedRows& h) {
+void BlockSolves::update(const OwnedRows& h) {
   LocalCsr blocks;  // upper triangles
   std::size_t both = unknown_.size();
   for (int row : unknown_) both += h.start[row + 1] - h.start[row];
@@ -61,8 +60,7 @@ void BlockSolves<dim>::update(const OwnedRows& h) {
     factor_ = std::make_unique<SparseCholesky>(blocks);
 }
 
-template <int dim>
-void BlockSolves<dim>::add(const TpetraVector& r, TpetraVector& z, double factor) const {
+void BlockSolves::add(const TpetraVector& r, TpetraVector& z, double factor) const {
   const double* right = local_view(r);
   for (std::size_t k = 0; k < unknown_.size(); ++k) work_[k] = weight_[k] * right[unknown_[k]];
   solve_or_not_a_number(work_, [&] { factor_->solve(work_.data(), work_.data()); });
@@ -70,12 +68,9 @@ void BlockSolves<dim>::add(const TpetraVector& r, TpetraVector& z, double factor
   for (std::size_t k = 0; k < unknown_.size(); ++k) value[unknown_[k]] += factor * weight_[k] * work_[k];
 }
 
-template <int dim>
-long long BlockSolves<dim>::bytes() const {
+long long BlockSolves::bytes() const {
   return (factor_ ? factor_->bytes() : 0) +
          static_cast<long long>(unknown_.size() * (sizeof(int) + sizeof(double)) + work_.size() * sizeof(double));
 }
-
-template class BlockSolves<2>;
 
 }  // namespace voussoir

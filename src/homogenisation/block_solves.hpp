@@ -8,11 +8,10 @@
 
 namespace voussoir {
 
-template <int dim>
 class BlockSolves {
  public:
   /// @param active  per block of the whole structure: 1 if a point of it is selected
-  BlockSolves(const Structure<dim>&, const MergedSpace<dim>&, const std::vector<int>& active);
+  BlockSolves(const BlockSystem&, const MergedSpace&, const std::vector<int>& active);
 
   /// Factors the blocks' parts of H.
   void update(const OwnedRows& h);
@@ -28,7 +27,5 @@ class BlockSolves {
   std::unique_ptr<SparseCholesky> factor_;
   mutable std::vector<double> work_;
 };
-
-extern template class BlockSolves<2>;
 
 }  // namespace voussoir

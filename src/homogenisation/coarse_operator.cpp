@@ -16,9 +16,7 @@ namespace voussoir {
 namespace {
 
 /// Blocks with a selected point, over the whole structure.
-template <int dim>
-std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints& points,
-                               const std::vector<char>& selected) {
+std::vector<int> active_blocks(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected) {
   std::vector<int> mine(s.owner_of_block().size(), 0);
   for (int k = 0; k < points.owned(); ++k) {
     if (!selected[k]) continue;
@@ -30,11 +28,9 @@ std::vector<int> active_blocks(const Structure<dim>& s, const ContactPoints& poi
 
 }  // namespace
 
-template <int dim>
-CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints& points,
-                                    const std::vector<char>& selected, const MergedSpace<dim>& space,
-                                    const Continuum<dim>& continuum, const PreconditionerParameters& parameters,
-                                    const CoarseOperatorParameters& numbers)
+CoarseOperator::CoarseOperator(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
+                               const MergedSpace& space, const Continuum& continuum,
+                               const PreconditionerParameters& parameters, const CoarseOperatorParameters& numbers)
     : numbers_(numbers),
       structure_(s),
       space_(space),
@@ -46,21 +42,19 @@ CoarseOperator<dim>::CoarseOperator(const Structure<dim>& s, const ContactPoints
       inner_residual_(space.map()) {
   bool directly = false;
   if (parameters.released_region && parameters.homogenised) {
-    auto region = std::make_unique<ReleasedRegion<dim>>(s, points, selected, space, numbers_);
+    auto region = std::make_unique<ReleasedRegion>(s, points, selected, space, numbers_);
     directly = region->pays();
     if (directly && region->size() > 0) region_ = std::move(region);
   }
   const auto active = directly ? std::vector<int>() : active_blocks(s, points, selected);
   const bool any = std::find(active.begin(), active.end(), 1) != active.end();
-  if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection<dim>>(continuum, space);
-  if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves<dim>>(s, space, active);
-  if (parameters.rigid_blocks && any)
-    motions_ = std::make_unique<BlockMotions<dim>>(s, points, selected, space, active);
+  if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection>(continuum, space);
+  if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves>(s, space, active);
+  if (parameters.rigid_blocks && any) motions_ = std::make_unique<BlockMotions>(s, points, selected, space, active);
 }
 
-template <int dim>
-void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>& stiffness,
-                                 const std::vector<double>& proximal) {
+void CoarseOperator::update(const SystemMatrix& h, const std::vector<PointStiffness>& stiffness,
+                            const std::vector<double>& proximal) {
   h_ = h.matrix();
   cost_.matrix_bytes = h.bytes();
   if (!parted()) return;
@@ -82,15 +76,13 @@ void CoarseOperator<dim>::update(const SystemMatrix<dim>& h, const std::vector<P
   factored_ = true;
 }
 
-template <int dim>
-bool CoarseOperator<dim>::begin_step() {
+bool CoarseOperator::begin_step() {
   cost_ = {};
   begins_ = true;
   return !whole_ && !whole_fails_;
 }
 
-template <int dim>
-void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) {
+void CoarseOperator::couple(const SystemMatrix& h, Symmetry symmetry) {
   symmetry_ = symmetry;
   if (!stale_) return;
   if (region_ && !region_->update(h)) {
@@ -105,19 +97,14 @@ void CoarseOperator<dim>::couple(const SystemMatrix<dim>& h, Symmetry symmetry) 
 }
 
 /// Whether a selection has parted anything that is factored anew with its statuses.
-template <int dim>
-bool CoarseOperator<dim>::parted() const {
-  return motions_ || blocks_ || region_ || whole_;
-}
+bool CoarseOperator::parted() const { return motions_ || blocks_ || region_ || whole_; }
 
-template <int dim>
-bool CoarseOperator<dim>::may_factor_whole() const {
+bool CoarseOperator::may_factor_whole() const {
   return !whole_ && !whole_fails_ && parted() &&
          space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
 }
 
-template <int dim>
-bool CoarseOperator<dim>::factor_whole() {
+bool CoarseOperator::factor_whole() {
   std::unique_ptr<DistributedLu> whole;
   bool factored = false;
   try {
@@ -140,20 +127,18 @@ bool CoarseOperator<dim>::factor_whole() {
   return true;
 }
 
-template <int dim>
-bool CoarseOperator<dim>::differ(double a, double b) const {
+bool CoarseOperator::differ(double a, double b) const {
   return begins_ ? a != b : std::abs(a - b) > numbers_.same * std::min(std::abs(a), std::abs(b));
 }
 
-template <int dim>
-bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
-                                  const std::vector<double>& proximal) const {
+bool CoarseOperator::changed(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) const {
+  const int tangents = space_.components() - 1;
   bool here = !factored_;
   for (std::size_t k = 0; k < stiffness.size() && !here; ++k) {
     if (!selected_[k]) continue;
     const auto& before = factored_stiffness_[k];
     here = differ(stiffness[k].normal, before.normal);
-    for (int t = 0; t + 1 < dim; ++t)
+    for (int t = 0; t < tangents; ++t)
       here = here || differ(stiffness[k].along(t, t), before.along(t, t)) ||
              ((region_ || whole_) &&
               (differ(stiffness[k].coupling[t], before.coupling[t]) || differ(stiffness[k].pull[t], before.pull[t])));
@@ -162,8 +147,7 @@ bool CoarseOperator<dim>::changed(const std::vector<PointStiffness>& stiffness,
   return any_of_ranks(*h_->getComm(), here);
 }
 
-template <int dim>
-SystemCost CoarseOperator<dim>::cost() const {
+SystemCost CoarseOperator::cost() const {
   auto cost = cost_;
   if (blocks_) cost.block_bytes = blocks_->bytes();
   if (motions_) cost.motion_bytes = motions_->bytes();
@@ -173,14 +157,12 @@ SystemCost CoarseOperator<dim>::cost() const {
 }
 
 /// left = r - H z
-template <int dim>
-void CoarseOperator<dim>::leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const {
+void CoarseOperator::leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const {
   h_->apply(z, left);
   left.update(1.0, r, -1.0);
 }
 
-template <int dim>
-void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) const {
+void CoarseOperator::apply_inner(const TpetraVector& r, TpetraVector& z) const {
   z.putScalar(0);
   if (blocks_) blocks_->add(r, z, numbers_.block_weight);
   if (!continuum_) return;
@@ -194,8 +176,7 @@ void CoarseOperator<dim>::apply_inner(const TpetraVector& r, TpetraVector& z) co
   blocks_->add(inner_residual_, z, numbers_.block_weight);
 }
 
-template <int dim>
-void CoarseOperator<dim>::apply_around_region(const TpetraVector& r, TpetraVector& z) const {
+void CoarseOperator::apply_around_region(const TpetraVector& r, TpetraVector& z) const {
   z.putScalar(0);
   if (symmetry_ == Symmetry::symmetric) {
     region_->add(r, z);
@@ -208,8 +189,7 @@ void CoarseOperator<dim>::apply_around_region(const TpetraVector& r, TpetraVecto
   region_->add(residual_, z);
 }
 
-template <int dim>
-void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
+void CoarseOperator::apply(const TpetraVector& r, TpetraVector& z) const {
   if (whole_) {
     whole_->apply(r, z);
     return;
@@ -244,7 +224,5 @@ void CoarseOperator<dim>::apply(const TpetraVector& r, TpetraVector& z) const {
   product_.scale(-1.0);
   motions_->add(product_, z);
 }
-
-template class CoarseOperator<2>;
 
 }  // namespace voussoir

@@ -23,22 +23,20 @@
 
 namespace voussoir {
 
-template <int dim>
 class CoarseOperator : public Preconditioner {
  public:
-  CoarseOperator(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected,
-                 const MergedSpace<dim>&, const Continuum<dim>&, const PreconditionerParameters&,
-                 const CoarseOperatorParameters& = {});
+  CoarseOperator(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
+                 const Continuum&, const PreconditionerParameters&, const CoarseOperatorParameters& = {});
 
   /// Takes over new statuses; H is the system they belong to. Factors stay where no resistance has changed by more than
   /// a tenth. Collective, as is a SolverFailure of this and of couple.
-  void update(const SystemMatrix<dim>& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
+  void update(const SystemMatrix& h, const std::vector<PointStiffness>&, const std::vector<double>& proximal);
   /// A step begins, with H of the same pattern. What the step before has learnt is forgotten, so that this one does not
   /// depend on whether there was one; factors stay where no resistance changes at all. Whether that goes: not where H
   /// was factored whole.
   bool begin_step();
   /// Takes over the couplings that H has got since, and the symmetry of the method that will apply this. Collective.
-  void couple(const SystemMatrix<dim>& h, Symmetry);
+  void couple(const SystemMatrix& h, Symmetry);
   /// Whether H could be factored whole and is not yet: few enough unknowns, some of which a selection has parted.
   bool may_factor_whole() const;
   /// Factors H, and every H that update takes over from here on, instead of all parts. Returns false where there was
@@ -61,19 +59,19 @@ class CoarseOperator : public Preconditioner {
   void apply_around_region(const TpetraVector& r, TpetraVector& z) const;
 
   const CoarseOperatorParameters numbers_;
-  const Structure<dim>& structure_;
-  const MergedSpace<dim>& space_;
+  const BlockSystem& structure_;
+  const MergedSpace& space_;
   int factored_up_to_;  ///< unknowns
   bool whole_fails_ = false;
   FactorsAre factors_are_ = FactorsAre::spread;
-  std::unique_ptr<BlockMotions<dim>> motions_;
-  std::unique_ptr<BlockSolves<dim>> blocks_;
-  std::unique_ptr<ContinuumCorrection<dim>> continuum_;
-  std::unique_ptr<ReleasedRegion<dim>> region_;  ///< instead of motions and blocks
-  std::unique_ptr<DistributedLu> whole_;         ///< instead of all of them
-  bool factored_ = false;                        ///< motions and blocks are, as the members below say
-  bool stale_ = true;                            ///< statuses have changed since region or whole were factored
-  bool begins_ = false;                          ///< the step has solved no system yet
+  std::unique_ptr<BlockMotions> motions_;
+  std::unique_ptr<BlockSolves> blocks_;
+  std::unique_ptr<ContinuumCorrection> continuum_;
+  std::unique_ptr<ReleasedRegion> region_;  ///< instead of motions and blocks
+  std::unique_ptr<DistributedLu> whole_;    ///< instead of all of them
+  bool factored_ = false;                   ///< motions and blocks are, as the members below say
+  bool stale_ = true;                       ///< statuses have changed since region or whole were factored
+  bool begins_ = false;                     ///< the step has solved no system yet
   Teuchos::RCP<const TpetraMatrix> h_;
   Symmetry symmetry_ = Symmetry::symmetric;
   const std::vector<char>& selected_;
@@ -82,7 +80,5 @@ class CoarseOperator : public Preconditioner {
   SystemCost cost_;
   mutable TpetraVector residual_, product_, inner_, inner_residual_;
 };
-
-extern template class CoarseOperator<2>;
 
 }  // namespace voussoir

@@ -13,42 +13,48 @@
 namespace voussoir {
 namespace {
 
-/// Rigid motions at owned clusters, 3 columns in 2D; 0 where held. Lengths are scaled, and turns are about the middle
-/// of the structure, so that columns are alike.
-Teuchos::RCP<TpetraMultiVector> rigid_motions(const Structure<2>& s, const MergedSpace<2>& space) {
-  auto modes = Teuchos::rcp(new TpetraMultiVector(space.map(), 3));
+/// Rigid motions at owned clusters, 3 columns in the plane and 6 in space; 0 where held. Lengths are scaled, and turns
+/// are about the middle of the structure, so that columns are alike.
+Teuchos::RCP<TpetraMultiVector> rigid_motions(const BlockSystem& s, const MergedSpace& space) {
+  const int dim = s.components(), turns = dim * (dim - 1) / 2;
+  auto modes = Teuchos::rcp(new TpetraMultiVector(space.map(), dim + turns));
   auto view = modes->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int k = 0; k < space.owned_clusters(); ++k) {
-    const auto x = s.position()[space.representative()[k]] - s.middle();
-    const double value[2][3] = {{1, 0, -x[1] / s.size()}, {0, 1, x[0] / s.size()}};
-    for (int c = 0; c < 2; ++c)
-      for (int m = 0; m < 3; ++m) view(2 * k + c, m) = space.held()[2 * k + c] ? 0.0 : value[c][m];
+    const auto x = s.place(space.representative()[k]) - s.centre();
+    double value[3][6] = {};
+    for (int c = 0; c < dim; ++c) value[c][c] = 1;
+    for (int a = 0, m = dim; a < dim; ++a)
+      for (int b = a + 1; b < dim; ++b, ++m) {
+        value[a][m] = -x[b] / s.size();
+        value[b][m] = x[a] / s.size();
+      }
+    for (int c = 0; c < dim; ++c)
+      for (int m = 0; m < dim + turns; ++m) view(dim * k + c, m) = space.held()[dim * k + c] ? 0.0 : value[c][m];
   }
   return modes;
 }
 
 /// Of the stiffest stone to the softest. Collective.
-template <int dim>
-double contrast(const Structure<dim>& s) {
+double contrast(const BlockSystem& s) {
   double stiffest = 0, softest = std::numeric_limits<double>::infinity();
-  for (const auto& b : s.blocks()) {
-    stiffest = std::max(stiffest, b.material.young_modulus);
-    softest = std::min(softest, b.material.young_modulus);
+  for (int b = 0; b < s.local_blocks(); ++b) {
+    stiffest = std::max(stiffest, s.nodes_of(b).material.young_modulus);
+    softest = std::min(softest, s.nodes_of(b).material.young_modulus);
   }
   return largest_over_ranks(*s.comm(), stiffest) * largest_over_ranks(*s.comm(), 1 / softest);
 }
 
 }  // namespace
 
-template <int dim>
-Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& held,
-                          const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers,
-                          const std::vector<double>& local_stiffness) {
+Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& held,
+                     const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers,
+                     const std::vector<double>& local_stiffness) {
+  const int dim = s.components();
   auto free = points.untieable();
   const bool springs = !free.empty();
   free.resize(points.size(), 0);
-  space_ = std::make_unique<MergedSpace<dim>>(s, points, free, held);
-  SystemMatrix<dim> system(s, points, free, *space_);
+  space_ = std::make_unique<MergedSpace>(s, points, free, held);
+  SystemMatrix system(s, points, free, *space_);
   if (springs) {
     VOUSSOIR_EXPECT(local_stiffness.size() == free.size());
     std::vector<PointStiffness> stiffness;
@@ -73,24 +79,23 @@ Continuum<dim>::Continuum(const Structure<dim>& s, const ContactPoints& points, 
   {
     auto view = coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int k = 0; k < space_->owned_clusters(); ++k)
-      for (int c = 0; c < dim; ++c) view(k, c) = s.position()[space_->representative()[k]][c] - s.middle()[c];
+      for (int c = 0; c < dim; ++c) view(k, c) = s.place(space_->representative()[k])[c] - s.centre()[c];
   }
   preconditioner_ = std::make_shared<AmgPreconditioner>(matrix_, coordinates, rigid_motions(s, *space_), dim, muelu);
 }
 
-template <int dim>
-std::vector<MultigridLevel> Continuum<dim>::levels() const {
+std::vector<MultigridLevel> Continuum::levels() const {
   const auto multigrid = std::dynamic_pointer_cast<const AmgPreconditioner>(preconditioner_);
   return multigrid ? multigrid->levels() : std::vector<MultigridLevel>{};
 }
 
-template <int dim>
-ContinuumCorrection<dim>::ContinuumCorrection(const Continuum<dim>& continuum, const MergedSpace<dim>& selection)
+ContinuumCorrection::ContinuumCorrection(const Continuum& continuum, const MergedSpace& selection)
     : continuum_(continuum),
       ghosted_(Teuchos::rcp(new TpetraVector(continuum.space().column_map()))),
       coarse_r_(Teuchos::rcp(new TpetraVector(continuum.space().map()))),
       coarse_z_(Teuchos::rcp(new TpetraVector(continuum.space().map()))) {
   const auto& full = continuum.space();
+  const int dim = full.components();
   for (int k = 0; k < selection.owned_clusters(); ++k)
     for (int c = 0; c < dim; ++c) {
       const int unknown = dim * full.cluster()[selection.representative()[k]] + c;
@@ -99,8 +104,7 @@ ContinuumCorrection<dim>::ContinuumCorrection(const Continuum<dim>& continuum, c
     }
 }
 
-template <int dim>
-void ContinuumCorrection<dim>::add(const TpetraVector& r, TpetraVector& z) const {
+void ContinuumCorrection::add(const TpetraVector& r, TpetraVector& z) const {
   const TrafficScope sent_for(TrafficOf::transfer);
   ghosted_->putScalar(0);
   {
@@ -118,8 +122,5 @@ void ContinuumCorrection<dim>::add(const TpetraVector& r, TpetraVector& z) const
   for (std::size_t k = 0; k < from_.size(); ++k)
     if (from_[k] >= 0) fine[k] += coarse[from_[k]];
 }
-
-template class Continuum<2>;
-template class ContinuumCorrection<2>;
 
 }  // namespace voussoir

@@ -13,41 +13,36 @@
 
 namespace voussoir {
 
-template <int dim>
 class Continuum {
  public:
   /// @param local_stiffness  of points [N/m]: those that cannot be tied are springs as stiff as the stones beside them
-  Continuum(const Structure<dim>&, const ContactPoints&, const std::vector<char>& held,
+  Continuum(const BlockSystem&, const ContactPoints&, const std::vector<char>& held,
             const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& = {},
             const std::vector<double>& local_stiffness = {});
 
-  const MergedSpace<dim>& space() const { return *space_; }
+  const MergedSpace& space() const { return *space_; }
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
   const std::shared_ptr<const Preconditioner>& preconditioner() const { return preconditioner_; }
   /// Of its multigrid, from the finest to the coarsest; none where it is factored. Collective.
   std::vector<MultigridLevel> levels() const;
 
  private:
-  std::unique_ptr<MergedSpace<dim>> space_;
+  std::unique_ptr<MergedSpace> space_;
   Teuchos::RCP<TpetraMatrix> matrix_;
   std::shared_ptr<const Preconditioner> preconditioner_;
 };
 
 /// The continuum seen from a selection: every unknown follows the continuum's at its place.
 /// Adds P A^-1 P^T r, A^-1 being one V-cycle.
-template <int dim>
 class ContinuumCorrection {
  public:
-  ContinuumCorrection(const Continuum<dim>&, const MergedSpace<dim>& selection);
+  ContinuumCorrection(const Continuum&, const MergedSpace& selection);
   void add(const TpetraVector& r, TpetraVector& z) const;
 
  private:
-  const Continuum<dim>& continuum_;
+  const Continuum& continuum_;
   std::vector<int> from_;  ///< per owned unknown: unknown of the continuum's column map, -1 where either is held
   Teuchos::RCP<TpetraVector> ghosted_, coarse_r_, coarse_z_;
 };
-
-extern template class Continuum<2>;
-extern template class ContinuumCorrection<2>;
 
 }  // namespace voussoir

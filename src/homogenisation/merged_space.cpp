@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/sort_unique.hpp"
 #include "linalg/local_view.hpp"
@@ -15,8 +16,7 @@ namespace {
 
 /// Root of each local node copy at owned vertices: the copies joined by bonded points have one root,
 /// the one with the lowest node number.
-template <int dim>
-std::vector<int> roots(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected) {
+std::vector<int> roots(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected) {
   DisjointSets sets(s.nodes());
   for (int k = 0; k < points.size(); ++k) {
     const auto& p = points.points()[k];
@@ -41,8 +41,7 @@ struct ClusterNumbers {
   int count() const { return static_cast<int>(representative.size()); }
 };
 
-template <int dim>
-ClusterNumbers number_clusters(const Structure<dim>& s, const std::vector<int>& root) {
+ClusterNumbers number_clusters(const BlockSystem& s, const std::vector<int>& root) {
   ClusterNumbers numbers;
   auto& number = numbers.of_node;
   number.assign(s.nodes(), -1);
@@ -64,10 +63,10 @@ ClusterNumbers number_clusters(const Structure<dim>& s, const std::vector<int>& 
 
 }  // namespace
 
-template <int dim>
-MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints& points, const std::vector<char>& selected,
-                              const std::vector<char>& held)
-    : held_copy_(held), nodes_(s.nodes()) {
+MergedSpace::MergedSpace(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
+                         const std::vector<char>& held)
+    : held_copy_(held), dim_(s.components()), nodes_(s.nodes()) {
+  const int dim = dim_;
   auto numbers = number_clusters(s, roots(s, points, selected));
   representative_ = std::move(numbers.representative);
   owned_clusters_ = static_cast<int>(representative_.size());
@@ -120,41 +119,39 @@ MergedSpace<dim>::MergedSpace(const Structure<dim>& s, const ContactPoints& poin
   }
 }
 
-template <int dim>
-void MergedSpace<dim>::scatter(const TpetraVector& x, std::vector<double>& u) const {
+void MergedSpace::scatter(const TpetraVector& x, std::vector<double>& u) const {
   column_vector_->doImport(x, *import_, Tpetra::INSERT);
   const double* value = local_view(*column_vector_);
-  u.resize(static_cast<std::size_t>(dim) * nodes_);
-  for (int i = 0; i < nodes_; ++i)
-    for (int c = 0; c < dim; ++c) u[dim * i + c] = value[dim * cluster_[i] + c];
+  u.resize(static_cast<std::size_t>(dim_) * nodes_);
+  with_components(dim_, [&](auto dim) {
+    for (int i = 0; i < nodes_; ++i)
+      for (int c = 0; c < dim; ++c) u[dim * i + c] = value[dim * cluster_[i] + c];
+  });
 }
 
-template <int dim>
-void MergedSpace<dim>::sum(const std::vector<double>& r, TpetraVector& x) const {
+void MergedSpace::sum(const std::vector<double>& r, TpetraVector& x) const {
   x.putScalar(0);
   double* value = local_view_to_write(x);
-  for (int i = 0; i < nodes_; ++i)
-    if (cluster_[i] < owned_clusters_)
-      for (int c = 0; c < dim; ++c) value[dim * cluster_[i] + c] += r[dim * i + c];
-  for (int k = 0; k < dim * owned_clusters_; ++k)
+  with_components(dim_, [&](auto dim) {
+    for (int i = 0; i < nodes_; ++i)
+      if (cluster_[i] < owned_clusters_)
+        for (int c = 0; c < dim; ++c) value[dim * cluster_[i] + c] += r[dim * i + c];
+  });
+  for (int k = 0; k < dim_ * owned_clusters_; ++k)
     if (held_[k]) value[k] = 0;
 }
 
-template <int dim>
-void MergedSpace<dim>::average(const std::vector<double>& u, TpetraVector& x) const {
+void MergedSpace::average(const std::vector<double>& u, TpetraVector& x) const {
   x.putScalar(0);
   double* value = local_view_to_write(x);
   for (int i = 0; i < nodes_; ++i) {
     const int k = cluster_[i];
     if (k < owned_clusters_)
-      for (int c = 0; c < dim; ++c) value[dim * k + c] += u[dim * i + c] / multiplicity_[k];
+      for (int c = 0; c < dim_; ++c) value[dim_ * k + c] += u[dim_ * i + c] / multiplicity_[k];
   }
   for (int i = 0; i < nodes_; ++i)
-    for (int c = 0; c < dim; ++c)
-      if (cluster_[i] < owned_clusters_ && held_copy_[dim * i + c]) value[dim * cluster_[i] + c] = u[dim * i + c];
+    for (int c = 0; c < dim_; ++c)
+      if (cluster_[i] < owned_clusters_ && held_copy_[dim_ * i + c]) value[dim_ * cluster_[i] + c] = u[dim_ * i + c];
 }
-
-template class MergedSpace<2>;
-template class MergedSpace<3>;
 
 }  // namespace voussoir

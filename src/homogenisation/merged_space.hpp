@@ -10,15 +10,16 @@
 
 namespace voussoir {
 
-template <int dim>
 class MergedSpace {
  public:
   /// @param selected  per local contact point, ghosts up to date; the others are bonded
-  /// @param held      per local node copy and component [dim nodes]: 1 where a support prescribes the displacement
-  MergedSpace(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected,
+  /// @param held      [components x local node copies] 1 where a support prescribes the displacement
+  MergedSpace(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected,
               const std::vector<char>& held);
 
-  /// Unknowns, numbered without gaps rank by rank: dim * node + component.
+  /// Of displacements: 2 in the plane, 3 in space.
+  int components() const { return dim_; }
+  /// Unknowns, numbered without gaps rank by rank: components * node + component.
   const Teuchos::RCP<const TpetraMap>& map() const { return map_; }
   /// Unknowns this rank reads: the owned ones first, then ghosts.
   const Teuchos::RCP<const TpetraMap>& column_map() const { return column_map_; }
@@ -32,7 +33,7 @@ class MergedSpace {
   bool tied(const ContactPoint& p) const { return is_tied(p, cluster_); }
   /// Number of node copies in each cluster.
   const std::vector<double>& multiplicity() const { return multiplicity_; }
-  /// 1 where the unknown of the column map is prescribed [dim clusters].
+  /// 1 where the unknown of the column map is prescribed [components x clusters].
   const std::vector<char>& held() const { return held_; }
   /// A node copy of each owned cluster.
   const std::vector<int>& representative() const { return representative_; }
@@ -48,13 +49,10 @@ class MergedSpace {
   std::vector<int> cluster_, representative_;
   std::vector<double> multiplicity_;
   std::vector<char> held_, held_copy_;
-  int owned_clusters_ = 0, nodes_ = 0;
+  int dim_, owned_clusters_ = 0, nodes_ = 0;
   Teuchos::RCP<const TpetraMap> map_, column_map_;
   Teuchos::RCP<const TpetraImport> import_;
   Teuchos::RCP<TpetraVector> column_vector_;
 };
-
-extern template class MergedSpace<2>;
-extern template class MergedSpace<3>;
 
 }  // namespace voussoir

@@ -14,9 +14,7 @@ namespace voussoir {
 namespace {
 
 /// Per unknown of the column map: 1 where a selection parts two nodes.
-template <int dim>
-std::vector<char> parted(const ContactPoints& points, const std::vector<char>& selected,
-                         const MergedSpace<dim>& space) {
+std::vector<char> parted(const ContactPoints& points, const std::vector<char>& selected, const MergedSpace& space) {
   std::vector<char> inside(space.clusters(), 0);
   for (int k = 0; k < points.size(); ++k) {
     if (!selected[k] || space.tied(points.points()[k])) continue;
@@ -27,11 +25,10 @@ std::vector<char> parted(const ContactPoints& points, const std::vector<char>& s
 
 }  // namespace
 
-template <int dim>
-ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints& points,
-                                    const std::vector<char>& selected, const MergedSpace<dim>& space,
-                                    const CoarseOperatorParameters& numbers)
+ReleasedRegion::ReleasedRegion(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
+                               const MergedSpace& space, const CoarseOperatorParameters& numbers)
     : space_(space) {
+  const int dim = space.components();
   auto inside = parted(points, selected, space);
   const auto& cluster = space.cluster();
   const auto unknowns = static_cast<double>(space.map()->getGlobalNumElements());
@@ -41,10 +38,10 @@ ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints
   for (int layer = 0; layer < numbers.layers && size_ > 0 && size_ <= most; ++layer) {
     TpetraVector mark(space.map()), seen(space.column_map());
     auto wider = inside;
-    for (const auto& block : s.blocks()) {
+    for (int b = 0; b < s.local_blocks(); ++b) {
+      const auto& block = s.nodes_of(b);
       const auto& k = *block.stiffness;
-      const int nodes = static_cast<int>(block.mesh.position.size());
-      for (int i = 0; i < nodes; ++i) {
+      for (int i = 0; i < block.nodes; ++i) {
         if (!inside[cluster[block.first_local + i]]) continue;
         for (int e = k.start[dim * i]; e < k.start[dim * i + 1]; e += dim)
           wider[cluster[block.first_local + k.column[e] / dim]] = 1;
@@ -63,8 +60,8 @@ ReleasedRegion<dim>::ReleasedRegion(const Structure<dim>& s, const ContactPoints
 
 /// Collective.
 /// @param inside  per cluster
-template <int dim>
-void ReleasedRegion<dim>::number(const std::vector<char>& inside) {
+void ReleasedRegion::number(const std::vector<char>& inside) {
+  const int dim = space_.components();
   unknown_.clear();
   for (int i = 0; i < dim * space_.owned_clusters(); ++i)
     if (inside[i / dim] && !space_.held()[i]) unknown_.push_back(i);
@@ -76,8 +73,7 @@ void ReleasedRegion<dim>::number(const std::vector<char>& inside) {
   size_ = static_cast<int>(total_over_ranks(comm, mine));
 }
 
-template <int dim>
-void ReleasedRegion<dim>::set_pattern(const OwnedRows& h) {
+void ReleasedRegion::set_pattern(const OwnedRows& h) {
   const auto& comm = *space_.map()->getComm();
   // Number in the region, -1 outside, of every unknown of the column map: told by its owner.
   TpetraVector mine(space_.map()), all(space_.column_map());
@@ -103,8 +99,7 @@ void ReleasedRegion<dim>::set_pattern(const OwnedRows& h) {
   matrix_.column = all_gather(column, comm);
 }
 
-template <int dim>
-bool ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
+bool ReleasedRegion::update(const SystemMatrix& system) {
   const auto h = system.local();
   if (matrix_.rows() == 0) {
     set_pattern(h);
@@ -118,8 +113,7 @@ bool ReleasedRegion<dim>::update(const SystemMatrix<dim>& system) {
   return factor_.factor(matrix_);
 }
 
-template <int dim>
-void ReleasedRegion<dim>::add(const TpetraVector& r, TpetraVector& z) const {
+void ReleasedRegion::add(const TpetraVector& r, TpetraVector& z) const {
   const double* residual = local_view(r);
   std::vector<double> mine(right_.size(), 0.0);
   for (std::size_t i = 0; i < unknown_.size(); ++i) mine[first_ + i] = residual[unknown_[i]];
@@ -133,13 +127,10 @@ void ReleasedRegion<dim>::add(const TpetraVector& r, TpetraVector& z) const {
   for (std::size_t i = 0; i < unknown_.size(); ++i) value[unknown_[i]] += solution_[first_ + i];
 }
 
-template <int dim>
-long long ReleasedRegion<dim>::bytes() const {
+long long ReleasedRegion::bytes() const {
   return matrix_.bytes() + factor_.bytes() +
          static_cast<long long>(entry_.size() * sizeof(std::size_t) + unknown_.size() * sizeof(int) +
                                 (right_.size() + solution_.size()) * sizeof(double));
 }
-
-template class ReleasedRegion<2>;
 
 }  // namespace voussoir

@@ -13,19 +13,18 @@
 
 namespace voussoir {
 
-template <int dim>
 class ReleasedRegion {
  public:
   /// Collective.
-  ReleasedRegion(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected,
-                 const MergedSpace<dim>&, const CoarseOperatorParameters& = {});
+  ReleasedRegion(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
+                 const CoarseOperatorParameters& = {});
 
   /// Unknowns of all ranks; 0 where no two nodes have parted.
   int size() const { return size_; }
   /// Whether so few unknowns lie in the region that to factor it is worth its time; where not, layers are missing.
   bool pays() const { return pays_; }
   /// Factors the region's part of H. Returns whether it is regular, the same on all ranks. Collective.
-  [[nodiscard]] bool update(const SystemMatrix<dim>& h);
+  [[nodiscard]] bool update(const SystemMatrix& h);
   /// z += E (H_EE)^-1 E^T r, E the unknowns of the region. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
   /// On this rank.
@@ -35,7 +34,7 @@ class ReleasedRegion {
   void number(const std::vector<char>& inside);
   void set_pattern(const OwnedRows& h);
 
-  const MergedSpace<dim>& space_;
+  const MergedSpace& space_;
   std::vector<int> unknown_;  ///< owned ones of the region, ascending
   int size_ = 0;              ///< of all ranks, numbered rank by rank
   int first_ = 0;             ///< number of the first owned one
@@ -45,7 +44,5 @@ class ReleasedRegion {
   SparseLu factor_;
   mutable std::vector<double> right_, solution_;
 };
-
-extern template class ReleasedRegion<2>;
 
 }  // namespace voussoir

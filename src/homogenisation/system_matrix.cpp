@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -41,10 +42,9 @@ class Neighbours {
 
 }  // namespace
 
-template <int dim>
-SystemMatrix<dim>::SystemMatrix(const Structure<dim>& structure, const ContactPoints& points,
-                                const std::vector<char>& selected, const MergedSpace<dim>& space)
-    : structure_(structure), points_(points), selected_(selected), space_(space) {
+SystemMatrix::SystemMatrix(const BlockSystem& structure, const ContactPoints& points, const std::vector<char>& selected,
+                           const MergedSpace& space)
+    : dim_(structure.components()), structure_(structure), points_(points), selected_(selected), space_(space) {
   set_pattern();
   add_stiffness();
   remember_stiffness_of_points();
@@ -53,15 +53,17 @@ SystemMatrix<dim>::SystemMatrix(const Structure<dim>& structure, const ContactPo
 }
 
 /// By nodes: neighbours within a block, and across selected points.
-template <int dim>
-void SystemMatrix<dim>::set_pattern() {
+void SystemMatrix::set_pattern() {
+  const int dim = dim_;
   const auto& cluster = space_.cluster();
   const int owned = space_.owned_clusters();
   Neighbours neighbours(owned);
   const auto for_all = [&](const auto& of_block, const auto& of_point) {
-    for (const auto& b : structure_.blocks())
-      for (int i = 0; i < static_cast<int>(b.mesh.position.size()); ++i)
+    for (int block = 0; block < structure_.local_blocks(); ++block) {
+      const auto& b = structure_.nodes_of(block);
+      for (int i = 0; i < b.nodes; ++i)
         if (cluster[b.first_local + i] < owned) of_block(b, i);
+    }
     for (int k = 0; k < points_.size(); ++k) {
       if (!selected_[k]) continue;
       points_.at(k).each_pair([&](int a, int b, double) {
@@ -70,14 +72,14 @@ void SystemMatrix<dim>::set_pattern() {
     }
   };
   for_all(
-      [&](const LocalBlock<dim>& b, int i) {
+      [&](const NodesOfBlock& b, int i) {
         neighbours.count(cluster[b.first_local + i],
                          (b.stiffness->start[dim * i + 1] - b.stiffness->start[dim * i]) / dim);
       },
       [&](int a, int) { neighbours.count(a, 1); });
   neighbours.begin_filling();
   for_all(
-      [&](const LocalBlock<dim>& b, int i) {
+      [&](const NodesOfBlock& b, int i) {
         for (int e = b.stiffness->start[dim * i]; e < b.stiffness->start[dim * i + 1]; e += dim)
           neighbours.add(cluster[b.first_local + i], cluster[b.first_local + b.stiffness->column[e] / dim]);
       },
@@ -98,15 +100,16 @@ void SystemMatrix<dim>::set_pattern() {
   start_(dim * owned) = next;
 }
 
-template <int dim>
-void SystemMatrix<dim>::add_stiffness() {
+void SystemMatrix::add_stiffness() {
+  const int dim = dim_;
   const auto& cluster = space_.cluster();
   const int owned = space_.owned_clusters();
   value_ = without_values<decltype(value_)>(column_.extent(0));
   Kokkos::deep_copy(value_, 0.0);
-  for (const auto& b : structure_.blocks()) {
+  for (int block = 0; block < structure_.local_blocks(); ++block) {
+    const auto& b = structure_.nodes_of(block);
     const auto& k = *b.stiffness;
-    for (int n = 0; n < static_cast<int>(b.mesh.position.size()); ++n) {
+    for (int n = 0; n < b.nodes; ++n) {
       const int node = cluster[b.first_local + n];
       if (node >= owned) continue;
       const int row = k.start[dim * n], length = k.start[dim * n + 1] - row;
@@ -122,34 +125,29 @@ void SystemMatrix<dim>::add_stiffness() {
     for (std::size_t e = start_(row); e < start_(row + 1); ++e)
       if (column_(e) != row && (held[row] || held[column_(e)])) value_(e) = 0;
   diagonal_.resize(owned);
-  diagonal_stiffness_.resize(owned);
+  diagonal_stiffness_.reserve(static_cast<std::size_t>(dim) * dim * owned);
   for (int k = 0; k < owned; ++k) {
     diagonal_[k] = static_cast<int>(offset(k, k));
     for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) diagonal_stiffness_[k][dim * i + j] = entry(k, diagonal_[k], i, j);
+      for (int j = 0; j < dim; ++j) diagonal_stiffness_.push_back(entry(k, diagonal_[k], i, j));
   }
 }
 
 /// Where the columns of a node begin in the rows of another.
-template <int dim>
-std::size_t SystemMatrix<dim>::offset(int node, int other) const {
-  const int* first = &column_(start_(dim * node));
-  const int* last = column_.data() + start_(dim * node + 1);
-  const int* it = std::lower_bound(first, last, dim * other);
-  VOUSSOIR_ASSERT(it != last && *it == dim * other);
+std::size_t SystemMatrix::offset(int node, int other) const {
+  const int* first = &column_(start_(dim_ * node));
+  const int* last = column_.data() + start_(dim_ * node + 1);
+  const int* it = std::lower_bound(first, last, dim_ * other);
+  VOUSSOIR_ASSERT(it != last && *it == dim_ * other);
   return it - first;
 }
 
 /// Whether a point moves two nodes against each other.
-template <int dim>
-bool SystemMatrix<dim>::couples(int k) const {
-  return selected_[k] && !space_.tied(points_.points()[k]);
-}
+bool SystemMatrix::couples(int k) const { return selected_[k] && !space_.tied(points_.points()[k]); }
 
 /// Calls f(node, offset) for every owned block of two different nodes that a point couples.
-template <int dim>
 template <class F>
-void SystemMatrix<dim>::each_place_of_points(const F& f) {
+void SystemMatrix::each_place_of_points(const F& f) {
   const auto& cluster = space_.cluster();
   for (int k = 0; k < points_.size(); ++k) {
     if (!couples(k)) continue;
@@ -160,22 +158,20 @@ void SystemMatrix<dim>::each_place_of_points(const F& f) {
   }
 }
 
-template <int dim>
-void SystemMatrix<dim>::remember_stiffness_of_points() {
+void SystemMatrix::remember_stiffness_of_points() {
   if (points_.untieable().empty()) return;  // two coincident nodes are of two blocks
   each_place_of_points([&](int node, std::size_t at) {
     Remembered one{node, at, {}};
     bool any = false;
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) any |= (one.stiffness[dim * i + j] = entry(node, at, i, j)) != 0;
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j) any |= (one.stiffness[dim_ * i + j] = entry(node, at, i, j)) != 0;
     if (any) remembered_.push_back(one);
   });
 }
 
 /// Adds w_ij (d_i, d_j) for the motion d of one side of a point against the other.
-template <int dim>
-template <class Weight>
-void SystemMatrix<dim>::add_between(int k, const Weight& weight) {
+template <int dim, class Weight>
+void SystemMatrix::add_between(int k, const Weight& weight) {
   const auto& axis = points_.points()[k].axis;
   const auto& cluster = space_.cluster();
   const auto& held = space_.held();
@@ -190,66 +186,71 @@ void SystemMatrix<dim>::add_between(int k, const Weight& weight) {
 }
 
 template <int dim>
-void SystemMatrix<dim>::add_point(int k, const PointStiffness& stiffness) {
-  add_between(k, [&](const auto& axis, int i, int j) {
-    double value = stiffness.normal * axis[0][i] * axis[0][j];
-    for (int t = 1; t < dim; ++t)
-      for (int u = 1; u < dim; ++u) value += stiffness.along(t - 1, u - 1) * axis[t][i] * axis[u][j];
+void SystemMatrix::add_points(const std::vector<PointStiffness>& all) {
+  for (int k = 0; k < points_.size(); ++k) {
+    if (!couples(k) || !(all[k].normal > 0 || all[k].resists_slip())) continue;
+    const auto stiffness = all[k].springs();
+    add_between<dim>(k, [&](const auto& axis, int i, int j) {
+      double value = stiffness.normal * axis[0][i] * axis[0][j];
+      for (int t = 1; t < dim; ++t)
+        for (int u = 1; u < dim; ++u) value += stiffness.along(t - 1, u - 1) * axis[t][i] * axis[u][j];
+      return value;
+    });
+  }
+}
+
+template <int dim>
+void SystemMatrix::add_couplings(int k, const PointStiffness& all) {
+  const auto springs = all.springs();  // which update() has added
+  add_between<dim>(k, [&](const auto& axis, int i, int j) {
+    double value = (all.normal - springs.normal) * axis[0][i] * axis[0][j];
+    for (int t = 1; t < dim; ++t) {
+      value += all.coupling[t - 1] * axis[t][i] * axis[0][j] + all.pull[t - 1] * axis[0][i] * axis[t][j];
+      for (int u = 1; u < dim; ++u)
+        value += (all.along(t - 1, u - 1) - springs.along(t - 1, u - 1)) * axis[t][i] * axis[u][j];
+    }
     return value;
   });
 }
 
-template <int dim>
-bool SystemMatrix<dim>::couple(const std::vector<PointStiffness>& stiffness) {
+bool SystemMatrix::couple(const std::vector<PointStiffness>& stiffness) {
   bool coupled = false;
   for (int k = 0; k < points_.size(); ++k) {
     if (!selected_[k] || !stiffness[k].couples()) continue;
     coupled = true;
-    if (!couples(k)) continue;
-    const auto& all = stiffness[k];
-    const auto springs = all.springs();  // which update() has added
-    add_between(k, [&](const auto& axis, int i, int j) {
-      double value = (all.normal - springs.normal) * axis[0][i] * axis[0][j];
-      for (int t = 1; t < dim; ++t) {
-        value += all.coupling[t - 1] * axis[t][i] * axis[0][j] + all.pull[t - 1] * axis[0][i] * axis[t][j];
-        for (int u = 1; u < dim; ++u)
-          value += (all.along(t - 1, u - 1) - springs.along(t - 1, u - 1)) * axis[t][i] * axis[u][j];
-      }
-      return value;
-    });
+    if (couples(k)) with_components(dim_, [&](auto dim) { add_couplings<dim>(k, stiffness[k]); });
   }
   return any_of_ranks(*matrix_->getComm(), coupled);
 }
 
-template <int dim>
-void SystemMatrix<dim>::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
-  const int owned = space_.owned_clusters();
-  for (int k = 0; k < owned; ++k)
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) entry(k, diagonal_[k], i, j) = diagonal_stiffness_[k][dim * i + j];
+/// Leaves the stiffness of blocks alone.
+void SystemMatrix::forget_points() {
+  const auto* stiffness = diagonal_stiffness_.data();
+  for (int k = 0; k < space_.owned_clusters(); ++k)
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j) entry(k, diagonal_[k], i, j) = *stiffness++;
   each_place_of_points([&](int node, std::size_t at) {
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) entry(node, at, i, j) = 0;
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j) entry(node, at, i, j) = 0;
   });
   for (const auto& r : remembered_)
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) entry(r.node, r.offset, i, j) = r.stiffness[dim * i + j];
-  for (int k = 0; k < points_.size(); ++k)
-    if (couples(k) && (stiffness[k].normal > 0 || stiffness[k].resists_slip())) add_point(k, stiffness[k].springs());
-  if (!proximal.empty())
-    for (int i = 0; i < dim * owned; ++i)
-      if (!space_.held()[i]) entry(i / dim, diagonal_[i / dim], i % dim, i % dim) += proximal[i];
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j) entry(r.node, r.offset, i, j) = r.stiffness[dim_ * i + j];
 }
 
-template <int dim>
-long long SystemMatrix<dim>::bytes() const {
+void SystemMatrix::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
+  forget_points();
+  with_components(dim_, [&](auto dim) { add_points<dim>(stiffness); });
+  if (proximal.empty()) return;
+  for (int i = 0; i < dim_ * space_.owned_clusters(); ++i)
+    if (!space_.held()[i]) entry(i / dim_, diagonal_[i / dim_], i % dim_, i % dim_) += proximal[i];
+}
+
+long long SystemMatrix::bytes() const {
   const auto size_of = [](const auto& list, std::size_t each) { return static_cast<long long>(list.size() * each); };
   return size_of(start_, sizeof(std::size_t)) + size_of(column_, sizeof(int)) + size_of(value_, sizeof(double)) +
-         size_of(diagonal_, sizeof(int)) + size_of(diagonal_stiffness_, sizeof(NodeBlock)) +
+         size_of(diagonal_, sizeof(int)) + size_of(diagonal_stiffness_, sizeof(double)) +
          size_of(remembered_, sizeof(Remembered));
 }
-
-template class SystemMatrix<2>;
-template class SystemMatrix<3>;
 
 }  // namespace voussoir

@@ -24,10 +24,9 @@ struct OwnedRows {
   const double* value;
 };
 
-template <int dim>
 class SystemMatrix {
  public:
-  SystemMatrix(const Structure<dim>&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace<dim>&);
+  SystemMatrix(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&);
 
   /// Sets H from statuses and the proximal diagonal [N/m per owned unknown].
   /// @param stiffness  per local contact point; only selected points count
@@ -44,29 +43,34 @@ class SystemMatrix {
 
  private:
   using Csr = TpetraMatrix::local_matrix_device_type;
-  using NodeBlock = std::array<double, dim * dim>;
+  using NodeBlock = std::array<double, 9>;
 
   void set_pattern();
   void add_stiffness();
-  template <class Weight>
-  void add_between(int k, const Weight&);
-  void add_point(int k, const PointStiffness&);
-  bool couples(int k) const;
-  std::size_t offset(int node, int other) const;
   void remember_stiffness_of_points();
   template <class F>
   void each_place_of_points(const F&);
-  double& entry(int node, std::size_t offset, int i, int j) { return value_(start_(dim * node + i) + offset + j); }
+  void forget_points();
+  template <int dim, class Weight>
+  void add_between(int k, const Weight&);
+  template <int dim>
+  void add_points(const std::vector<PointStiffness>&);
+  template <int dim>
+  void add_couplings(int k, const PointStiffness&);
+  bool couples(int k) const;
+  std::size_t offset(int node, int other) const;
+  double& entry(int node, std::size_t offset, int i, int j) { return value_(start_(dim_ * node + i) + offset + j); }
 
-  const Structure<dim>& structure_;
+  const int dim_;
+  const BlockSystem& structure_;
   const ContactPoints& points_;
   const std::vector<char>& selected_;
-  const MergedSpace<dim>& space_;
+  const MergedSpace& space_;
   Csr::row_map_type::non_const_type start_;
   Csr::index_type::non_const_type column_;
   Csr::values_type::non_const_type value_;
-  std::vector<int> diagonal_;                  ///< per owned node: where its own columns begin in its rows
-  std::vector<NodeBlock> diagonal_stiffness_;  ///< per owned node
+  std::vector<int> diagonal_;               ///< per owned node: where its own columns begin in its rows
+  std::vector<double> diagonal_stiffness_;  ///< [components, squared] per owned node
   /// Stiffness between two nodes that a point couples as well.
   struct Remembered {
     int node;
@@ -76,8 +80,5 @@ class SystemMatrix {
   std::vector<Remembered> remembered_;
   Teuchos::RCP<TpetraMatrix> matrix_;
 };
-
-extern template class SystemMatrix<2>;
-extern template class SystemMatrix<3>;
 
 }  // namespace voussoir

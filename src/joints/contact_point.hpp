@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "base/tensor.hpp"
+#include "base/plane_and_space.hpp"
 
 namespace voussoir {
 
@@ -31,6 +31,7 @@ class PointSide {
   int first() const { return alone_.node; }
   /// The same of nodes whose numbers are higher.
   PointSide from(int first_node) const {
+    if (is_one()) return PointSide(alone_.node + first_node);
     std::vector<NodeShare> shares(begin(), end());
     for (auto& share : shares) share.node += first_node;
     return PointSide(std::move(shares));
@@ -62,9 +63,5 @@ struct FoundPoint {
   double extent = 0;   ///< [m] in the plane, [m2] in space
   bool coincident = true;
 };
-
-inline Vector<2> in_plane(const Vector<3>& a) { return {a[0], a[1]}; }
-inline Vector<3> in_space(const Vector<2>& a) { return {a[0], a[1], 0.0}; }
-inline const Vector<3>& in_space(const Vector<3>& a) { return a; }
 
 }  // namespace voussoir

@@ -4,7 +4,7 @@
 //   motion B u = axes (sum_j w u - sum_i w u)        forces B^T f        matrices B^T D B
 #pragma once
 
-#include "base/check.hpp"
+#include "blocks/block_system.hpp"
 #include "joints/contact_point.hpp"
 
 namespace voussoir {
@@ -60,6 +60,11 @@ class PointOperator {
   Place place(Side side, const std::vector<Place>& position) const {
     Place sum{};
     for (const auto& share : shares(side)) sum = sum + share.weight * position[share.node];
+    return sum;
+  }
+  Vector<3> place(Side side, const BlockSystem& blocks) const {
+    Vector<3> sum{};
+    for (const auto& share : shares(side)) sum = sum + share.weight * blocks.place(share.node);
     return sum;
   }
   /// Stiffness of one side as the point sees it, from that at each of its nodes [N/m]: of_node(node).

@@ -164,7 +164,7 @@ void add_bounds(const PointFreedom& f, std::size_t i, double root, const Rows& b
 
 /// Points that meet, in groups, where a node is of this rank: those of one group in the order of their numbers.
 template <class NodeOf>
-std::vector<std::vector<int>> points_that_meet(const Structure<2>& s, const ContactPoints& points,
+std::vector<std::vector<int>> points_that_meet(const BlockSystem& s, const ContactPoints& points,
                                                const std::vector<char>& counts, const NodeOf& node_of) {
   DisjointSets sets(s.nodes());
   std::vector<int> those;
@@ -192,7 +192,7 @@ std::vector<std::vector<int>> points_that_meet(const Structure<2>& s, const Cont
 
 }  // namespace
 
-SharedForces::SharedForces(const Structure<2>& s, const ContactPoints& points, const std::vector<int>& cluster,
+SharedForces::SharedForces(const BlockSystem& s, const ContactPoints& points, const std::vector<int>& cluster,
                            const std::vector<char>& held, const std::vector<char>& counts) {
   std::vector<int> first(s.nodes(), -1);  // node copy of each cluster
   const auto node_of = [&](int node) {

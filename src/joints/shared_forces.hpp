@@ -20,8 +20,8 @@ class SharedForces {
   /// @param held     per cluster and component: 1 where a support bears what is left
   /// @param counts   per point: 1 where its force is one of those sought. Of points with weights none is: what a joint
   ///                 bears where meshes do not match is told by the nodes of the side that has one node a point
-  SharedForces(const Structure<2>&, const ContactPoints&, const std::vector<int>& cluster,
-               const std::vector<char>& held, const std::vector<char>& counts);
+  SharedForces(const BlockSystem&, const ContactPoints&, const std::vector<int>& cluster, const std::vector<char>& held,
+               const std::vector<char>& counts);
 
   bool any() const { return !places_.empty(); }
   /// Splits the forces [N, points x 2] anew where points of owned nodes meet; the caller updates ghosts.

@@ -9,34 +9,34 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
-template <int dim>
-Construction<dim>::Construction(const Scene& scene, const Model<dim>& model)
+
+Construction::Construction(const Scene& scene, const PlaneModel& model)
     : structure_(model.structure()),
       builds_(model.settings().builds),
       all_selected_(model.settings().selection.mode == SelectionMode::all) {
   if (!builds_) return;
   drawn_gap_ = model.initial_gap();
-  absent_.assign(structure_.blocks().size(), 0);
+  absent_.assign(structure_.local_blocks(), 0);
   for (std::size_t number = 0; number < scene.stages.size(); ++number) {
     auto& absent = absent_in_[scene.stages[number].name];
-    for (const auto& block : structure_.blocks())
+    for (const auto& block : model.structure().blocks())
       absent.push_back(!is_there(scene, model.source(), block.mesh, number));
   }
 }
 
-template <int dim>
-bool Construction<dim>::joined(const Model<dim>& model, int k) const {
+bool Construction::joined(const Model& model, int k) const {
   const auto& joint = model.points().joint_of(k);
   return !absent_[joint.local_i] && !absent_[joint.local_j];
 }
 
 /// Blocks that go take their energy along, and their forces on the others are let go. They stay where they were.
-template <int dim>
-void Construction<dim>::take(const Model<dim>& model, const ContactState& state) {
+void Construction::take(const Model& model, const ContactState& state) {
+  const int dim = structure_.components();
   std::vector<double> gone(state.displacement.size(), 0.0), force;
   const auto gaps = model.gaps(state.displacement, state.lambda);
   std::vector<char> goes(absent_.size(), 0);  // absent from now on: some joint of it is not apart yet
@@ -59,8 +59,8 @@ void Construction<dim>::take(const Model<dim>& model, const ContactState& state)
   add_contact_forces(model.points(), {}, lambda, 1.0, let_go_);
 }
 
-template <int dim>
-double Construction<dim>::taken(const ContactState& start, const ContactState& after) const {
+double Construction::taken(const ContactState& start, const ContactState& after) const {
+  const int dim = structure_.components();
   VOUSSOIR_EXPECT(start.displacement.size() == after.displacement.size() && "states of one structure");
   if (!builds_) return 0;  // of the scene: a rank may have no block
   double work = 0;
@@ -70,16 +70,16 @@ double Construction<dim>::taken(const ContactState& start, const ContactState& a
 }
 
 /// A side of the point is not there: it stands as far open as the structure is large, and bears nothing.
-template <int dim>
-void Construction<dim>::part(int k, ContactState& state) const {
+void Construction::part(int k, ContactState& state) const {
+  const int dim = structure_.components();
   state.initial_gap[k] = apart();
   state.selected[k] = 1;
   std::fill_n(state.lambda.begin() + static_cast<long>(dim) * k, dim, 0.0);
 }
 
 /// A side of the point appears where the mesh draws it: gap and slip count from where its neighbour has moved to.
-template <int dim>
-void Construction<dim>::give_birth(int k, bool can_be_tied, const Vector<3>& between, ContactState& state) const {
+void Construction::give_birth(int k, bool can_be_tied, const Vector<3>& between, ContactState& state) const {
+  const int dim = structure_.components();
   state.initial_gap[k] = drawn(k) - between[0];
   for (int a = 1; a < dim && !state.slip_origin.empty(); ++a) state.slip_origin[dim * k + a] = between[a];
   // Where both sides are as drawn the point may be tied; else only contact knows where it was born.
@@ -90,15 +90,13 @@ void Construction<dim>::give_birth(int k, bool can_be_tied, const Vector<3>& bet
 
 /// The 1e-15 m that a solver leaves between closed stones must not wedge what is born on both of them: that would be a
 /// force of some percent of the largest, which creeps in or out.
-template <int dim>
-void Construction<dim>::close(int k, const Vector<3>& between, ContactState& state) const {
+void Construction::close(int k, const Vector<3>& between, ContactState& state) const {
   const double gap = state.initial_gap[k] + between[0];
   if (state.selected[k] && std::abs(gap) < closed_gap * structure_.size()) state.initial_gap[k] -= gap;
   if (all_selected_) state.selected[k] = 1;
 }
 
-template <int dim>
-void Construction<dim>::begin(const std::string& stage, Model<dim>& model, ContactState& state) {
+void Construction::begin(const std::string& stage, Model& model, ContactState& state) {
   if (!builds_) return;
   VOUSSOIR_EXPECT(absent_in_.count(stage) == 1 && "stage: one of the scene");
   expect_state(model, state);
@@ -123,23 +121,21 @@ void Construction<dim>::begin(const std::string& stage, Model<dim>& model, Conta
     VOUSSOIR_ENSURE(state.initial_gap[k] != apart() || !(model.law()[k].tension > 0 || model.law()[k].cohesion > 0));
 }
 
-template <int dim>
-void Construction<dim>::restrict(const ContactState& state, std::vector<double>& force,
-                                 std::vector<double>& prescribed) const {
+void Construction::restrict(const ContactState& state, std::vector<double>& force,
+                            std::vector<double>& prescribed) const {
+  const int dim = structure_.components();
   VOUSSOIR_EXPECT(force.size() == state.displacement.size() && "force: of node copies, as the state");
   VOUSSOIR_EXPECT(prescribed.size() == state.displacement.size() &&
                   "prescribed displacement: of node copies, as the state");
   for (std::size_t b = 0; b < absent_.size(); ++b) {
     if (!absent_[b]) continue;
-    const auto& block = structure_.blocks()[b];
-    const std::size_t from = dim * block.first_local, to = from + dim * block.mesh.position.size();
+    const auto& block = structure_.nodes_of(static_cast<int>(b));
+    const std::size_t from = dim * block.first_local, to = from + dim * block.nodes;
     for (std::size_t i = from; i < to; ++i) {
       force[i] = 0;
       prescribed[i] = state.displacement[i];
     }
   }
 }
-
-template class Construction<2>;
 
 }  // namespace voussoir

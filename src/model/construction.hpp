@@ -15,20 +15,20 @@
 
 namespace voussoir {
 
+class PlaneModel;
 struct Scene;
 
-template <int dim>
 class Construction {
  public:
   /// Of the scene that the model was built of.
-  Construction(const Scene&, const Model<dim>&);
+  Construction(const Scene&, const PlaneModel&);
 
   /// Whether the scene builds anything: the same on all ranks.
   bool builds() const { return builds_; }
 
   /// Lets blocks appear and disappear as a stage wants them; nothing happens when they are as they should be. To be
   /// called before every step.
-  void begin(const std::string& stage, Model<dim>&, ContactState&);
+  void begin(const std::string& stage, Model&, ContactState&);
   /// Energy that left the structure with the blocks that were gone when the last step began [J]: their own, and what
   /// they took of the motion of the others as they let go, the mean of their force before and none after. Collective.
   /// @param start, after  states at the start and the end of that step
@@ -43,8 +43,8 @@ class Construction {
 
  private:
   /// Whether both blocks of a point are there.
-  bool joined(const Model<dim>&, int k) const;
-  void take(const Model<dim>&, const ContactState&);
+  bool joined(const Model&, int k) const;
+  void take(const Model&, const ContactState&);
   /// Of points with a side that is not there [m]: nothing moves as far as the structure is large.
   double apart() const { return structure_.size(); }
   double drawn(int k) const { return drawn_gap_.empty() ? 0.0 : drawn_gap_[k]; }
@@ -53,7 +53,7 @@ class Construction {
   void give_birth(int k, bool can_be_tied, const Vector<3>& between, ContactState&) const;
   void close(int k, const Vector<3>& between, ContactState&) const;
 
-  const Structure<dim>& structure_;
+  const BlockSystem& structure_;
   const bool builds_, all_selected_;
   std::map<std::string, std::vector<char>> absent_in_;  ///< by stage, per local block
   std::vector<double> drawn_gap_;  ///< [m] per point, of joints as the scene draws them; empty when all are closed
@@ -61,7 +61,5 @@ class Construction {
   double energy_gone_ = 0;         ///< [J] of the blocks of this rank that disappeared as this step began
   std::vector<double> let_go_;     ///< [N, dim x local node copies] with which they had held the others
 };
-
-extern template class Construction<2>;
 
 }  // namespace voussoir

@@ -6,8 +6,6 @@
 #include <numeric>
 
 #include "base/check.hpp"
-#include "blocks/assembly.hpp"
-#include "blocks/rigid_motion.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
@@ -31,36 +29,33 @@ double largest_row_sum(const LocalCsr& matrix) {
 
 }  // namespace
 
-template <int dim>
-ContactProblem<dim>::ContactProblem(const Parts& parts, const std::vector<char>& selected, const Asked& asked)
-    : parts_(parts), selection_(selected) {
+ContactProblem::ContactProblem(const Parts& parts, const std::vector<char>& selected, const Asked& asked)
+    : parts_(parts), dim_(parts.structure.components()), selection_(selected) {
   const auto points = static_cast<std::size_t>(parts.points.size());
   VOUSSOIR_EXPECT(selected.size() == points && "selected: per point");
   VOUSSOIR_EXPECT(parts.local_stiffness.size() == points && "local stiffness: per point");
   VOUSSOIR_EXPECT((parts.initial_gap.empty() || parts.initial_gap.size() == points) &&
                   "initial gap: per point, or none");
   VOUSSOIR_EXPECT((parts.compliance.empty() || parts.compliance.size() == points) && "compliance: per point, or none");
-  VOUSSOIR_EXPECT(parts.held.size() == static_cast<std::size_t>(dim) * parts.structure.nodes() &&
+  VOUSSOIR_EXPECT(parts.held.size() == static_cast<std::size_t>(dim_) * parts.structure.nodes() &&
                   "held: of node copies");
-  space_ = std::make_unique<MergedSpace<dim>>(parts.structure, parts.points, selection_, parts.held);
-  matrix_ = std::make_unique<SystemMatrix<dim>>(parts.structure, parts.points, selection_, *space_);
-  for (const auto& b : parts.structure.blocks()) row_sum_.push_back(largest_row_sum(*b.stiffness));
+  space_ = std::make_unique<MergedSpace>(parts.structure, parts.points, selection_, parts.held);
+  matrix_ = std::make_unique<SystemMatrix>(parts.structure, parts.points, selection_, *space_);
+  for (int b = 0; b < parts.structure.local_blocks(); ++b)
+    row_sum_.push_back(largest_row_sum(*parts.structure.nodes_of(b).stiffness));
   make_preconditioner();
   begin(asked);
 }
 
-template <int dim>
-void ContactProblem<dim>::make_preconditioner() {
+void ContactProblem::make_preconditioner() {
   coarse_.reset();  // its room first
-  coarse_ =
-      std::make_shared<CoarseOperator<dim>>(parts_.structure, parts_.points, selection_, *space_, parts_.continuum,
-                                            parts_.preconditioner, parts_.internals.preconditioner);
+  coarse_ = std::make_shared<CoarseOperator>(parts_.structure, parts_.points, selection_, *space_, parts_.continuum,
+                                             parts_.preconditioner, parts_.internals.preconditioner);
 }
 
-template <int dim>
-void ContactProblem<dim>::begin(const Asked& asked) {
+void ContactProblem::begin(const Asked& asked) {
   VOUSSOIR_EXPECT(asked.law.size() == selection_.size() && "laws: per point");
-  VOUSSOIR_EXPECT((asked.slip_origin.empty() || asked.slip_origin.size() == dim * selection_.size()) &&
+  VOUSSOIR_EXPECT((asked.slip_origin.empty() || asked.slip_origin.size() == dim_ * selection_.size()) &&
                   "slips: of points, or none");
   VOUSSOIR_EXPECT(asked.load.size() == parts_.held.size() && "load: of node copies");
   VOUSSOIR_EXPECT(asked.prescribed.size() == parts_.held.size() && "prescribed displacement: of node copies");
@@ -82,8 +77,7 @@ void ContactProblem<dim>::begin(const Asked& asked) {
 
 /// Where strength is judged by forces that nothing else tells apart. Mortar that is a spring tells them, and in time
 /// they go on from what they were.
-template <int dim>
-void ContactProblem<dim>::find_shared_forces() {
+void ContactProblem::find_shared_forces() {
   shared_forces_.reset();
   shares_ = asked_->softening && !parts_.inertia;
   if (!shares_) return;
@@ -95,19 +89,17 @@ void ContactProblem<dim>::find_shared_forces() {
   shares_ = any_of_ranks(*parts_.structure.comm(), shared_forces_->any());
 }
 
-template <int dim>
-void ContactProblem<dim>::split_shared_forces(const std::vector<PointFreedom>& freedom, PointField& lambda) const {
+void ContactProblem::split_shared_forces(const std::vector<PointFreedom>& freedom, PointField& lambda) const {
   if (!shares_) return;
   shared_forces_->split(freedom, lambda);
-  parts_.points.exchange().update(lambda, dim);
+  parts_.points.exchange().update(lambda, dim_);
 }
 
 /// The largest load, and the stiffest point.
-template <int dim>
-void ContactProblem<dim>::set_scales() {
+void ContactProblem::set_scales() {
   const auto& s = parts_.structure;
   std::array<double, 2> largest{};
-  for (int i = 0; i < dim * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
+  for (int i = 0; i < dim_ * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
   for (double k : parts_.local_stiffness) largest[1] = std::max(largest[1], k);
   const auto all = largest_of_each(*s.comm(), largest);
   force_scale_ = all[0];
@@ -116,45 +108,38 @@ void ContactProblem<dim>::set_scales() {
 
 /// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.
 /// @param volume  of this rank's own blocks [m3]
-template <int dim>
-double ContactProblem<dim>::stiffest_that_counts(double volume) const {
+double ContactProblem::stiffest_that_counts(double volume) const {
   const auto& s = parts_.structure;
   std::array<double, 2> mine{0, volume};
-  for (int i = 0; i < dim * s.owned_nodes(); ++i) mine[0] += std::abs(asked_->load[i]);
+  for (int i = 0; i < dim_ * s.owned_nodes(); ++i) mine[0] += std::abs(asked_->load[i]);
   const auto all = total_of_each(*s.comm(), mine);
   return all[0] > 0 ? parts_.internals.step.next_to_rigid * all[0] * s.size() / all[1]
                     : std::numeric_limits<double>::infinity();
 }
 
-template <int dim>
-void ContactProblem<dim>::set_proximal_weights() {
+void ContactProblem::set_proximal_weights() {
   const auto& s = parts_.structure;
-  proximal_weight_.assign(static_cast<std::size_t>(dim) * space_->owned_clusters(), 0.0);
-  std::vector<double> volume;  // of local node copies [m3]
-  for (const auto& b : s.blocks()) {
-    const auto more = nodal_volumes(b.mesh, s.model().thickness);
-    volume.insert(volume.end(), more.begin(), more.end());
-  }
+  proximal_weight_.assign(static_cast<std::size_t>(dim_) * space_->owned_clusters(), 0.0);
+  const auto volume = s.nodal_volumes();
   const double stiffest = stiffest_that_counts(std::accumulate(volume.begin(), volume.begin() + s.owned_nodes(), 0.0));
   const double factor = parts_.internals.step.proximal_strain / (s.size() * s.size());
   const double mortar = parts_.softest_mortar * s.size();
   for (std::size_t i = 0; i < volume.size(); ++i) {
     const int k = space_->cluster()[i];
     if (k >= space_->owned_clusters()) continue;
-    const double stone = std::min(s.blocks()[s.block_of_node()[i]].material.young_modulus, stiffest);
+    const double stone = std::min(s.nodes_of(s.block_of_node()[i]).material.young_modulus, stiffest);
     const double modulus = std::isinf(mortar) ? stone : stone / (1 + stone / mortar);
-    for (int c = 0; c < dim; ++c) proximal_weight_[dim * k + c] += factor * modulus * volume[i];
+    for (int c = 0; c < dim_; ++c) proximal_weight_[dim_ * k + c] += factor * modulus * volume[i];
   }
 }
 
-template <int dim>
-void ContactProblem<dim>::set_movable() {
+void ContactProblem::set_movable() {
   movable_ = selection_;
-  const auto held = [&](int node, int c) { return space_->held()[dim * space_->cluster()[node] + c]; };
+  const auto held = [&](int node, int c) { return space_->held()[dim_ * space_->cluster()[node] + c]; };
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points.points()[k];
     bool moves = false;
-    for (int c = 0; c < dim; ++c)
+    for (int c = 0; c < dim_; ++c)
       moves |= p.axis[0][c] != 0 && !parts_.points.at(k).all([&](int node) { return held(node, c); });
     // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
     const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
@@ -162,8 +147,7 @@ void ContactProblem<dim>::set_movable() {
   }
 }
 
-template <int dim>
-Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<double>& displacement) const {
+Teuchos::RCP<TpetraVector> ContactProblem::unknowns(const std::vector<double>& displacement) const {
   auto u = displacement;
   for (std::size_t i = 0; i < u.size(); ++i)
     if (parts_.held[i]) u[i] = asked_->prescribed[i];
@@ -172,22 +156,19 @@ Teuchos::RCP<TpetraVector> ContactProblem<dim>::unknowns(const std::vector<doubl
   return x;
 }
 
-template <int dim>
-void ContactProblem<dim>::displacement(const TpetraVector& x, std::vector<double>& u) const {
+void ContactProblem::displacement(const TpetraVector& x, std::vector<double>& u) const {
   space_->scatter(x, u);
   for (std::size_t i = 0; i < rigid_.size(); ++i) u[i] = rigid_[i] + (deformed_[i] + u[i]);
 }
 
-template <int dim>
-void ContactProblem<dim>::gaps(PointField& gap, bool initial) const {
+void ContactProblem::gaps(PointField& gap, bool initial) const {
   relative_motions(parts_.points, copies_, gap);
   if (!initial) return;
   for (std::size_t i = 0; i < rigid_gap_.size(); ++i) gap[i] += rigid_gap_[i];
-  for (std::size_t k = 0; k < parts_.initial_gap.size(); ++k) gap[k * dim] += parts_.initial_gap[k];
+  for (std::size_t k = 0; k < parts_.initial_gap.size(); ++k) gap[k * dim_] += parts_.initial_gap[k];
 }
 
-template <int dim>
-void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
+void ContactProblem::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
   space_->scatter(x, copies_);
   for (std::size_t i = 0; i < deformed_.size(); ++i) copies_[i] += deformed_[i];
   if (deformed_.empty())
@@ -202,63 +183,39 @@ void ContactProblem<dim>::evaluate(const TpetraVector& x, TpetraVector& r, Point
   gaps(gap, true);
 }
 
-template <int dim>
-void ContactProblem<dim>::set_absolute_terms(const std::vector<double>& displacement) {
+void ContactProblem::set_absolute_terms(const std::vector<double>& displacement) {
   absolute_terms_ = 0;
-  const auto& blocks = parts_.structure.blocks();
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const auto first = displacement.begin() + dim * blocks[b].first_local;
+  for (int b = 0; b < parts_.structure.local_blocks(); ++b) {
+    const auto& nodes = parts_.structure.nodes_of(b);
     double largest = 0;
-    for (auto u = first; u != first + dim * static_cast<long>(blocks[b].mesh.position.size()); ++u)
-      largest = std::max(largest, std::abs(*u));
+    for (int i = dim_ * nodes.first_local; i < dim_ * (nodes.first_local + nodes.nodes); ++i)
+      largest = std::max(largest, std::abs(displacement[i]));
     absolute_terms_ = std::max(absolute_terms_, row_sum_[b] * largest);
   }
 }
 
-template <int dim>
-double ContactProblem<dim>::round_off() const {
+double ContactProblem::round_off() const {
   return std::numeric_limits<double>::epsilon() * largest_over_ranks(*parts_.structure.comm(), absolute_terms_);
 }
 
-template <int dim>
-void ContactProblem<dim>::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) {
+void ContactProblem::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) {
   space_->scatter(d, copies_);
   parts_.structure.apply_stiffness(copies_, forces_);
   space_->sum(forces_, y);
   gaps(gap, false);
 }
 
-/// Of u remains what deforms blocks.
-template <int dim>
-void ContactProblem<dim>::split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const {
-  const auto& s = parts_.structure;
-  rigid.resize(u.size());
-  for (const auto& block : s.blocks()) {
-    const RigidMotion motion = rigid_motion(s.position(), block, u);
-    const int end = block.first_local + static_cast<int>(block.mesh.position.size());
-    for (int i = block.first_local; i < end; ++i) {
-      const auto whole = motion.at(s.position()[i]);
-      for (int c = 0; c < dim; ++c) {
-        rigid[dim * i + c] = whole[c];
-        u[dim * i + c] -= whole[c];
-      }
-    }
-  }
-}
-
-template <int dim>
-double ContactProblem<dim>::rigid_gaps(const TpetraVector& d, PointField& gap) {
+double ContactProblem::rigid_gaps(const TpetraVector& d, PointField& gap) {
   std::vector<double> rest;
   space_->scatter(d, rest);
-  split_rigid_motions(rest, copies_);
+  parts_.structure.split_rigid_motions(rest, copies_);
   double off = 0;
   for (double u : rest) off = std::max(off, std::abs(u));
   gaps(gap, false);
   return largest_over_ranks(*parts_.structure.comm(), off);
 }
 
-template <int dim>
-bool ContactProblem<dim>::carry(TpetraVector& x, double tolerance) {
+bool ContactProblem::carry(TpetraVector& x, double tolerance) {
   if (parts_.inertia || !parts_.internals.step.carry) return false;
   const double round_off = std::numeric_limits<double>::epsilon() * stiffest_ * x.normInf();
   if (!(round_off > parts_.internals.step.share_of_round_off * tolerance)) return false;
@@ -272,7 +229,7 @@ bool ContactProblem<dim>::carry(TpetraVector& x, double tolerance) {
     for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] -= deformed_[i];
   }
   for (std::size_t i = 0; i < moved.size(); ++i) deformed_[i] += moved[i];
-  split_rigid_motions(deformed_, moved);
+  parts_.structure.split_rigid_motions(deformed_, moved);
   for (std::size_t i = 0; i < moved.size(); ++i) rigid_[i] += moved[i];
   relative_motions(parts_.points, rigid_, rigid_gap_);
   carried_->update(1.0, x, 1.0);
@@ -280,21 +237,19 @@ bool ContactProblem<dim>::carry(TpetraVector& x, double tolerance) {
   return true;
 }
 
-template <int dim>
-void ContactProblem<dim>::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
-  forces_.assign(static_cast<std::size_t>(dim) * parts_.structure.nodes(), 0.0);
+void ContactProblem::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
+  forces_.assign(static_cast<std::size_t>(dim_) * parts_.structure.nodes(), 0.0);
   add_contact_forces(parts_.points, space_->cluster(), lambda, 1.0, forces_);
   double* value = local_view_to_write(r);
   const auto& cluster = space_->cluster();
   for (std::size_t i = 0; i < forces_.size(); ++i) {
-    const int unknown = dim * cluster[i / dim] + static_cast<int>(i % dim);
-    if (unknown < dim * space_->owned_clusters() && !space_->held()[unknown]) value[unknown] -= forces_[i];
+    const int unknown = dim_ * cluster[i / dim_] + static_cast<int>(i % dim_);
+    if (unknown < dim_ * space_->owned_clusters() && !space_->held()[unknown]) value[unknown] -= forces_[i];
   }
 }
 
 /// Matrix and preconditioner. A SolverFailure is one of all ranks.
-template <int dim>
-Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffness, double proximal_scale) {
+Symmetry ContactProblem::set_up(const std::vector<PointStiffness>& stiffness, double proximal_scale) {
   std::vector<double> proximal(proximal_weight_.size());
   for (std::size_t i = 0; i < proximal.size(); ++i) proximal[i] = proximal_scale * proximal_weight_[i];
   matrix_->update(stiffness, proximal);
@@ -304,10 +259,9 @@ Symmetry ContactProblem<dim>::set_up(const std::vector<PointStiffness>& stiffnes
   return symmetry;
 }
 
-template <int dim>
-LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
-                                             const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
-                                             const SolveRequest& request) {
+LinearSolveResult ContactProblem::solve(const std::vector<PointStiffness>& stiffness, double proximal_scale,
+                                        const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
+                                        const SolveRequest& request) {
   const TrafficScope sent_for(TrafficOf::set_up);
   auto symmetry = Symmetry::none;
   try {
@@ -332,14 +286,12 @@ LinearSolveResult ContactProblem<dim>::solve(const std::vector<PointStiffness>& 
   return result;
 }
 
-template <int dim>
-PatchSource* ContactProblem<dim>::patches() {
+PatchSource* ContactProblem::patches() {
+  if (dim_ != 2) return nullptr;
   if (!patches_)
-    patches_ = std::make_unique<PatchCutter<dim>>(
-        typename PatchCutter<dim>::Parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this});
+    patches_ = std::make_unique<PatchCutter>(
+        PatchCutter::Parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this});
   return patches_.get();
 }
-
-template class ContactProblem<2>;
 
 }  // namespace voussoir

@@ -15,14 +15,13 @@
 
 namespace voussoir {
 
-template <int dim>
 class ContactProblem : public NonlinearProblem {
  public:
   /// What stays the same through all load steps; must outlive the problem.
   struct Parts {
-    const Structure<dim>& structure;
+    const BlockSystem& structure;
     const ContactPoints& points;
-    const Continuum<dim>& continuum;
+    const Continuum& continuum;
     const std::vector<char>& held;
     const std::vector<double>& local_stiffness;  ///< per point [N/m]
     const std::vector<double>& initial_gap;      ///< per point [m], empty when all joints are closed at first
@@ -39,7 +38,7 @@ class ContactProblem : public NonlinearProblem {
   struct Asked {
     const PointLaws& law;
     const PointField& slip_origin;
-    const std::vector<double>& load;        ///< nodal forces [N, dim x local node copies]
+    const std::vector<double>& load;        ///< nodal forces [N, components x local node copies]
     const std::vector<double>& prescribed;  ///< displacement of held components [m], the same shape
     SofteningPoints* softening = nullptr;   ///< null where no joint can lose strength
   };
@@ -53,14 +52,14 @@ class ContactProblem : public NonlinearProblem {
   /// 1 where a point is selected, as it was made for.
   const std::vector<char>& selection() const { return selection_; }
 
-  const MergedSpace<dim>& space() const { return *space_; }
+  const MergedSpace& space() const { return *space_; }
   /// Unknowns from a displacement, held ones at their prescribed values.
   Teuchos::RCP<TpetraVector> unknowns(const std::vector<double>& displacement) const;
   /// The displacement of all local node copies, what was carried included.
   void displacement(const TpetraVector& x, std::vector<double>& u) const;
 
   Teuchos::RCP<const TpetraMap> map() const override { return space_->map(); }
-  int components() const override { return dim; }
+  int components() const override { return dim_; }
   int points() const override { return parts_.points.size(); }
   int owned_points() const override { return parts_.points.owned(); }
   long long number_of(int point) const override { return parts_.points.points()[point].id; }
@@ -84,9 +83,10 @@ class ContactProblem : public NonlinearProblem {
                           const SolveRequest&) override;
   void split_shared_forces(const std::vector<PointFreedom>&, PointField& lambda) const override;
   bool shares_forces() const override { return shares_; }
+  /// None in space.
   PatchSource* patches() override;
-  const SystemMatrix<dim>& system() const { return *matrix_; }
-  const CoarseOperator<dim>& preconditioner() const { return *coarse_; }
+  const SystemMatrix& system() const { return *matrix_; }
+  const CoarseOperator& preconditioner() const { return *coarse_; }
   /// What its solves took besides Krylov iterations.
   SystemCost cost() const { return coarse_->cost(); }
   /// In time displacements are those of the step. At rest what they move stones by as wholes is carried where it tells,
@@ -98,7 +98,6 @@ class ContactProblem : public NonlinearProblem {
 
  private:
   void gaps(PointField& gap, bool initial) const;
-  void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const;
   Symmetry set_up(const std::vector<PointStiffness>&, double proximal_scale);
   void make_preconditioner();
   void set_scales();
@@ -109,11 +108,12 @@ class ContactProblem : public NonlinearProblem {
   void find_shared_forces();
 
   Parts parts_;
+  const int dim_;  ///< components of displacements
   const std::vector<char> selection_;
   std::optional<Asked> asked_;
-  std::unique_ptr<MergedSpace<dim>> space_;
-  std::unique_ptr<SystemMatrix<dim>> matrix_;
-  std::shared_ptr<CoarseOperator<dim>> coarse_;
+  std::unique_ptr<MergedSpace> space_;
+  std::unique_ptr<SystemMatrix> matrix_;
+  std::shared_ptr<CoarseOperator> coarse_;
   std::vector<char> movable_;
   std::vector<double> proximal_weight_, copies_, forces_;
   // What was carried, and of the node copies where x is 0 [m]: motions of blocks as wholes, their gaps, and the rest;
@@ -127,7 +127,5 @@ class ContactProblem : public NonlinearProblem {
   bool shares_ = false;                          ///< some rank has such places
   std::unique_ptr<PatchSource> patches_;         ///< none as long as nothing was stuck
 };
-
-extern template class ContactProblem<2>;
 
 }  // namespace voussoir

@@ -5,8 +5,7 @@
 
 namespace voussoir {
 
-template <int dim>
-void expect_state(const Model<dim>& model, const ContactState& s) {
+void expect_state(const Model& model, const ContactState& s) {
   VOUSSOIR_EXPECT(is_of_nodes(model, s.displacement) && "displacement: of the model's node copies");
   VOUSSOIR_EXPECT(all_finite(s.displacement) && "displacement: finite");
   VOUSSOIR_EXPECT(is_of_points(model, s.lambda) && "lambda: of the model's points");
@@ -23,16 +22,12 @@ void expect_state(const Model<dim>& model, const ContactState& s) {
   VOUSSOIR_EXPECT(s.largest_energy >= 0 && "largest energy: not negative");
 }
 
-template <int dim>
-void expect_input(const Model<dim>& model, const StepInput& input) {
+void expect_input(const Model& model, const StepInput& input) {
   VOUSSOIR_EXPECT(is_of_nodes(model, input.load) && "load: of the model's node copies");
   VOUSSOIR_EXPECT(all_finite(input.load) && "load: finite");
   VOUSSOIR_EXPECT(is_of_nodes(model, input.prescribed) && "prescribed displacement: of the model's node copies");
   VOUSSOIR_EXPECT(all_finite(input.prescribed) && "prescribed displacement: finite");
   VOUSSOIR_EXPECT((!input.in_time || is_of_nodes(model, input.in_time->own_load)) && "own load: of node copies");
 }
-
-template void expect_state<2>(const Model<2>&, const ContactState&);
-template void expect_input<2>(const Model<2>&, const StepInput&);
 
 }  // namespace voussoir

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "base/text.hpp"
 #include "joints/crack_work.hpp"
 #include "joints/friction_work.hpp"
@@ -12,9 +13,9 @@
 
 namespace voussoir {
 
-template <int dim>
-void wear(const Model<dim>& model, const ContactState& before, ContactState& after, const PointField& gap,
+void wear(const Model& model, const ContactState& before, ContactState& after, const PointField& gap,
           const PointField& slip) {
+  const int dim = model.components();
   if (model.softening().empty()) return;
   VOUSSOIR_EXPECT(is_of_points(model, gap) && "gap: of points");
   VOUSSOIR_EXPECT(is_of_points(model, slip) && "slip: of points");
@@ -35,9 +36,11 @@ void wear(const Model<dim>& model, const ContactState& before, ContactState& aft
   }
 }
 
+namespace {
+
 template <int dim>
-EnergyOfStep loss_in_time(const Model<dim>& model, const ContactState& before, const ContactState& mid, int k,
-                          double opening, const PointField& gap) {
+EnergyOfStep loss_of(const Model& model, const ContactState& before, const ContactState& mid, int k, double opening,
+                     const PointField& gap) {
   EnergyOfStep loss;
   std::array<double, dim - 1> force, slip;
   for (int c = 1; c < dim; ++c) {
@@ -63,8 +66,16 @@ EnergyOfStep loss_in_time(const Model<dim>& model, const ContactState& before, c
   return loss;
 }
 
-template <int dim>
-double held_by_joints(const Model<dim>& model, const ContactState& state) {
+}  // namespace
+
+EnergyOfStep loss_in_time(const Model& model, const ContactState& before, const ContactState& mid, int k,
+                          double opening, const PointField& gap) {
+  return with_components(model.components(),
+                         [&](auto dim) { return loss_of<dim>(model, before, mid, k, opening, gap); });
+}
+
+double held_by_joints(const Model& model, const ContactState& state) {
+  const int dim = model.components();
   if (model.softening().empty()) return 0;
   const auto gap = model.gaps(state.displacement);
   double energy = 0;
@@ -98,10 +109,5 @@ Warnings passed_in_time(double seconds, const std::string& when) {
            "damping that grows with stiffness, the structure came to rest within " +
                number_text(seconds) + " s; what its joints lost on that way they lost in motion"}};
 }
-
-template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
-template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,
-                                      const PointField&);
-template double held_by_joints<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -11,16 +11,14 @@
 namespace voussoir {
 
 /// Share of its strength that a point has lost, 0 for one without.
-template <int dim>
-double damage_of(const Model<dim>& model, const ContactState& state, int k) {
+inline double damage_of(const Model& model, const ContactState& state, int k) {
   if (model.softening().empty()) return 0;
   const auto& s = model.softening()[k];
   return s.damage(s.kappa(state.opened[k], state.slipped[k]));
 }
 
 /// Law of a point with the strength that is left.
-template <int dim>
-PointLaw law_left(const Model<dim>& model, const ContactState& state, int k) {
+inline PointLaw law_left(const Model& model, const ContactState& state, int k) {
   auto law = model.law()[k];
   const double damage = damage_of(model, state, k);
   law.cohesion = strength_left(law.cohesion, damage);
@@ -29,8 +27,7 @@ PointLaw law_left(const Model<dim>& model, const ContactState& state, int k) {
 }
 
 /// Laws of all points likewise.
-template <int dim>
-PointLaws laws_left(const Model<dim>& model, const ContactState& state) {
+inline PointLaws laws_left(const Model& model, const ContactState& state) {
   auto laws = model.law();
   if (!model.softening().empty())
     for (int k = 0; k < model.points().size(); ++k) laws.set(k, law_left(model, state, k));
@@ -39,8 +36,7 @@ PointLaws laws_left(const Model<dim>& model, const ContactState& state) {
 
 /// Law of a point as it bears now: one that has opened pulls no more than it does at its opening.
 /// @param gap  [m] of the stones
-template <int dim>
-PointLaw law_now(const Model<dim>& model, const ContactState& state, double gap, int k) {
+inline PointLaw law_now(const Model& model, const ContactState& state, double gap, int k) {
   if (model.softening().empty()) return model.law()[k];
   return weaken(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap, 0).law;
 }
@@ -50,30 +46,25 @@ PointLaw law_now(const Model<dim>& model, const ContactState& state, double gap,
 /// @param after   with the forces of the middle and the wear up to there
 /// @param gap     [m] gaps of the stones at its end
 /// @param slip    [m] slips in the step, [points x dim], normal component not looked at
-template <int dim>
-void wear(const Model<dim>&, const ContactState& before, ContactState& after, const PointField& gap,
-          const PointField& slip);
+void wear(const Model&, const ContactState& before, ContactState& after, const PointField& gap, const PointField& slip);
 
 /// What friction and lost strength take at one point in a time step [J]. A point that pulls takes its force times the
 /// way it opens; what it would give back is no loss.
 /// @param mid      the middle of the step, with the wear of its end
 /// @param opening  [m] half the gap at the start, 0 where the point was closed
 /// @param gap      [m] gaps of the middle as a time step has them, half of those at the end
-template <int dim>
-EnergyOfStep loss_in_time(const Model<dim>&, const ContactState& before, const ContactState& mid, int k, double opening,
+EnergyOfStep loss_in_time(const Model&, const ContactState& before, const ContactState& mid, int k, double opening,
                           const PointField& gap);
 
 /// Energy that a point would give back if it closed [J].
 /// @param gap  [m] of the stones
-template <int dim>
-double held_by_joint(const Model<dim>& model, const ContactState& state, double gap, int k) {
+inline double held_by_joint(const Model& model, const ContactState& state, double gap, int k) {
   if (model.softening().empty()) return 0;
   return held_energy(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap);
 }
 
 /// Energy that open joints would give back [J], of this rank's points.
-template <int dim>
-double held_by_joints(const Model<dim>&, const ContactState&);
+double held_by_joints(const Model&, const ContactState&);
 
 /// What is said of joints that lost more strength on the way to an equilibrium than it asks of them: one warning or
 /// none.
@@ -86,10 +77,5 @@ Warnings unstable(double excess, const std::string& stones, const std::string& w
 /// What is said of a load step that nothing in statics leads through: the structure was let go in time.
 /// @param seconds  until it came to rest
 Warnings passed_in_time(double seconds, const std::string& when);
-
-extern template void wear<2>(const Model<2>&, const ContactState&, ContactState&, const PointField&, const PointField&);
-extern template EnergyOfStep loss_in_time<2>(const Model<2>&, const ContactState&, const ContactState&, int, double,
-                                             const PointField&);
-extern template double held_by_joints<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -11,17 +11,12 @@
 
 #include "loads/load.hpp"
 #include "loads/time_function.hpp"
+#include "model/step_in_time.hpp"
 #include "output/result_json.hpp"
 
 namespace voussoir {
 
 struct Scene;
-
-/// A step from one time to another, along which load factors go linearly.
-struct StepInTime {
-  double from, to;                           ///< [s]
-  std::map<std::string, double> begin, end;  ///< factors by name
-};
 
 template <int dim>
 class LoadsAtWork {

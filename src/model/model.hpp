@@ -1,4 +1,5 @@
-// Everything of a scene that stays the same through its load steps, on this rank.
+// Everything of a scene that stays the same through its load steps, on this rank, whatever its dimension. Where blocks
+// come from and what their geometry makes of supports, loads, mass and waves is told by model/plane.
 #pragma once
 
 #include <map>
@@ -6,26 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "blocks/support_parameters.hpp"
 #include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/continuum.hpp"
 #include "joints/contact_law.hpp"
 #include "joints/joint_law_parameters.hpp"
 #include "joints/softening.hpp"
-#include "model/loads_at_work.hpp"
 #include "model/model_settings.hpp"
+#include "model/step_in_time.hpp"
 
 namespace voussoir {
 
-template <int dim>
 class Model {
  public:
-  /// Builds blocks, joints and the continuum of a scene whose mesh has been checked. The scene may go. Collective.
-  Model(const Scene&, const BlockSource<dim>&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
-  /// The model of one time step: blocks have the matrix S of the midpoint rule, the continuum is that of S, and points
-  /// see it. Loads are those of the model at rest. Collective.
-  /// @param mass  the structure with the mass of its blocks [kg] in the place of their stiffness
-  /// @param tolerance  of Newton
-  Model(const Model& at_rest, const Structure<dim>& mass, const MidpointRule&, double tolerance);
+  virtual ~Model() = default;
 
   /// How its steps are solved.
   const ModelSettings& settings() const { return settings_; }
@@ -36,12 +31,15 @@ class Model {
   /// Laws by family of joints.
   const std::vector<Named<JointLawParameters>>& families() const { return families_; }
   const std::vector<Named<SupportParameters>>& supports() const { return supports_; }
-  const BlockSource<dim>& source() const { return source_; }
-  const Structure<dim>& structure() const { return *structure_; }
+  virtual const BlockSystem& structure() const = 0;
+  /// Of displacements: 2 in the plane, 3 in space.
+  int components() const { return structure().components(); }
+  /// Which blocks may meet.
+  virtual const BlockGraph& graph() const = 0;
   const ContactPoints& points() const { return *points_; }
   /// The bonded continuum; not there for the model at rest when a scene has no load steps.
-  const Continuum<dim>& continuum() const { return *continuum_; }
-  /// 1 where a support prescribes the displacement [dim x local node copies].
+  const Continuum& continuum() const { return *continuum_; }
+  /// 1 where a support prescribes the displacement [components x local node copies].
   const std::vector<char>& held() const { return held_; }
   /// 1 at points that are never tied: that are no pair of coincident nodes, or where different supports hold stones,
   /// which may part there, as one unknown cannot be where both supports are. Empty without such places.
@@ -62,7 +60,7 @@ class Model {
   double softest_mortar() const { return softest_mortar_; }
   /// Opening of each point at zero displacement [m]; empty when all joints are closed.
   const std::vector<double>& initial_gap() const { return initial_gap_; }
-  /// Gap and slip of every point under a displacement [m], [points x dim].
+  /// Gap and slip of every point under a displacement [m], [points x components].
   std::vector<double> gaps(const std::vector<double>& displacement) const;
   /// The same less what mortar gives way under contact forces [N]: zero where a point sticks.
   std::vector<double> gaps(const std::vector<double>& displacement, const std::vector<double>& lambda) const;
@@ -71,7 +69,7 @@ class Model {
   /// Takes stones and joints to where a displacement has moved and turned them; the continuum, which preconditions,
   /// stays as drawn. Collective.
   /// @return the largest turn of a stone since the last time [rad]
-  double follow(const std::vector<double>& displacement);
+  virtual double follow(const std::vector<double>& displacement) = 0;
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
   /// Holds all of the blocks that are not there [per local block], and what supports hold; no joint bonds with them.
   void set_absent(const std::vector<char>& absent);
@@ -88,31 +86,56 @@ class Model {
              std::vector<double>& prescribed) const;
   /// Mean nodal forces [N] over a step of time.
   void mean_loads(const StepInTime&, std::vector<double>& force) const;
-  const LoadsAtWork<dim>& loads() const { return *loads_; }
   /// Factor of the mass in the matrices of a time step [1/s2]; 0 of the model at rest.
   double inertia() const { return inertia_; }
 
- private:
-  void set_laws(const Scene&);
-  void set_strengths();
-  Softening softening_of(std::size_t point) const;
-  const JointLawParameters& joint_law(std::size_t point) const;
-  bool is_bonded(std::size_t point) const;
-  void set_local_stiffness(const Structure<dim>* mass, const MidpointRule&);
-  void hold_supports();
-  std::vector<char> between_supports() const;
-  void find_never_tied();
-  void check_size(const std::vector<double>& force) const;
+  /// The structure with the mass of its blocks [kg] in the place of their stiffness.
+  virtual std::unique_ptr<const BlockSystem> mass() const = 0;
+  /// The model of one time step: blocks have the matrix S of the midpoint rule, the continuum is that of S, and points
+  /// see it. Loads are those of the model at rest. Collective.
+  /// @param mass  as of mass()
+  /// @param tolerance  of Newton
+  virtual std::unique_ptr<Model> of_time_step(const BlockSystem& mass, const MidpointRule&, double tolerance) const = 0;
+  /// Of waves in a local block [m/s], and the passage of one through its smallest cell [s].
+  virtual double wave_speed(int block) const = 0;
+  virtual double passage(int block) const = 0;
+  /// Velocities of node copies as time begins [m/s]: those of the scene.
+  virtual std::vector<double> initial_velocities() const = 0;
+
+ protected:
+  Model(const Scene&);
+  /// Of a time step: all but structure, local stiffness and continuum is that of the model at rest.
+  Model(const Model& at_rest, double inertia, double tolerance);
+
+  /// Once structure, points and what holds them are there: families of joints must be set.
+  void set_laws();
+  void find_never_tied(const std::vector<char>& between_supports);
+  void set_local_stiffness(const BlockSystem* mass, const MidpointRule&);
+  void make_continuum();
+  virtual void hold_supports() = 0;
+  /// Stiffness of the cells beside a node, at rest [N/m].
+  virtual double stiffness_beside(int node) const = 0;
+  virtual void add_loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+                         std::vector<double>& prescribed) const = 0;
+  virtual void add_mean_loads(const StepInTime&, std::vector<double>& force) const = 0;
 
   ModelSettings settings_;
   std::string file_;
   std::vector<Named<JointLawParameters>> families_;
   std::vector<Named<SupportParameters>> supports_;
-  const BlockSource<dim>& source_;
-  std::unique_ptr<Structure<dim>> structure_;
   std::shared_ptr<ContactPoints> points_;
-  std::unique_ptr<Continuum<dim>> continuum_;
-  std::vector<char> held_, never_tied_;
+  std::unique_ptr<Continuum> continuum_;
+  std::vector<char> held_;
+  int arrangement_ = 0;
+
+ private:
+  void set_strengths();
+  Softening softening_of(std::size_t point) const;
+  const JointLawParameters& joint_law(std::size_t point) const;
+  bool is_bonded(std::size_t point) const;
+  void check_size(const std::vector<double>& force) const;
+
+  std::vector<char> never_tied_;
   std::vector<char> absent_;  ///< per local block; empty where nothing is built
   std::vector<double> local_stiffness_;
   PointLaws law_;
@@ -122,10 +145,6 @@ class Model {
   std::vector<Softening> softening_;
   bool weakens_ = false, rubs_ = false;
   double inertia_ = 0;
-  int arrangement_ = 0;
-  std::unique_ptr<LoadsAtWork<dim>> loads_;
 };
-
-extern template class Model<2>;
 
 }  // namespace voussoir

@@ -8,14 +8,12 @@
 namespace voussoir {
 
 /// Whether a point has mortar that gives way along a component, the normal first.
-template <int dim>
-bool yields(const Model<dim>& model, int point, int component = 0) {
+inline bool yields(const Model& model, int point, int component = 0) {
   return !model.compliance().empty() && model.compliance()[point].along(component) > 0;
 }
 
 /// What is added to the gaps of a time step, half of those at its end where joints are rigid, for those of its middle.
-template <int dim>
-std::vector<double> gaps_to_middle(const Model<dim>& model) {
+inline std::vector<double> gaps_to_middle(const Model& model) {
   auto gap = model.initial_gap();
   for (std::size_t k = 0; k < gap.size(); ++k)
     if (yields(model, static_cast<int>(k))) gap[k] = 0;

@@ -29,23 +29,21 @@ std::vector<BlockId> over_ranks(std::vector<BlockId> mine, const Teuchos::Comm<i
 }  // namespace
 
 /// K x - f and the gaps, unless they are known.
-template <int dim>
-void PatchCutter<dim>::measure(const TpetraVector& x) {
+void PatchCutter::measure(const TpetraVector& x) {
   if (measured_) return;
   linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
   parts_.problem.evaluate(x, *linear_, gap_);
   measured_ = true;
 }
 
-template <int dim>
-bool PatchCutter<dim>::find_stuck(const TpetraVector& x, const PointField& lambda, double threshold) {
+bool PatchCutter::find_stuck(const TpetraVector& x, const PointField& lambda, double threshold) {
   const TrafficScope sent_for(TrafficOf::set_up);
   measured_ = false;
   measure(x);
   const auto& s = parts_.structure;
   const auto& cluster = parts_.space.cluster();
   auto& problem = parts_.problem;
-  const auto id_of = [&](int node) { return s.blocks()[s.block_of_node()[node]].mesh.id; };
+  const auto id_of = [&](int node) { return s.nodes_of(s.block_of_node()[node]).id; };
   std::vector<BlockId> mine;
   TpetraVector residual(*linear_, Teuchos::Copy);
   problem.subtract_contact_forces(lambda, residual);
@@ -68,8 +66,7 @@ bool PatchCutter<dim>::find_stuck(const TpetraVector& x, const PointField& lambd
 }
 
 /// Blocks that a selection has parted from others.
-template <int dim>
-std::vector<BlockId> PatchCutter<dim>::parted_blocks() const {
+std::vector<BlockId> PatchCutter::parted_blocks() const {
   const auto& s = parts_.structure;
   std::vector<BlockId> mine;
   for (int k = 0; k < parts_.problem.owned_points(); ++k) {
@@ -81,8 +78,7 @@ std::vector<BlockId> PatchCutter<dim>::parted_blocks() const {
 }
 
 /// Adds the neighbours and groups what meets.
-template <int dim>
-void PatchCutter<dim>::find_patches(const std::vector<BlockId>& of) {
+void PatchCutter::find_patches(const std::vector<BlockId>& of) {
   const auto& s = parts_.structure;
   const auto stuck = [&](BlockId b) { return std::binary_search(of.begin(), of.end(), b); };
   std::vector<BlockId> mine = of;
@@ -100,7 +96,7 @@ void PatchCutter<dim>::find_patches(const std::vector<BlockId>& of) {
     if (within(j.block_i) && within(j.block_j)) pairs.push_back({j.block_i, j.block_j});
   std::vector<BlockId> first(parts_.space.clusters(), -1);
   for (int i = 0; i < s.nodes(); ++i) {
-    const BlockId b = s.blocks()[s.block_of_node()[i]].mesh.id;
+    const BlockId b = s.nodes_of(s.block_of_node()[i]).id;
     if (!within(b)) continue;
     auto& other = first[parts_.space.cluster()[i]];
     if (other >= 0 && other != b) pairs.push_back({other, b});
@@ -118,8 +114,7 @@ void PatchCutter<dim>::find_patches(const std::vector<BlockId>& of) {
     patch_[i] = sets.root(i) == i ? patches_++ : patch_[sets.root(i)];
 }
 
-template <int dim>
-bool PatchCutter<dim>::keep_stuck(const std::vector<int>& numbers) {
+bool PatchCutter::keep_stuck(const std::vector<int>& numbers) {
   const auto patches = all_gather(numbers, *parts_.structure.comm());
   stuck_.clear();
   for (std::size_t b = 0; b < block_.size(); ++b)
@@ -127,39 +122,34 @@ bool PatchCutter<dim>::keep_stuck(const std::vector<int>& numbers) {
   return !stuck_.empty();
 }
 
-template <int dim>
-int PatchCutter<dim>::patch_of_block(BlockId b) const {
+int PatchCutter::patch_of_block(BlockId b) const {
   const auto found = std::lower_bound(block_.begin(), block_.end(), b);
   return found != block_.end() && *found == b ? patch_[found - block_.begin()] : -1;
 }
 
-template <int dim>
-std::vector<int> PatchCutter<dim>::patch_of_clusters() const {
+std::vector<int> PatchCutter::patch_of_clusters() const {
   const auto& s = parts_.structure;
   std::vector<int> patch(parts_.space.clusters(), -1);
   for (int i = 0; i < s.nodes(); ++i) {
-    const int mine = patch_of_block(s.blocks()[s.block_of_node()[i]].mesh.id);
+    const int mine = patch_of_block(s.nodes_of(s.block_of_node()[i]).id);
     if (mine >= 0) patch[parts_.space.cluster()[i]] = mine;
   }
   return patch;
 }
 
-template <int dim>
-double PatchCutter<dim>::group(bool all_that_parted) {
+double PatchCutter::group(bool all_that_parted) {
   const TrafficScope sent_for(TrafficOf::set_up);
   find_patches(all_that_parted ? parted_blocks() : stuck_);
   const auto& s = parts_.structure;
   double mine = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto& block = s.blocks()[b].mesh;
-    if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.position.size());
+    const auto& block = s.nodes_of(b);
+    if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.nodes);
   }
   return total_over_ranks(*s.comm(), mine) / static_cast<double>(parts_.space.map()->getGlobalNumElements());
 }
 
-template <int dim>
-std::vector<typename PatchCutter<dim>::Unknown> PatchCutter<dim>::unknowns(const TpetraVector& x,
-                                                                           const TpetraVector& start) const {
+std::vector<PatchCutter::Unknown> PatchCutter::unknowns(const TpetraVector& x, const TpetraVector& start) const {
   const auto& space = parts_.space;
   const double *at = local_view(x), *from = local_view(start), *linear = local_view(*linear_);
   std::vector<Unknown> list;
@@ -172,12 +162,12 @@ std::vector<typename PatchCutter<dim>::Unknown> PatchCutter<dim>::unknowns(const
 }
 
 /// Stiffness of the blocks in rows of patches that this rank owns.
-template <int dim>
-std::vector<typename PatchCutter<dim>::Entry> PatchCutter<dim>::entries() const {
+std::vector<PatchCutter::Entry> PatchCutter::entries() const {
   const auto& space = parts_.space;
   const auto& columns = *space.column_map();
   std::vector<Entry> list;
-  for (const auto& block : parts_.structure.blocks()) {
+  for (int b = 0; b < parts_.structure.local_blocks(); ++b) {
+    const auto& block = parts_.structure.nodes_of(b);
     const auto& k = *block.stiffness;
     const auto unknown = [&](int i) { return dim * space.cluster()[block.first_local + i / dim] + i % dim; };
     for (int i = 0; i < k.rows(); ++i) {
@@ -191,8 +181,7 @@ std::vector<typename PatchCutter<dim>::Entry> PatchCutter<dim>::entries() const 
 }
 
 /// Patches that the nodes of a point are of, each once.
-template <int dim>
-std::vector<int> PatchCutter<dim>::patches_of(int point) const {
+std::vector<int> PatchCutter::patches_of(int point) const {
   std::vector<int> patches;
   parts_.points.at(point).each([&](int node, double) {
     const int patch = cluster_patch_[parts_.space.cluster()[node]];
@@ -202,9 +191,8 @@ std::vector<int> PatchCutter<dim>::patches_of(int point) const {
 }
 
 /// What is known of a point but where it is.
-template <int dim>
-PointOfPatch PatchCutter<dim>::of_patch(int k, const PointLaw& law, const PointField& lambda,
-                                        const PointStiffness& resistance) const {
+PointOfPatch PatchCutter::of_patch(int k, const PointLaw& law, const PointField& lambda,
+                                   const PointStiffness& resistance) const {
   const auto& problem = parts_.problem;
   PointOfPatch q;
   for (int a = 0; a < dim; ++a) q.axis[a] = in_plane(parts_.points.points()[k].axis[a]);
@@ -224,9 +212,8 @@ PointOfPatch PatchCutter<dim>::of_patch(int k, const PointLaw& law, const PointF
 }
 
 /// Points that touch patches, of those this rank owns; one that touches two patches is at the border of both.
-template <int dim>
-typename PatchCutter<dim>::PointsAndShares PatchCutter<dim>::points(
-    const PointField& lambda, const std::vector<PointStiffness>& resistance) const {
+PatchCutter::PointsAndShares PatchCutter::points(const PointField& lambda,
+                                                 const std::vector<PointStiffness>& resistance) const {
   const auto& space = parts_.space;
   const auto& problem = parts_.problem;
   const CurrentLaws laws(problem, lambda, gap_);
@@ -255,16 +242,13 @@ typename PatchCutter<dim>::PointsAndShares PatchCutter<dim>::points(
 }
 
 /// Of a patch, null where it is another rank's.
-template <int dim>
-typename PatchCutter<dim>::Mine* PatchCutter<dim>::mine(int patch) {
+PatchCutter::Mine* PatchCutter::mine(int patch) {
   const auto& comm = *parts_.structure.comm();
   return patch % comm.getSize() == comm.getRank() ? &mine_[patch / comm.getSize()] : nullptr;
 }
 
 /// Patches are put together from what all ranks know of them.
-template <int dim>
-std::vector<CutPatch> PatchCutter<dim>::cut(const TpetraVector& x, const PointField& lambda,
-                                            const PatchRequest& request) {
+std::vector<CutPatch> PatchCutter::cut(const TpetraVector& x, const PointField& lambda, const PatchRequest& request) {
   const TrafficScope sent_for(TrafficOf::set_up);
   const auto& comm = *parts_.structure.comm();
   measure(x);
@@ -316,8 +300,7 @@ std::vector<CutPatch> PatchCutter<dim>::cut(const TpetraVector& x, const PointFi
   return patches;
 }
 
-template <int dim>
-void PatchCutter<dim>::put_back(const std::vector<SolvedPatch>& solved, TpetraVector& x, PointField& lambda) {
+void PatchCutter::put_back(const std::vector<SolvedPatch>& solved, TpetraVector& x, PointField& lambda) {
   const TrafficScope sent_for(TrafficOf::set_up);
   const auto& comm = *parts_.structure.comm();
   std::vector<Motion> motion;
@@ -349,7 +332,5 @@ void PatchCutter<dim>::put_back(const std::vector<SolvedPatch>& solved, TpetraVe
   }
   measured_ = false;
 }
-
-template class PatchCutter<2>;
 
 }  // namespace voussoir

@@ -12,14 +12,14 @@
 
 namespace voussoir {
 
-template <int dim>
+/// Of the plane: patches have two components.
 class PatchCutter : public PatchSource {
  public:
   /// The problem that patches are cut from; must outlive the cutter.
   struct Parts {
-    const Structure<dim>& structure;
+    const BlockSystem& structure;
     const ContactPoints& points;
-    const MergedSpace<dim>& space;
+    const MergedSpace& space;
     const std::vector<double>& proximal_weight;
     NonlinearProblem& problem;
   };
@@ -34,12 +34,13 @@ class PatchCutter : public PatchSource {
   bool keep_stuck(const std::vector<int>& numbers) override;
 
  private:
-  using Unknown = typename PatchMessages<dim>::Unknown;
-  using Entry = typename PatchMessages<dim>::Entry;
-  using Point = typename PatchMessages<dim>::Point;
-  using Share = typename PatchMessages<dim>::Share;
-  using Motion = typename PatchMessages<dim>::Motion;
-  using Force = typename PatchMessages<dim>::Force;
+  static constexpr int dim = PatchMessages::dim;
+  using Unknown = PatchMessages::Unknown;
+  using Entry = PatchMessages::Entry;
+  using Point = PatchMessages::Point;
+  using Share = PatchMessages::Share;
+  using Motion = PatchMessages::Motion;
+  using Force = PatchMessages::Force;
   /// What the structure calls the unknowns and points of a patch that this rank has cut, and the forces there.
   struct Mine {
     std::vector<GlobalOrdinal> unknowns;
@@ -75,7 +76,5 @@ class PatchCutter : public PatchSource {
   bool measured_ = false;           ///< linear_ and gap_ are those of where the structure is
   bool together_ = true;
 };
-
-extern template class PatchCutter<2>;
 
 }  // namespace voussoir

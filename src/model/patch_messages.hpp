@@ -10,8 +10,8 @@
 namespace voussoir {
 
 /// Numbers of unknowns and points are those of the whole structure, -1 where a support holds.
-template <int dim>
 struct PatchMessages {
+  static constexpr int dim = 2;
   struct Unknown {
     GlobalOrdinal id;
     int patch;

@@ -11,9 +11,9 @@ static_assert(static_cast<char>(PointStatus::open) == static_cast<char>(ContactS
               static_cast<char>(PointStatus::stick) == static_cast<char>(ContactStatus::stick) &&
               static_cast<char>(PointStatus::slip) == static_cast<char>(ContactStatus::slip));
 
-template <int dim>
-std::vector<char> point_statuses(const Model<dim>& model, const ContactState& state, const PointField& gap,
+std::vector<char> point_statuses(const Model& model, const ContactState& state, const PointField& gap,
                                  const PointField& slip_before) {
+  const int dim = model.components();
   VOUSSOIR_EXPECT(is_of_points(model, gap) && "gap: of points");
   VOUSSOIR_EXPECT((slip_before.empty() || is_of_points(model, slip_before)) && "slips before: of points, or none");
   VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
@@ -32,8 +32,5 @@ std::vector<char> point_statuses(const Model<dim>& model, const ContactState& st
   }
   return status;
 }
-
-template std::vector<char> point_statuses<2>(const Model<2>&, const ContactState&, const PointField&,
-                                             const PointField&);
 
 }  // namespace voussoir

@@ -15,11 +15,7 @@ namespace voussoir {
 /// @param gap          [m] gap and slip of the stones
 /// @param slip_before  [m] that slips count from; empty for 0
 /// @return  a PointStatus per point, of those that ties hold too
-template <int dim>
-std::vector<char> point_statuses(const Model<dim>&, const ContactState& state, const PointField& gap,
+std::vector<char> point_statuses(const Model&, const ContactState& state, const PointField& gap,
                                  const PointField& slip_before);
-
-extern template std::vector<char> point_statuses<2>(const Model<2>&, const ContactState&, const PointField&,
-                                                    const PointField&);
 
 }  // namespace voussoir

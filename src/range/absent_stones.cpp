@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "results/observations.hpp"
 #include "scene/scene.hpp"
@@ -45,7 +46,7 @@ struct Stage {
   std::vector<char> absent;  ///< per local block
 };
 
-std::vector<Stage> stages_of(const Scene& scene, const Model<2>& model) {
+std::vector<Stage> stages_of(const Scene& scene, const PlaneModel& model) {
   std::vector<Stage> stages;
   std::map<std::string, double> factors;
   for (std::size_t k = 0; k < scene.stages.size(); ++k) {
@@ -62,7 +63,7 @@ std::vector<Stage> stages_of(const Scene& scene, const Model<2>& model) {
   return stages;
 }
 
-void warn_of_load(const Scene& scene, const Model<2>& model, const LoadParameters& load,
+void warn_of_load(const Scene& scene, const PlaneModel& model, const LoadParameters& load,
                   const std::vector<Stage>& stages, Warnings& all) {
   constexpr double round_off = 1e-12;
   const bool moves = load_as<SettlementParameters>(load) != nullptr;
@@ -88,7 +89,8 @@ void warn_of_load(const Scene& scene, const Model<2>& model, const LoadParameter
                                   " N are left out; let it act in stages that have these stones")});
 }
 
-void warn_of_observations(const Scene& scene, const Model<2>& model, const std::vector<Stage>& stages, Warnings& all) {
+void warn_of_observations(const Scene& scene, const PlaneModel& model, const std::vector<Stage>& stages,
+                          Warnings& all) {
   const Observations<2> observations(scene, model.source(), model.structure());
   const std::vector<double> ones(2 * static_cast<std::size_t>(model.structure().nodes()), 1.0);
   for (const auto& observation : scene.observations) {
@@ -110,7 +112,7 @@ void warn_of_observations(const Scene& scene, const Model<2>& model, const std::
 
 }  // namespace
 
-Warnings warnings_of_absent_stones(const Scene& scene, const Model<2>& model) {
+Warnings warnings_of_absent_stones(const Scene& scene, const PlaneModel& model) {
   Warnings all;
   if (scene.construction.empty()) return all;
   const auto stages = stages_of(scene, model);

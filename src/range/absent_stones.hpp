@@ -2,12 +2,12 @@
 #pragma once
 
 #include "base/warning.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
 /// Loads and settlements that act on stones which have gone or not appeared yet, and places observed there. Weight and
 /// its kind act on the stones that are there, whichever they are. Collective.
-Warnings warnings_of_absent_stones(const Scene&, const Model<2>&);
+Warnings warnings_of_absent_stones(const Scene&, const PlaneModel&);
 
 }  // namespace voussoir

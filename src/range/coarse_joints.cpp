@@ -10,6 +10,7 @@
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 namespace {
@@ -28,7 +29,7 @@ struct Found {
 };
 
 /// Of the joints whose block i this rank owns; all points of a joint are with its owner.
-std::vector<Found> found_here(const Model<2>& model, const ContactState& state) {
+std::vector<Found> found_here(const PlaneModel& model, const ContactState& state) {
   const auto& points = model.points();
   std::vector<std::vector<int>> of_joint(points.joints().size());
   for (int k = 0; k < points.owned(); ++k) of_joint[points.points()[k].joint].push_back(k);
@@ -60,7 +61,7 @@ std::string percent(double share) { return std::to_string(std::lround(100 * shar
 
 }  // namespace
 
-Warnings coarse_joints(const Model<2>& model, const ContactState& state, const std::string& when) {
+Warnings coarse_joints(const PlaneModel& model, const ContactState& state, const std::string& when) {
   VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
   std::map<int, std::vector<Found>> families;
   for (const auto& found : all_gather(found_here(model, state), *model.structure().comm()))

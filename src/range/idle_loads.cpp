@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -19,7 +20,7 @@ struct Forces {
   double held = 0, free = 0;
 };
 
-Forces forces_of(const Model<2>& model, const std::string& load) {
+Forces forces_of(const PlaneModel& model, const std::string& load) {
   const auto& s = model.structure();
   std::vector<double> force(2 * static_cast<std::size_t>(s.nodes())), prescribed(force.size());
   model.loads({{load, 1.0}}, 0.0, force, prescribed);
@@ -39,7 +40,7 @@ bool is_used(const Scene& scene, const std::string& load) {
 
 }  // namespace
 
-Warnings warnings_of_idle_loads(const Scene& scene, const Model<2>& model) {
+Warnings warnings_of_idle_loads(const Scene& scene, const PlaneModel& model) {
   Warnings all;
   for (const auto& load : scene.loads) {
     if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "base/warning.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
 /// A warning for every load of a stage or of the pattern of a load factor whose forces all act on held components of
 /// nodes: at any factor the structure stands as without it. Of loads that move supports, or vary with time, nothing is
 /// said. Collective.
-Warnings warnings_of_idle_loads(const Scene&, const Model<2>&);
+Warnings warnings_of_idle_loads(const Scene&, const PlaneModel&);
 
 }  // namespace voussoir

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
 #include "range/idle_loads.hpp"
@@ -28,7 +29,7 @@ void append(Warnings& all, Warnings more) {
 
 std::string stones_in_words(long long count) { return std::to_string(count) + (count == 1 ? " block" : " blocks"); }
 
-void warn_of_no_joints(const Scene& scene, const Model<2>& model, Warnings& all) {
+void warn_of_no_joints(const Scene& scene, const PlaneModel& model, Warnings& all) {
   if (model.points().total() > 0 || scene.joints.empty()) return;
   const auto blocks = model.source().block_count();
   all.push_back({"no_joints", scene.file + ": scene > joints", "", static_cast<double>(blocks),
@@ -37,7 +38,7 @@ void warn_of_no_joints(const Scene& scene, const Model<2>& model, Warnings& all)
                      "; draw every stone as a surface of its own, stones that touch sharing the curve between them"});
 }
 
-void warn_of_bonds(const Scene& scene, const Model<2>& model, Warnings& all) {
+void warn_of_bonds(const Scene& scene, const PlaneModel& model, Warnings& all) {
   if (scene.selection.mode != SelectionMode::bonded || model.points().total() == 0) return;
   all.push_back({"bonded", scene.file + ": scene > selection > mode = bonded", "",
                  static_cast<double>(model.points().total()),
@@ -112,7 +113,7 @@ void warn_of_lone_stones(const Scene& scene, const BlockSource<2>& source, Warni
 }
 
 /// Laws that hold for no joint: for none of the mesh, or for none that later laws leave.
-void warn_of_idle_laws(const Scene& scene, const Model<2>& model, Warnings& all) {
+void warn_of_idle_laws(const Scene& scene, const PlaneModel& model, Warnings& all) {
   const auto& s = model.structure();
   if (model.points().total() == 0) return;
   const std::size_t laws = scene.joints.size();
@@ -141,7 +142,7 @@ void warn_of_idle_laws(const Scene& scene, const Model<2>& model, Warnings& all)
 }
 
 /// Fracture energies below what the stones can follow (Model::set_softening): the joint takes more than it was given.
-void warn_of_raised_energies(const Scene& scene, const Model<2>& model, Warnings& all) {
+void warn_of_raised_energies(const Scene& scene, const PlaneModel& model, Warnings& all) {
   const std::size_t laws = scene.joints.size();
   if (!model.weakens()) return;
   std::vector<double> mine(2 * laws, 0.0);  // [J/m2] the most that a point takes
@@ -198,14 +199,14 @@ Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
   return all;
 }
 
-Warnings input_warnings(const Scene& scene, const Model<2>& model) {
+Warnings input_warnings(const Scene& scene, const PlaneModel& model) {
   Warnings all;
   warn_of_no_joints(scene, model, all);
   warn_of_bonds(scene, model, all);
   append(all, mesh_warnings(scene, model.source()));
   warn_of_idle_laws(scene, model, all);
   warn_of_raised_energies(scene, model, all);
-  append(all, model.loads().warnings());
+  append(all, model.loads_at_work().warnings());
   append(all, warnings_of_idle_loads(scene, model));
   append(all, support_warnings(scene, model));
   append(all, warnings_of_absent_stones(scene, model));

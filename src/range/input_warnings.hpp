@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/warning.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
@@ -11,7 +11,7 @@ namespace voussoir {
 Warnings mesh_warnings(const Scene&, const BlockSource<2>&);
 
 /// The same, with what joints and loads tell. The same on every rank. Collective.
-Warnings input_warnings(const Scene&, const Model<2>&);
+Warnings input_warnings(const Scene&, const PlaneModel&);
 /// Leaves those of steps: what is to be said of the input of a run that is taken up is said anew, of its scene now.
 void forget_input_warnings(Warnings&);
 

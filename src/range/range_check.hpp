@@ -13,7 +13,7 @@
 
 #include "base/warning.hpp"
 #include "model/contact_problem.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
@@ -46,7 +46,8 @@ std::string at_factor(const std::string& stage, double);
 class RangeCheck {
  public:
   /// @param warn  where warnings go
-  RangeCheck(const Model<2>& model, std::function<void(const Warning&)> warn) : model_(model), warn_(std::move(warn)) {}
+  RangeCheck(const PlaneModel& model, std::function<void(const Warning&)> warn)
+      : model_(model), warn_(std::move(warn)) {}
 
   /// Warns of what a step leaves open; why it would be a mistake to carry on, empty when it is none. Collective.
   std::string beyond(const StepEnd&);
@@ -60,7 +61,7 @@ class RangeCheck {
   };
   void measure();
 
-  const Model<2>& model_;
+  const PlaneModel& model_;
   std::function<void(const Warning&)> warn_;
   Sizes sizes_;
   bool measured_ = false;

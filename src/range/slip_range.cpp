@@ -6,6 +6,7 @@
 #include "linalg/gather.hpp"
 #include "mesh/box_tree.hpp"
 #include "model/handed_over.hpp"
+#include "model/plane/plane_model.hpp"
 #include "range/stone_places.hpp"
 #include "ties/error_estimate.hpp"
 
@@ -42,7 +43,7 @@ struct OwnSlip {
 };
 
 /// Points of a joint in their order along it, with the shorter of the edges beside each [m].
-std::vector<std::pair<int, double>> along_the_joint(const Model<2>& model, const std::vector<int>& points) {
+std::vector<std::pair<int, double>> along_the_joint(const PlaneModel& model, const std::vector<int>& points) {
   const auto place = [&](int k) { return model.points().at(k).place(Side::i, model.structure().drawn_position()); };
   const auto first = place(points.front());
   Vector<2> far{};  // runs along the joint whatever way its axes have turned
@@ -72,7 +73,7 @@ struct Footing {
 };
 
 /// @param others  borders of stones round about, which may continue the face
-Footing footing_of(const Model<2>& model, const StepEnd& end, const std::vector<std::pair<int, double>>& points,
+Footing footing_of(const PlaneModel& model, const StepEnd& end, const std::vector<std::pair<int, double>>& points,
                    bool of_i, const Outline& others) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
@@ -118,7 +119,7 @@ Footing footing_of(const Model<2>& model, const StepEnd& end, const std::vector<
 }
 
 /// Whether what presses in a joint weighs on one of its blocks as the block's own loads do: it stands without.
-bool only_weighs_on(const Model<2>& model, const StepEnd& end, const std::vector<std::pair<int, double>>& points,
+bool only_weighs_on(const PlaneModel& model, const StepEnd& end, const std::vector<std::pair<int, double>>& points,
                     bool on_i) {
   Vector<2> force{}, load{};
   for (const auto& [k, cell] : points) {
@@ -134,7 +135,7 @@ bool only_weighs_on(const Model<2>& model, const StepEnd& end, const std::vector
 }
 
 /// Looks how the force of a joint lies to its faces.
-void look_at_faces(const Model<2>& model, const StepEnd& end, OwnSlip& slip, const Outline& others) {
+void look_at_faces(const PlaneModel& model, const StepEnd& end, OwnSlip& slip, const Outline& others) {
   auto& told = slip.told;
   const auto i = footing_of(model, end, slip.cells, true, others);
   const auto j = footing_of(model, end, slip.cells, false, others);
@@ -149,7 +150,7 @@ void look_at_faces(const Model<2>& model, const StepEnd& end, OwnSlip& slip, con
   told.on_others = i.on_others > 0 || j.on_others > 0;
 }
 
-Box<2> place_of(const Model<2>& model, const StepEnd& end, const std::vector<std::pair<int, double>>& cells) {
+Box<2> place_of(const PlaneModel& model, const StepEnd& end, const std::vector<std::pair<int, double>>& cells) {
   Box<2> box{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (const auto& [k, cell] : cells) {
     for (const Side side : {Side::i, Side::j}) {
@@ -160,7 +161,7 @@ Box<2> place_of(const Model<2>& model, const StepEnd& end, const std::vector<std
   return box;
 }
 
-std::vector<OwnSlip> long_slips(const Model<2>& model, const StepEnd& end) {
+std::vector<OwnSlip> long_slips(const PlaneModel& model, const StepEnd& end) {
   const auto& points = model.points();
   const double least = negligible * largest_normal_force(model, end.state.lambda);
   const auto gap = model.gaps(end.state.displacement, end.state.lambda);
@@ -195,7 +196,7 @@ std::vector<OwnSlip> long_slips(const Model<2>& model, const StepEnd& end) {
 }
 
 /// Border edges of all stones in the places of joints that have slipped past an end of a face. Collective.
-Outline borders_near(const Model<2>& model, const StepEnd& end, const std::vector<LongSlip>& slips) {
+Outline borders_near(const PlaneModel& model, const StepEnd& end, const std::vector<LongSlip>& slips) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
   const auto wanted = [&](const Box<2>& box) {
@@ -222,7 +223,7 @@ Outline borders_near(const Model<2>& model, const StepEnd& end, const std::vecto
 }
 
 /// The slips of all ranks, the longest first. Collective.
-std::vector<LongSlip> slips_of_all(const Model<2>& model, const StepEnd& end) {
+std::vector<LongSlip> slips_of_all(const PlaneModel& model, const StepEnd& end) {
   const auto& comm = *model.structure().comm();
   auto mine = long_slips(model, end);
   const auto gathered = [&] {
@@ -245,7 +246,7 @@ std::vector<LongSlip> slips_of_all(const Model<2>& model, const StepEnd& end) {
 
 }  // namespace
 
-RangeFindings look_at_slips(const Model<2>& model, const StepEnd& end) {
+RangeFindings look_at_slips(const PlaneModel& model, const StepEnd& end) {
   VOUSSOIR_EXPECT(is_of_points(model, end.state.lambda) && "lambda: of points");
   const auto slips = slips_of_all(model, end);
   if (slips.empty()) return {};

@@ -10,6 +10,7 @@
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/box_tree.hpp"
+#include "model/plane/plane_model.hpp"
 #include "range/stone_places.hpp"
 
 namespace voussoir {
@@ -47,7 +48,7 @@ double tolerance(const StoneBox& a, const StoneBox& b, double share) {
   return share * std::min(a.side, b.side) + a.swollen + b.swollen;
 }
 
-Box<2> motions_here(const Model<2>& model, const StepEnd& end) {
+Box<2> motions_here(const PlaneModel& model, const StepEnd& end) {
   Box<2> all{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   const auto& u = end.state.displacement;
   for (int n = 0; n < model.structure().owned_nodes(); ++n)
@@ -56,14 +57,15 @@ Box<2> motions_here(const Model<2>& model, const StepEnd& end) {
 }
 
 /// The largest difference between motions anywhere in the structure [m]. Collective.
-double spread(const Model<2>& model, const StepEnd& end) {
+double spread(const PlaneModel& model, const StepEnd& end) {
   const auto mine = motions_here(model, end);
   const std::array<double, 4> ends{-mine.low[0], -mine.low[1], mine.high[0], mine.high[1]};
   const auto all = largest_of_each(*model.structure().comm(), ends);
   return std::hypot(all[0] + all[2], all[1] + all[3]);
 }
 
-std::vector<StoneBox> boxes_here(const Model<2>& model, const StepEnd& end, const std::vector<double>& shortest_side) {
+std::vector<StoneBox> boxes_here(const PlaneModel& model, const StepEnd& end,
+                                 const std::vector<double>& shortest_side) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
   const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
@@ -109,7 +111,7 @@ std::vector<std::pair<int, int>> suspects(const std::vector<StoneBox>& stones) {
 }
 
 /// Outlines of the stones of some pairs, whichever ranks they are on. Collective.
-std::map<BlockId, Outline> outlines_of(const Model<2>& model, const StepEnd& end, const std::vector<StoneBox>& stones,
+std::map<BlockId, Outline> outlines_of(const PlaneModel& model, const StepEnd& end, const std::vector<StoneBox>& stones,
                                        const std::vector<std::pair<int, int>>& pairs) {
   struct EdgeOfBlock {
     BlockId block;
@@ -138,7 +140,7 @@ struct AllowedGap {
 
 /// Joints that stand open where the drawing has them closed: by that much their stones may lie in each other as drawn.
 /// Collective.
-std::map<std::pair<BlockId, BlockId>, double> gaps_as_drawn(const Model<2>& model) {
+std::map<std::pair<BlockId, BlockId>, double> gaps_as_drawn(const PlaneModel& model) {
   const auto& points = model.points();
   std::vector<AllowedGap> mine;
   for (int k = 0; k < points.owned() && !model.initial_gap().empty(); ++k) {
@@ -161,7 +163,7 @@ struct Overlap {
 
 }  // namespace
 
-RangeFindings look_at_outlines(const Model<2>& model, const StepEnd& end, const std::vector<double>& shortest_side,
+RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, const std::vector<double>& shortest_side,
                                double smallest_side) {
   VOUSSOIR_EXPECT(shortest_side.size() == static_cast<std::size_t>(model.structure().owned_blocks()) &&
                   "sides: per owned block");

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/outline.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
@@ -42,13 +42,13 @@ inline Outline face_now(const Structure<2>& s, const std::vector<double>& u, int
 }
 
 /// Whether a support holds any component of a local block.
-inline bool is_held(const Model<2>& model, int block) {
+inline bool is_held(const PlaneModel& model, int block) {
   const auto& b = model.structure().blocks()[block];
   const auto first = model.held().begin() + 2L * b.first_local;
   return std::any_of(first, first + 2 * static_cast<long>(b.mesh.position.size()), [](char held) { return held; });
 }
 
-inline std::string names_of(const Model<2>& model, BlockId i, BlockId j) {
+inline std::string names_of(const PlaneModel& model, BlockId i, BlockId j) {
   return model.source().block(i).name + " / " + model.source().block(j).name;
 }
 

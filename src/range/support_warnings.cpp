@@ -9,6 +9,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -26,7 +27,7 @@ bool moves_alike(const Scene& scene, const std::string& support, const Settlemen
 }
 
 /// Nodes of which both supports hold a component that the load moves, on blocks of all ranks.
-long long common_nodes(const Model<2>& model, const SupportParameters& a, const SupportParameters& b,
+long long common_nodes(const PlaneModel& model, const SupportParameters& a, const SupportParameters& b,
                        const SettlementParameters& load) {
   const auto& s = model.structure();
   std::vector<char> of_a(s.nodes(), 0), of_b(s.nodes(), 0);
@@ -41,7 +42,7 @@ long long common_nodes(const Model<2>& model, const SupportParameters& a, const 
 
 /// What supports hold of a motion of all stones as one, (along x, along y, turn by the size): sum over what is held of
 /// the squares and products, the same on every rank.
-std::array<double, 9> held_of_whole(const Model<2>& model) {
+std::array<double, 9> held_of_whole(const PlaneModel& model) {
   const auto& s = model.structure();
   const auto is_held = [&](int node, int c) { return model.held()[2 * node + c] != 0; };
   std::array<double, 3> sum{};  // [m, m, -] levers are about the middle of what is held
@@ -63,7 +64,7 @@ std::array<double, 9> held_of_whole(const Model<2>& model) {
 }
 
 /// Supports that leave the whole free to move in some way: where it ends up is then round-off, or nothing holds it.
-void warn_of_free_whole(const Scene& scene, const Model<2>& model, Warnings& all) {
+void warn_of_free_whole(const Scene& scene, const PlaneModel& model, Warnings& all) {
   if (only_time(scene.stages)) return;  // stones may fly
   const auto g = held_of_whole(model);
   const bool x = g[0] > 0, y = g[4] > 0;
@@ -79,7 +80,7 @@ void warn_of_free_whole(const Scene& scene, const Model<2>& model, Warnings& all
 
 }  // namespace
 
-Warnings support_warnings(const Scene& scene, const Model<2>& model) {
+Warnings support_warnings(const Scene& scene, const PlaneModel& model) {
   Warnings all;
   warn_of_free_whole(scene, model, all);
   for (const auto& load : scene.loads) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "base/warning.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
 /// Nodes of two supports of which a settlement moves one; a structure that is free to move as one. The same on every
 /// rank. Collective.
-Warnings support_warnings(const Scene&, const Model<2>&);
+Warnings support_warnings(const Scene&, const PlaneModel&);
 
 }  // namespace voussoir

@@ -10,6 +10,7 @@
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 #include "range/joint_network.hpp"
 #include "range/stone_places.hpp"
 
@@ -54,7 +55,7 @@ double turn_of(const Structure<2>& s, int b, const std::vector<double>& u) {
   return rigid_motion(s.drawn_position(), s.blocks()[b], u).rotation;
 }
 
-std::vector<StoneRecord> stones_here(const Model<2>& model, const StepEnd& end) {
+std::vector<StoneRecord> stones_here(const PlaneModel& model, const StepEnd& end) {
   const auto& s = model.structure();
   std::vector<StoneRecord> stones;
   for (int b = 0; b < s.owned_blocks(); ++b) {
@@ -74,7 +75,7 @@ std::vector<StoneRecord> stones_here(const Model<2>& model, const StepEnd& end) 
   return stones;
 }
 
-std::vector<JointRecord> joints_here(const Model<2>& model, const StepEnd& end) {
+std::vector<JointRecord> joints_here(const PlaneModel& model, const StepEnd& end) {
   const auto& s = model.structure();
   const auto& points = model.points();
   std::vector<JointRecord> joints;
@@ -120,7 +121,7 @@ struct Network {
   std::vector<int> free;  ///< number among those that no support holds, per stone; -1 for the others
   int moving = 0;
 
-  Network(const Model<2>& model, const StepEnd& end) {
+  Network(const PlaneModel& model, const StepEnd& end) {
     const auto& comm = *model.structure().comm();
     stones = all_gather(stones_here(model, end), comm);
     joints = all_gather(joints_here(model, end), comm);
@@ -211,7 +212,7 @@ struct Network {
 
 /// Nothing can be worth telling as long as stones turn by less than a share of every angle of friction, and nothing
 /// moves against anything by that share of half a joint. Collective.
-bool small_motion(const Model<2>& model, const StepEnd& end, double smallest_half_joint) {
+bool small_motion(const PlaneModel& model, const StepEnd& end, double smallest_half_joint) {
   const auto& s = model.structure();
   const auto& comm = *s.comm();
   const auto& u = end.state.displacement;
@@ -231,7 +232,7 @@ bool small_motion(const Model<2>& model, const StepEnd& end, double smallest_hal
 }
 
 /// Which of the two stones of a joint has turned more, how far, and what that is of what the joint can bear.
-std::string what_turned(const Model<2>& model, const Network& network, std::size_t joint, double share) {
+std::string what_turned(const PlaneModel& model, const Network& network, std::size_t joint, double share) {
   const auto turn = [&](BlockId b) { return network.stones[network.stone_of(b)].turn; };
   const auto& r = network.joints[joint];
   const BlockId more = std::abs(turn(r.block_i)) > std::abs(turn(r.block_j)) ? r.block_i : r.block_j;
@@ -242,7 +243,7 @@ std::string what_turned(const Model<2>& model, const Network& network, std::size
 
 }  // namespace
 
-RangeFindings look_at_turns(const Model<2>& model, const StepEnd& end, double smallest_half_joint) {
+RangeFindings look_at_turns(const PlaneModel& model, const StepEnd& end, double smallest_half_joint) {
   VOUSSOIR_EXPECT(smallest_half_joint > 0 && "half a joint: of some length");
   const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
   if (followed || model.points().total() == 0 || small_motion(model, end, smallest_half_joint)) return {};

@@ -2,6 +2,7 @@
 
 #include "joints/softening.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_effects.hpp"
 
@@ -45,8 +46,8 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   return costs;
 }
 
-std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Model<2>& model) {
-  return effect_costs(scene, model.loads(), model.structure(), model.points().size());
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const PlaneModel& model) {
+  return effect_costs(scene, model.loads_at_work(), model.structure(), model.points().size());
 }
 
 }  // namespace voussoir

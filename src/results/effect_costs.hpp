@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
@@ -12,6 +12,6 @@ namespace voussoir {
 /// @param points  contact points of this rank, with ghosts
 std::map<std::string, EffectSummary> effect_costs(const Scene&, const LoadsAtWork<2>&, const Structure<2>&,
                                                   long long points);
-std::map<std::string, EffectSummary> effect_costs(const Scene&, const Model<2>&);
+std::map<std::string, EffectSummary> effect_costs(const Scene&, const PlaneModel&);
 
 }  // namespace voussoir

@@ -9,6 +9,7 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 #include "results/turning_supports.hpp"
 
 namespace voussoir {
@@ -26,7 +27,7 @@ Tangential<dim> tangential(const PointField& field, int k) {
 
 /// Largest friction [N], without cohesion.
 template <int dim>
-double rubbing(const Model<dim>& model, const ContactState& state, int k) {
+double rubbing(const PlaneModel& model, const ContactState& state, int k) {
   const double friction = model.law()[k].friction;
   return std::isfinite(friction) ? friction * std::max(0.0, state.lambda[dim * k]) : 0.0;
 }
@@ -42,7 +43,7 @@ void add_work(const WorkOfForces& forces, double beyond_mean, double overshoot, 
 }
 
 template <int dim>
-LoadStepBook<dim>::LoadStepBook(const Model<dim>& model, const AdaptiveStep<dim>& step, const ContactState& before,
+LoadStepBook<dim>::LoadStepBook(const PlaneModel& model, const AdaptiveStep& step, const ContactState& before,
                                 const std::vector<double>& load_before, std::vector<double> let_go)
     : model_(model),
       step_(step),
@@ -89,7 +90,8 @@ void LoadStepBook<dim>::add_friction(const ContactState& after, const PointField
   if (all == 0 && crack.slipped == 0) return;
   const bool softens = !model_.softening().empty() && model_.softening()[k].any();
   const double way = norm(slip), taken = all - (softens ? std::min(all, law.cohesion * way) : 0.0);
-  const double rubbed = softens ? rubbing(model_, before_, k) : friction_bound(law_before, before_.lambda[dim * k]);
+  const double rubbed =
+      softens ? rubbing<dim>(model_, before_, k) : friction_bound(law_before, before_.lambda[dim * k]);
   sum.friction += taken;
   sum.beyond_mean += crack.cohesion + (rubbed * way + taken) / 2 + 0.5 * dot(force_before + force, slip);
   const double peak = std::max(friction_bound(law_before, std::max(0.0, before_.lambda[dim * k])),
@@ -122,7 +124,7 @@ EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vect
   s.apply_stiffness(deformation, ku);
   EnergyOfStep energy;
   WorkOfForces work;
-  work.of_mean = beyond_the_chord(model_, before_, after, reaction_before_, reaction);
+  work.of_mean = beyond_the_chord<dim>(model_, before_, after, reaction_before_, reaction);
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
     const auto& absent = model_.absent();
     if (absent.empty() || !absent[s.block_of_node()[i / dim]]) energy.elastic += deformation[i] * ku[i] / 2;

@@ -21,6 +21,7 @@
 
 #include "dynamics/energy_book.hpp"
 #include "joints/crack_work.hpp"
+#include "model/plane/plane_model.hpp"
 #include "step/adaptive_step.hpp"
 
 namespace voussoir {
@@ -46,7 +47,7 @@ class LoadStepBook {
  public:
   /// @param before, load_before  state and nodal loads [N] at the start; both must outlive the book
   /// @param let_go  forces of stones that are gone, none at the end [N]; what they do is removed, and no work of loads
-  LoadStepBook(const Model<dim>&, const AdaptiveStep<dim>&, const ContactState& before,
+  LoadStepBook(const PlaneModel&, const AdaptiveStep&, const ContactState& before,
                const std::vector<double>& load_before, std::vector<double> let_go = {});
 
   /// Collective.
@@ -66,8 +67,8 @@ class LoadStepBook {
   CrackWork add_fracture(const ContactState& after, const PointField& gap, int k, OfPoints&) const;
   void add_friction(const ContactState& after, const PointField& gap, const CrackWork&, int k, OfPoints&) const;
 
-  const Model<dim>& model_;
-  const AdaptiveStep<dim>& step_;
+  const PlaneModel& model_;
+  const AdaptiveStep& step_;
   const ContactState& before_;
   const std::vector<double>& load_before_;
   const std::vector<double> let_go_;

@@ -10,6 +10,7 @@
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/joint_table.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
@@ -25,7 +26,7 @@ constexpr double beside_a_hinge = 0.05;
 constexpr std::size_t longest_list = 50;  // in result.json; all are in joints.csv
 
 /// Rows of the joints whose block i this rank owns; all points of a joint are with its owner.
-std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state) {
+std::vector<JointRow> rows_here(const PlaneModel& model, const AdaptiveStep& step, const ContactState& state) {
   const auto& points = model.points();
   const auto gap = step.stone_gaps(state);
   std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
@@ -57,7 +58,7 @@ std::vector<JointRow> rows_here(const Model<2>& model, const AdaptiveStep<2>& st
 }
 
 /// Rows of all ranks by blocks; nothing is said of joints that carry next to nothing.
-std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state) {
+std::vector<JointRow> all_rows(const PlaneModel& model, const AdaptiveStep& step, const ContactState& state) {
   auto rows = all_gather(rows_here(model, step, state), *model.structure().comm());
   std::sort(rows.begin(), rows.end(), [](const JointRow& a, const JointRow& b) {
     return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.block_i, b.block_j);
@@ -80,7 +81,7 @@ std::vector<JointRow> all_rows(const Model<2>& model, const AdaptiveStep<2>& ste
 
 }  // namespace
 
-StaticsSummary write_statics(const Model<2>& model, const AdaptiveStep<2>& step, const ContactState& state,
+StaticsSummary write_statics(const PlaneModel& model, const AdaptiveStep& step, const ContactState& state,
                              const std::vector<double>& load, const std::string& folder) {
   expect_state(model, state);
   const auto rows = all_rows(model, step, state);

@@ -7,6 +7,7 @@
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 namespace {
@@ -34,7 +35,7 @@ struct BlockMotion {
   double right, up, turning;
 };
 
-std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<double>& motion, double least) {
+std::vector<MovingJoint> moving_joints(const PlaneModel& model, const std::vector<double>& motion, double least) {
   struct Extremes {
     double narrowest = INFINITY, widest = -INFINITY, slip = 0;
     bool dilates = false;  ///< opens by friction times slip where it opens least, by the flow rule of limit analysis
@@ -63,7 +64,7 @@ std::vector<MovingJoint> moving_joints(const Model<2>& model, const std::vector<
   return moving;
 }
 
-std::vector<BlockMotion> block_motions(const Model<2>& model, const std::vector<double>& motion, double least) {
+std::vector<BlockMotion> block_motions(const PlaneModel& model, const std::vector<double>& motion, double least) {
   const auto& s = model.structure();
   std::vector<BlockMotion> moving;
   for (int b = 0; b < s.owned_blocks(); ++b) {
@@ -97,7 +98,7 @@ std::string of_slip_that_dilates(bool dilates) {
                  : "";
 }
 
-MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>& motion) {
+MechanismSummary largest_mover(const PlaneModel& model, const std::vector<double>& motion) {
   const auto& s = model.structure();
   double size = -1;
   int block = -1;
@@ -110,7 +111,7 @@ MechanismSummary largest_mover(const Model<2>& model, const std::vector<double>&
   return {found, model.source().block(found).name, largest, false};
 }
 
-std::string mechanism_in_words(const Model<2>& model, const std::vector<double>& motion) {
+std::string mechanism_in_words(const PlaneModel& model, const std::vector<double>& motion) {
   const auto& comm = *model.structure().comm();
   const auto most = largest_mover(model, motion);
   const double least = noticeable * most.largest_displacement;

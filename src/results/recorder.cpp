@@ -12,6 +12,7 @@
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/phase.hpp"
+#include "model/plane/plane_model.hpp"
 #include "results/step_warnings.hpp"
 
 namespace voussoir {
@@ -39,7 +40,7 @@ double tangential(const PointField& f, int k, int dim) {
 }  // namespace
 
 template <int dim>
-Recorder<dim>::Recorder(const Scene& scene, const Model<dim>& model, const AdaptiveStep<dim>& step,
+Recorder<dim>::Recorder(const Scene& scene, const PlaneModel& model, const AdaptiveStep& step,
                         const std::string& folder, const Record& so_far)
     : model_(model), step_(step), observations_(scene, model.source(), model.structure()), record_(so_far) {
   Phase phase("output");

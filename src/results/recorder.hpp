@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "dynamics/energy_book.hpp"
+#include "model/plane/plane_model.hpp"
 #include "model/step_counts.hpp"
 #include "output/fields_file.hpp"
 #include "output/history.hpp"
@@ -34,8 +35,7 @@ class Recorder {
  public:
   /// Writes mesh and joints to folder/fields.h5, unless the scene wants no fields. Collective, like all its functions.
   /// @param so_far  of an earlier run to go on with: its files are cut behind the steps recorded here
-  Recorder(const Scene&, const Model<dim>&, const AdaptiveStep<dim>&, const std::string& folder,
-           const Record& so_far = {});
+  Recorder(const Scene&, const PlaneModel&, const AdaptiveStep&, const std::string& folder, const Record& so_far = {});
 
   /// Books and writes a load step that was solved.
   /// @param book  opened before it was;  @param after, load  state and nodal loads [N] at its end
@@ -84,8 +84,8 @@ class Recorder {
   void finish(const ContactState& after, const StepReport&, const std::string& stage, double load_factor,
               std::optional<double> time, const std::vector<double>& reaction, bool write_fields, double seconds);
 
-  const Model<dim>& model_;
-  const AdaptiveStep<dim>& step_;
+  const PlaneModel& model_;
+  const AdaptiveStep& step_;
   Observations<dim> observations_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;

@@ -3,14 +3,14 @@
 
 #include "mesh/partition_quality.hpp"
 #include "model/contact_problem.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 
 /// Of the blocks, as the partition weighs them: unknowns.
-PartitionQuality partition_quality(const Model<2>&);
+PartitionQuality partition_quality(const PlaneModel&);
 
 /// [-] Selected points of a rank, the most over the mean. Collective.
-double imbalance_of_selected(const Model<2>&, const ContactState&);
+double imbalance_of_selected(const PlaneModel&, const ContactState&);
 
 }  // namespace voussoir

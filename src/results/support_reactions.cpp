@@ -10,6 +10,7 @@
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
 #include "model/handed_over.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 namespace {
@@ -54,7 +55,7 @@ std::vector<std::vector<HeldNode>> held_nodes(const std::vector<Named<SupportPar
   return held;
 }
 
-std::map<std::string, ReactionSummary> support_reactions(const Model<2>& model, const std::vector<double>& residual) {
+std::map<std::string, ReactionSummary> support_reactions(const PlaneModel& model, const std::vector<double>& residual) {
   VOUSSOIR_EXPECT(is_of_nodes(model, residual) && "residual: of node copies");
   const auto& s = model.structure();
   const auto& supports = model.supports();

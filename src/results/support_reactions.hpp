@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/result_json.hpp"
 
 namespace voussoir {
@@ -25,6 +25,6 @@ std::vector<std::vector<HeldNode>> held_nodes(const std::vector<Named<SupportPar
 /// A force belongs, component by component, to the support that holds the component. Where two hold the same one of a
 /// node they bear it in the proportion of their edges there, in whichever order the scene names them. Collective.
 /// @param residual  [N] on node copies, what is left of equilibrium without supports
-std::map<std::string, ReactionSummary> support_reactions(const Model<2>&, const std::vector<double>& residual);
+std::map<std::string, ReactionSummary> support_reactions(const PlaneModel&, const std::vector<double>& residual);
 
 }  // namespace voussoir

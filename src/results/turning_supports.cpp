@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "model/handed_over.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 namespace {
@@ -54,7 +55,7 @@ struct HeldPart {
 }  // namespace
 
 template <int dim>
-double beyond_the_chord(const Model<dim>& model, const ContactState& before, const ContactState& after,
+double beyond_the_chord(const PlaneModel& model, const ContactState& before, const ContactState& after,
                         const std::vector<double>& reaction_before, const std::vector<double>& reaction) {
   VOUSSOIR_EXPECT(is_of_nodes(model, reaction_before) && is_of_nodes(model, reaction) && "reactions: of node copies");
   if (model.settings().rotations == Rotations::small) return 0;
@@ -78,7 +79,7 @@ double beyond_the_chord(const Model<dim>& model, const ContactState& before, con
   return work;
 }
 
-template double beyond_the_chord<2>(const Model<2>&, const ContactState&, const ContactState&,
+template double beyond_the_chord<2>(const PlaneModel&, const ContactState&, const ContactState&,
                                     const std::vector<double>&, const std::vector<double>&);
 
 }  // namespace voussoir

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "range/range_check.hpp"
 #include "scene/scene.hpp"
 
@@ -13,7 +14,7 @@ namespace voussoir {
 namespace {
 
 /// The largest motion of a support between two sets of load factors at a time [m]. Collective.
-double jump_of_supports(const Model<2>& model, const std::map<std::string, double>& from,
+double jump_of_supports(const PlaneModel& model, const std::map<std::string, double>& from,
                         const std::map<std::string, double>& to, double time) {
   std::vector<double> unused, before, after;
   model.loads(from, time, unused, before);
@@ -25,18 +26,18 @@ double jump_of_supports(const Model<2>& model, const std::map<std::string, doubl
 
 }  // namespace
 
-void look_ahead(StepControl& control, const Model<2>& model, const LoadSteps& steps) {
+void look_ahead(StepControl& control, const PlaneModel& model, const LoadSteps& steps) {
   const auto acting = steps.acting();
   const double begun = steps.time(0), duration = steps.stage_parameters().duration;
   control.look_ahead(steps.reached() * duration, [&](double from, double to) {
-    return model.loads().resolution(acting, begun + from, begun + to).time;
+    return model.loads_at_work().resolution(acting, begun + from, begun + to).time;
   });
 }
 
-Warnings warnings_of_time_step(const Model<2>& model, const LoadSteps& steps) {
+Warnings warnings_of_time_step(const PlaneModel& model, const LoadSteps& steps) {
   const auto& stage = steps.stage_parameters();
   if (stage.time_step == 0) return {};
-  const auto shortest = model.loads().resolution(steps.acting(), steps.time(0), steps.time(1));
+  const auto shortest = model.loads_at_work().resolution(steps.acting(), steps.time(0), steps.time(1));
   const double interval = 2 * shortest.time;  // two steps see it
   constexpr double round_off = 1e-6;
   if (stage.time_step <= interval * (1 + round_off)) return {};
@@ -48,7 +49,7 @@ Warnings warnings_of_time_step(const Model<2>& model, const LoadSteps& steps) {
                "let the program choose"}};
 }
 
-void refuse_jumps_of_supports(const Scene& scene, const Model<2>& model) {
+void refuse_jumps_of_supports(const Scene& scene, const PlaneModel& model) {
   std::map<std::string, double> factors;
   double time = 0;
   for (const auto& stage : scene.stages) {
@@ -64,7 +65,7 @@ void refuse_jumps_of_supports(const Scene& scene, const Model<2>& model) {
     for (const auto& load : scene.loads) {
       const auto* settlement = load_as<SettlementParameters>(load);
       const bool acts = factors[load.name] != 0 || (before.count(load.name) > 0 && before.at(load.name) != 0);
-      if (stage.dynamic() && settlement && acts && model.loads().jumps(load.name, time, time + stage.duration))
+      if (stage.dynamic() && settlement && acts && model.loads_at_work().jumps(load.name, time, time + stage.duration))
         throw InputError(scene.file + ": scene > loads > " + load.name + " > time function\n  jumps in stage " +
                          in_quotes(stage.name) + ", and would move support " + in_quotes(settlement->support) +
                          " in no time" + why + "Give a sine that begins and ends at 0, or a table.");

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "model/construction.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
 #include "results/mechanism_words.hpp"
 #include "results/recorder.hpp"
@@ -48,14 +49,14 @@ std::string words_of_share(const RigidSummary& rigid, bool rows) {
 class LimitRun {
  public:
   /// @param scene  as the user wrote it
-  LimitRun(const Scene& scene, Model<2>& model, const std::string& folder, std::ostream& say)
+  LimitRun(const Scene& scene, PlaneModel& model, const std::string& folder, std::ostream& say)
       : model_(model), scene_(scene), say_(say), step_(model), recorder_(scene, model, step_, folder) {}
 
   RunSummary answer() {
     const auto stages = static_stages(scene_);
     std::vector<char> absent;
     if (!scene_.construction.empty() && stages > 0) {
-      Construction<2> construction(scene_, model_);
+      Construction construction(scene_, model_);
       auto state = step_.initial_state();
       construction.begin(scene_.stages[stages - 1].name, model_, state);
       absent = construction.absent();
@@ -159,10 +160,10 @@ class LimitRun {
     summary.message += "; " + mechanism_in_words(model_, mechanism) + of_slip_that_dilates(answer.dilates);
   }
 
-  Model<2>& model_;
+  PlaneModel& model_;
   const Scene& scene_;
   std::ostream& say_;
-  AdaptiveStep<2> step_;
+  AdaptiveStep step_;
   Recorder<2> recorder_;
 };
 
@@ -172,7 +173,7 @@ RunSummary limit_run(const Scene& scene, const BlockSource<2>& source, const std
                      const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
   Teuchos::Time clock("limit analysis", true);
   const auto unsolved = without_load_steps(scene);
-  Model<2> model(unsolved, source, comm);
+  PlaneModel model(unsolved, source, comm);
   auto summary = LimitRun(scene, model, folder, say).answer();
   summary.scene = scene.file;
   summary.seconds["total"] = clock.totalElapsedTime(true);

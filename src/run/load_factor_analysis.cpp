@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "results/mechanism_words.hpp"
 #include "results/step_warnings.hpp"
 #include "run/settling_in_time.hpp"
@@ -27,7 +28,7 @@ constexpr double small_displacements = 0.01;
 constexpr double believable_overlap = 1e-3;
 
 /// How far stones that press on each other would move into each other, relative to the largest motion of a mechanism.
-double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const Model<2>& model) {
+double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const PlaneModel& model) {
   std::vector<double> motion;
   relative_motions(model.points(), mechanism, motion);
   double overlap = 0;
@@ -174,7 +175,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
     tell(run, warnings_of(report, run.model.settings(), end.when));
-    run.recorder.set_free_strain(run.model.loads().free_strain(factors, time));
+    run.recorder.set_free_strain(run.model.loads_at_work().free_strain(factors, time));
     const double jumps = summary.energy.jump;
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
     tell(run, lost_in_jump(summary.energy.jump - jumps, summary.energy, end.when));

@@ -14,6 +14,7 @@
 #include "dynamics/factor_search.hpp"
 #include "dynamics/load_steps.hpp"
 #include "model/construction.hpp"
+#include "model/plane/plane_model.hpp"
 #include "range/range_check.hpp"
 #include "results/narrator.hpp"
 #include "results/recorder.hpp"
@@ -23,9 +24,9 @@ namespace voussoir {
 
 /// The parts of a run that an attempt works with.
 struct Attempting {
-  Model<2>& model;
-  AdaptiveStep<2>& step;
-  const Construction<2>& construction;
+  PlaneModel& model;
+  AdaptiveStep& step;
+  const Construction& construction;
   const LoadSteps& steps;     ///< all stages of which have been passed
   ContactState& state;        ///< the last equilibrium
   std::vector<double>& load;  ///< [N] its nodal loads

@@ -12,6 +12,7 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir {
 namespace {
@@ -54,7 +55,7 @@ StoneRow stone_of(const Structure<2>& s, int b, const RigidTask& task) {
   return row;
 }
 
-std::vector<SupportRow> supports_of(const Model<2>& model, const std::vector<StoneRow>& stones) {
+std::vector<SupportRow> supports_of(const PlaneModel& model, const std::vector<StoneRow>& stones) {
   const auto& s = model.structure();
   std::vector<SupportRow> rows;
   const auto& names = model.supports();
@@ -83,7 +84,7 @@ std::vector<SupportRow> supports_of(const Model<2>& model, const std::vector<Sto
   return rows;
 }
 
-std::vector<PointRow> points_of(const Model<2>& model, const RigidTask& task) {
+std::vector<PointRow> points_of(const PlaneModel& model, const RigidTask& task) {
   const auto& s = model.structure();
   std::vector<Vector<2>> middle(s.blocks().size());
   for (std::size_t b = 0; b < middle.size(); ++b) middle[b] = stone_of(s, static_cast<int>(b), {}).stone.middle;
@@ -105,7 +106,7 @@ std::vector<PointRow> points_of(const Model<2>& model, const RigidTask& task) {
 
 }  // namespace
 
-RigidLimits::RigidLimits(const Model<2>& model, const RigidTask& task) : model_(model) {
+RigidLimits::RigidLimits(const PlaneModel& model, const RigidTask& task) : model_(model) {
   VOUSSOIR_EXPECT((task.fixed.empty() || is_of_nodes(model, task.fixed)) && "loads that stay: of node copies");
   VOUSSOIR_EXPECT((task.raised.empty() || is_of_nodes(model, task.raised)) && "raised loads: of node copies, or none");
   VOUSSOIR_EXPECT((!task.absent || task.absent->empty() || task.absent->size() == model.structure().blocks().size()) &&
@@ -260,7 +261,7 @@ PointField RigidLimits::on_points(const LimitAnswer& answer) const {
   return force;
 }
 
-std::vector<double> loads_of_pattern(const Model<2>& model, const std::map<std::string, double>& factors,
+std::vector<double> loads_of_pattern(const PlaneModel& model, const std::map<std::string, double>& factors,
                                      const std::map<std::string, double>& pattern, double time) {
   auto raised = factors;
   for (const auto& [load, share] : pattern) raised[load] += share;

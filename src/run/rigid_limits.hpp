@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/contact_state.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "statics/limit_analysis.hpp"
 
@@ -27,7 +27,7 @@ struct RigidTask {
 class RigidLimits {
  public:
   /// Collective.
-  RigidLimits(const Model<2>&, const RigidTask&);
+  RigidLimits(const PlaneModel&, const RigidTask&);
 
   /// As those of LimitAnalysis; the same answers on every rank. Collective. Those of joints are by number of the point
   /// in the whole structure, those of stones by number of the block.
@@ -48,14 +48,14 @@ class RigidLimits {
   template <class Ask>
   LimitAnswer ask_first_rank(const Ask& ask) const;
 
-  const Model<2>& model_;
+  const PlaneModel& model_;
   std::vector<Vector<2>> middle_;                  ///< [m] of all blocks, from the middle of the structure
   std::vector<PointId> ids_;                       ///< of the points of the answers, ascending
   std::unique_ptr<const LimitAnalysis> analysis_;  ///< on the first rank
 };
 
 /// Nodal loads by which a pattern changes per unit of the load factor [N]. Collective.
-std::vector<double> loads_of_pattern(const Model<2>&, const std::map<std::string, double>& factors,
+std::vector<double> loads_of_pattern(const PlaneModel&, const std::map<std::string, double>& factors,
                                      const std::map<std::string, double>& pattern, double time);
 
 }  // namespace voussoir

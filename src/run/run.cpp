@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "model/phase.hpp"
+#include "model/plane/plane_model.hpp"
 #include "range/coarse_joints.hpp"
 #include "range/input_warnings.hpp"
 #include "results/masonry_statics.hpp"
@@ -33,7 +34,7 @@ const ContactState& start_of(bool builds, const ContactState& before, const Cont
 
 }  // namespace
 
-Run::Run(const Scene& scene, Model<2>& model, const RunOptions& options, const BranchedFolder* branched,
+Run::Run(const Scene& scene, PlaneModel& model, const RunOptions& options, const BranchedFolder* branched,
          const Teuchos::Time& clock, std::ostream& say)
     : model_(model),
       output_(scene.output),
@@ -191,7 +192,7 @@ bool Run::load_step(const ContactState& before) {
   for (const auto& w : dropped) warn(w);
   failure_.reset();
   recorder_->remove(construction_.taken(start, state_));
-  recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(), steps_.time()));
+  recorder_->set_free_strain(model_.loads_at_work().free_strain(steps_.factors(), steps_.time()));
   steps_.accept();
   const double jumps = summary.energy.jump;
   recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
@@ -262,7 +263,7 @@ bool Run::time_step(const ContactState& before) {
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
   for (const auto& w : warnings_of(report.step, model_.settings(), at_time(stage, time))) warn(w);
-  recorder_->set_free_strain(model_.loads().free_strain(steps_.factors(target), time));
+  recorder_->set_free_strain(model_.loads_at_work().free_strain(steps_.factors(target), time));
   const double duration = steps_.stage_parameters().duration;
   steps_.accept();
   model_.loads(steps_.last_factors(), time, load_, prescribed);
@@ -279,7 +280,7 @@ bool Run::time_step(const ContactState& before) {
 
 void Run::begin_time() {
   if (!dynamics_) {
-    dynamics_ = std::make_unique<DynamicStep<2>>(model_, step_.progress());
+    dynamics_ = std::make_unique<DynamicStep>(model_, step_.progress());
     recorder_->give(dynamics_->begin(state_, steps_.time() == 0));
   }
   if (control_) return;
@@ -287,7 +288,7 @@ void Run::begin_time() {
   const auto& stage = steps_.stage_parameters();
   const auto& time = model_.settings().time;
   const double courant_time = dynamics_->courant_time();
-  const double longest = std::min(time.largest_courant * courant_time, model_.loads().resolution());
+  const double longest = std::min(time.largest_courant * courant_time, model_.loads_at_work().resolution());
   control_ = std::make_unique<StepControl>(level_, stage.duration, stage.time_step, courant_time, longest,
                                            time.error_tolerance, time.largest_halvings);
 }

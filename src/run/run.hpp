@@ -12,6 +12,7 @@
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
 #include "model/construction.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
 #include "range/range_check.hpp"
 #include "results/narrator.hpp"
@@ -30,7 +31,7 @@ class Run {
  public:
   /// @param clock  of the whole run
   /// @param branched  the folder to go on from, where that is another
-  Run(const Scene& scene, Model<2>& model, const RunOptions& options, const BranchedFolder* branched,
+  Run(const Scene& scene, PlaneModel& model, const RunOptions& options, const BranchedFolder* branched,
       const Teuchos::Time& clock, std::ostream& say);
 
   const RunSummary& summary() const { return recorder_->summary(); }
@@ -109,18 +110,18 @@ class Run {
 
   void restore(Record& so_far);
 
-  Model<2>& model_;
+  PlaneModel& model_;
   const OutputParameters output_;
   const Teuchos::Time& clock_;
   std::ostream& say_;
-  AdaptiveStep<2> step_;
+  AdaptiveStep step_;
   Progress& progress_;
   LoadSteps steps_;
-  std::unique_ptr<DynamicStep<2>> dynamics_;  ///< in stages with a duration
-  std::unique_ptr<StepControl> control_;      ///< of the stage
+  std::unique_ptr<DynamicStep> dynamics_;  ///< in stages with a duration
+  std::unique_ptr<StepControl> control_;   ///< of the stage
   TimeStepLevel level_;
   ContactState state_;
-  Construction<2> construction_;
+  Construction construction_;
   StaticTheorem theorem_;
   bool signalled_ = false;            ///< within a step, which is given up
   Progress::Question refuse_, stop_;  ///< what no forces can bear is not tried; a signal ends a step

@@ -18,6 +18,7 @@
 #include "model/carried_points.hpp"
 #include "model/handed_over.hpp"
 #include "model/phase.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/checkpoint.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
@@ -65,7 +66,7 @@ long long cells_digest(const Structure<dim>& s) {
 }
 
 /// Of the stones and edges in the sets of that name.
-long long sets_digest(const Model<dim>& model, const SetsAtWork& sets) {
+long long sets_digest(const PlaneModel& model, const SetsAtWork& sets) {
   const auto& s = model.structure();
   const auto add = [](const std::string& name, std::uint64_t start) { return digest(name.data(), name.size(), start); };
   std::uint64_t sum = 0;
@@ -115,7 +116,7 @@ struct PlaceRows {
 
 /// Where a checkpoint has the points. One that is restored is known by its place, and has no row if it was not there.
 /// Collective.
-LocalRows point_rows(Checkpoint& checkpoint, const Model<dim>& model) {
+LocalRows point_rows(Checkpoint& checkpoint, const PlaneModel& model) {
   const auto& points = model.points();
   LocalRows rows{{}, points.owned(), points.total()};
   for (const auto& p : points.points()) rows.ids.push_back(p.id);
@@ -134,7 +135,7 @@ LocalRows point_rows(Checkpoint& checkpoint, const Model<dim>& model) {
   return rows;
 }
 
-void keep_state(Checkpoint& checkpoint, const Model<dim>& model, const RunState& run) {
+void keep_state(Checkpoint& checkpoint, const PlaneModel& model, const RunState& run) {
   run.steps.keep(checkpoint);
   run.time_step.keep(checkpoint);
   run.record.keep(checkpoint);
@@ -258,7 +259,7 @@ std::string content_of(const std::string& file, const Teuchos::Comm<int>& comm) 
 }
 
 /// What must be the same before and after: the structure. Throws InputError on all ranks.
-void check_identity(Checkpoint& checkpoint, const Model<dim>& model, const std::string& path) {
+void check_identity(Checkpoint& checkpoint, const PlaneModel& model, const std::string& path) {
   const auto same = [&](const std::string& name, long long here, const std::string& what) {
     long long saved = here;
     checkpoint.value(name, saved);
@@ -286,7 +287,7 @@ std::string words_of(const RunState& run, const std::vector<std::string>& change
   return text.str();
 }
 
-SavedRun::SavedRun(const Scene& scene, const Model<2>& model, const std::string& folder, const std::string& from)
+SavedRun::SavedRun(const Scene& scene, const PlaneModel& model, const std::string& folder, const std::string& from)
     : scene_(scene),
       model_(model),
       path_(folder + "/" + checkpoint_file),

@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
+#include "model/plane/plane_model.hpp"
 #include "step/finite_rotations.hpp"
 #include "time/dynamic_step.hpp"
 
@@ -48,8 +49,7 @@ double largest_motion(const Structure<2>& s, const std::vector<double>& a, const
 }
 
 /// A load step from where the structure has come to rest. Says whether that is an equilibrium, or all is given up.
-bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increment, int most_solves,
-             Settled& settled) {
+bool confirm(PlaneModel& model, AdaptiveStep& step, const LoadIncrement& increment, int most_solves, Settled& settled) {
   auto state = settled.state;
   untie_what_moved(model, state);
   state.velocity.clear();
@@ -74,7 +74,7 @@ bool confirm(Model<2>& model, AdaptiveStep<2>& step, const LoadIncrement& increm
 }
 
 /// One step of the motion; without an equilibrium where it was given up.
-TimeStepReport take_step(DynamicStep<2>& dynamics, ContactState& state, const StepInput& input, int most_solves,
+TimeStepReport take_step(DynamicStep& dynamics, ContactState& state, const StepInput& input, int most_solves,
                          Settled& settled) {
   const SolveBudget budget(dynamics, most_solves - settled.solves);
   auto report = advance(dynamics, state, input);
@@ -90,7 +90,7 @@ TimeStepReport take_step(DynamicStep<2>& dynamics, ContactState& state, const St
 
 }  // namespace
 
-bool can_settle_in_time(const Model<2>& model) {
+bool can_settle_in_time(const PlaneModel& model) {
   double lightest = INFINITY;
   for (const auto& block : model.structure().blocks()) lightest = std::min(lightest, block.material.density);
   const bool heavy = largest_over_ranks(*model.structure().comm(), -lightest) < 0;
@@ -98,7 +98,7 @@ bool can_settle_in_time(const Model<2>& model) {
          model.settings().selection.mode != SelectionMode::bonded;
 }
 
-Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactState& equilibrium,
+Settled settle_in_time(PlaneModel& model, AdaptiveStep& step, const ContactState& equilibrium,
                        const LoadIncrement& increment, int most_solves) {
   expect_state(model, equilibrium);
   VOUSSOIR_EXPECT(is_of_nodes(model, increment.load_before) && is_of_nodes(model, increment.load) &&
@@ -109,7 +109,7 @@ Settled settle_in_time(Model<2>& model, AdaptiveStep<2>& step, const ContactStat
   settled.state = equilibrium;
   settled.state.velocity.clear();
   auto& state = settled.state;
-  DynamicStep<2> dynamics(model, step.progress());
+  DynamicStep dynamics(model, step.progress());
   const double crossing = dynamics.crossing_time(), period = passages_in_period * crossing;
   dynamics.set_stiffness_damping(period / pi);  // critical at that period
   dynamics.begin(state, false);

@@ -3,6 +3,7 @@
 #include <Teuchos_Time.hpp>
 #include <optional>
 
+#include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
 #include "range/input_warnings.hpp"
 #include "results/effect_costs.hpp"
@@ -29,16 +30,16 @@ std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& o
   return RunSummary{};
 }
 
-void say_sizes(const Model<2>& model, std::ostream& say) {
+void say_sizes(const PlaneModel& model, std::ostream& say) {
   const int ranks = model.structure().comm()->getSize();
   say << model.source().block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on " << ranks
       << (ranks == 1 ? " rank\n" : " ranks\n");
-  for (const auto& remark : model.loads().remarks()) say << remark << "\n";
+  for (const auto& remark : model.loads_at_work().remarks()) say << remark << "\n";
 }
 
 /// All steps, then what is told at the end of a run that was not interrupted.
-RunSummary run_to_the_end(Run& run, const Scene& scene, const Model<2>& model, const std::string& folder) {
+RunSummary run_to_the_end(Run& run, const Scene& scene, const PlaneModel& model, const std::string& folder) {
   if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
   run.write_joints(folder);
   auto summary = run.result();
@@ -67,7 +68,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   const bool goes_on = options.restart || branched;
   if (!goes_on) write_scene_file(scene, options.folder, *comm);
   if (options.limit_analysis) return limit_run(scene, *source, options.folder, comm, say);
-  Model<2> model(scene, *source, comm);
+  PlaneModel model(scene, *source, comm);
   say_sizes(model, say);
   Run run(scene, model, options, branched ? &*branched : nullptr, clock, say);
   if (run.nothing_left()) {

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
+#include "model/plane/plane_model.hpp"
 #include "step/release.hpp"
 
 namespace voussoir {
@@ -31,11 +32,11 @@ constexpr double shares_along[] = {0.01, 0.1};
 // Of the way from the loads before, what is none: what the theorem answers is exact to 1e-7.
 constexpr double nothing_borne = 1e-6;
 
-bool follows(const Model<2>& model) { return model.settings().rotations == Rotations::finite; }
+bool follows(const PlaneModel& model) { return model.settings().rotations == Rotations::finite; }
 
 }  // namespace
 
-bool theorem_applies(const Model<2>& model) {
+bool theorem_applies(const PlaneModel& model) {
   return model.settings().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
          model.source().block_count() <= most_stones;
 }
@@ -67,7 +68,7 @@ GoOn StaticTheorem::after_solve() {
   return !asked_ && ++solves_here_ >= enough && refuses() ? GoOn::no : GoOn::yes;
 }
 
-StepReport StaticTheorem::solve(AdaptiveStep<2>& step, Model<2>& model, ContactState& state,
+StepReport StaticTheorem::solve(AdaptiveStep& step, PlaneModel& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
   VOUSSOIR_EXPECT(state_ && load_ && "a step has begun");
   const bool asks_first = follows(model_) && model_.source().block_count() <= most_stones_at_ends;
@@ -127,7 +128,7 @@ bool StaticTheorem::refuses() {
   return true;
 }
 
-std::string StaticTheorem::reason(Model<2>& model, const ContactState& from) const {
+std::string StaticTheorem::reason(PlaneModel& model, const ContactState& from) const {
   constexpr auto theorem = " (rigid limit analysis)";
   const auto share = six_digits(100 * refusal_->share) + " % of the way here from the loads before can be borne";
   if (!follows(model_))
@@ -142,7 +143,7 @@ std::string StaticTheorem::reason(Model<2>& model, const ContactState& from) con
 }
 
 /// Whether stones that move on come to where forces balance the loads. Leaves the model there.
-std::string StaticTheorem::along_the_mechanism(Model<2>& model, const ContactState& from) const {
+std::string StaticTheorem::along_the_mechanism(PlaneModel& model, const ContactState& from) const {
   std::string at;
   for (const double share : shares_along) {
     auto there = from.displacement;

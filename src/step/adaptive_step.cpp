@@ -9,12 +9,11 @@
 
 namespace voussoir {
 
-template <int dim>
-AdaptiveStep<dim>::AdaptiveStep(const Model<dim>& model, std::shared_ptr<Progress> progress)
+AdaptiveStep::AdaptiveStep(const Model& model, std::shared_ptr<Progress> progress)
     : model_(model), progress_(std::move(progress)), tools_(model) {}
 
-template <int dim>
-ContactState AdaptiveStep<dim>::initial_state() const {
+ContactState AdaptiveStep::initial_state() const {
+  const int dim = model_.components();
   ContactState state;
   const int points = model_.points().size();
   state.displacement.assign(static_cast<std::size_t>(dim) * model_.structure().nodes(), 0.0);
@@ -39,8 +38,8 @@ ContactState AdaptiveStep<dim>::initial_state() const {
   return state;
 }
 
-template <int dim>
-std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const std::vector<double>& load) const {
+std::vector<double> AdaptiveStep::residual(const ContactState& state, const std::vector<double>& load) const {
+  const int dim = model_.components();
   VOUSSOIR_EXPECT(is_of_nodes(model_, load) && "load: of node copies");
   VOUSSOIR_EXPECT(is_of_points(model_, state.lambda) && "lambda: of points");
   auto r = borne_by_joints(model_.structure(), state.displacement, load);
@@ -51,16 +50,15 @@ std::vector<double> AdaptiveStep<dim>::residual(const ContactState& state, const
   return r;
 }
 
-template <int dim>
-StepReport AdaptiveStep<dim>::find_equilibrium(ContactState& state, const StepInput& input) {
-  SelectionLoop<dim> loop(tools_, state, input, *progress_);
+StepReport AdaptiveStep::find_equilibrium(ContactState& state, const StepInput& input) {
+  SelectionLoop loop(tools_, state, input, *progress_);
   auto report = loop.run();
   if (!loop.mechanism().empty()) mechanism_ = loop.mechanism();
   return report;
 }
 
-template <int dim>
-StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& input) {
+StepResult AdaptiveStep::take(const ContactState& before, const StepInput& input) {
+  const int dim = model_.components();
   expect_state(model_, before);
   expect_input(model_, input);
   StepResult result{before, {}};
@@ -75,7 +73,5 @@ StepResult AdaptiveStep<dim>::take(const ContactState& before, const StepInput& 
     for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
   return result;
 }
-
-template class AdaptiveStep<2>;
 
 }  // namespace voussoir

@@ -7,10 +7,9 @@
 
 namespace voussoir {
 
-template <int dim>
 class AdaptiveStep {
  public:
-  explicit AdaptiveStep(const Model<dim>&, std::shared_ptr<Progress> = std::make_shared<Progress>());
+  explicit AdaptiveStep(const Model&, std::shared_ptr<Progress> = std::make_shared<Progress>());
 
   /// What happens within its steps.
   const std::shared_ptr<Progress>& progress() const { return progress_; }
@@ -33,12 +32,10 @@ class AdaptiveStep {
  private:
   StepReport find_equilibrium(ContactState&, const StepInput&);
 
-  const Model<dim>& model_;
+  const Model& model_;
   std::shared_ptr<Progress> progress_;
-  SelectionTools<dim> tools_;
+  SelectionTools tools_;
   std::vector<double> mechanism_;
 };
-
-extern template class AdaptiveStep<2>;
 
 }  // namespace voussoir

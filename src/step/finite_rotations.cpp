@@ -5,9 +5,8 @@
 
 namespace voussoir {
 
-template <int dim>
-StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactState& state,
-                           const std::vector<double>& load, const std::vector<double>& prescribed) {
+StepReport solve_load_step(Model& model, AdaptiveStep& step, ContactState& state, const std::vector<double>& load,
+                           const std::vector<double>& prescribed) {
   VOUSSOIR_EXPECT(load.size() == state.displacement.size() && "load: of node copies");
   VOUSSOIR_EXPECT(prescribed.size() == state.displacement.size() && "prescribed displacement: of node copies");
   if (model.settings().rotations == Rotations::small) return advance(step, state, {load, prescribed});
@@ -35,8 +34,5 @@ StepReport solve_load_step(Model<dim>& model, AdaptiveStep<dim>& step, ContactSt
   model.follow(start);
   return report;
 }
-
-template StepReport solve_load_step<2>(Model<2>&, AdaptiveStep<2>&, ContactState&, const std::vector<double>&,
-                                       const std::vector<double>&);
 
 }  // namespace voussoir

@@ -10,17 +10,12 @@ namespace voussoir {
 
 /// Moves a state by one load step of a model, as AdaptiveStep takes it, with small or finite rotations as the scene
 /// asks. Without an equilibrium the stones are back where the state before has them. Collective.
-template <int dim>
-StepReport solve_load_step(Model<dim>&, AdaptiveStep<dim>&, ContactState&, const std::vector<double>& load,
+StepReport solve_load_step(Model&, AdaptiveStep&, ContactState&, const std::vector<double>& load,
                            const std::vector<double>& prescribed);
 
 /// Puts the stones of a model that has followed a step back to where a state has them. Collective.
-template <int dim>
-void go_back(Model<dim>& model, const ContactState& state) {
+inline void go_back(Model& model, const ContactState& state) {
   if (model.settings().rotations == Rotations::finite) model.follow(state.displacement);
 }
-
-extern template StepReport solve_load_step<2>(Model<2>&, AdaptiveStep<2>&, ContactState&, const std::vector<double>&,
-                                              const std::vector<double>&);
 
 }  // namespace voussoir

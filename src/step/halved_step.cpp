@@ -27,7 +27,7 @@ bool is_multiple(const Teuchos::Comm<int>& comm, const std::vector<double>& one,
 }
 
 /// Multiples of a solution from rest are solutions, as long as stones stand where they stood.
-bool is_homogeneous(const Model<2>& model, const ContactState& before, bool at_the_start) {
+bool is_homogeneous(const Model& model, const ContactState& before, bool at_the_start) {
   const bool opens = largest_of(model.initial_gap()) > 0;
   const double moved = std::max(largest_of(before.displacement), largest_of(before.lambda));
   const bool mine = opens || model.weakens() || moved > 0;
@@ -36,7 +36,7 @@ bool is_homogeneous(const Model<2>& model, const ContactState& before, bool at_t
 
 }  // namespace
 
-bool half_asks_the_same(const Model<2>& model, const Construction<2>& construction, const LoadSteps& steps,
+bool half_asks_the_same(const Model& model, const Construction& construction, const LoadSteps& steps,
                         const ContactState& before, const std::vector<double>& load,
                         const std::vector<double>& prescribed, bool at_the_start) {
   VOUSSOIR_EXPECT(!steps.finished() && "a step of a stage has failed");

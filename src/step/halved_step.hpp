@@ -17,7 +17,7 @@ namespace voussoir {
 /// Collective.
 /// @param load, prescribed  of the step that failed [N], [m]
 /// @param at_the_start      it failed with stones where they stood at its start, as always with small rotations
-bool half_asks_the_same(const Model<2>&, const Construction<2>&, const LoadSteps&, const ContactState& before,
+bool half_asks_the_same(const Model&, const Construction&, const LoadSteps&, const ContactState& before,
                         const std::vector<double>& load, const std::vector<double>& prescribed, bool at_the_start);
 
 }  // namespace voussoir

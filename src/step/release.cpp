@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "linalg/reduce.hpp"
 #include "selection/marking.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 /// Brings the forces of selected points to the nearest admissible ones.
 template <int dim>
-void admit(const PointLaws& law, ContactState& state) {
+void admit_in(const PointLaws& law, ContactState& state) {
   for (std::size_t k = 0; k < law.size(); ++k) {
     if (!state.selected[k]) continue;
     Vector<dim> f;
@@ -21,10 +22,13 @@ void admit(const PointLaws& law, ContactState& state) {
   }
 }
 
+void admit(const Model& model, const PointLaws& law, ContactState& state) {
+  with_components(model.components(), [&](auto dim) { admit_in<dim>(law, state); });
+}
+
 }  // namespace
 
-template <int dim>
-long long release(const Model<dim>& model, const PointLaws& law, const std::vector<int>& cluster,
+long long release(const Model& model, const PointLaws& law, const std::vector<int>& cluster,
                   const std::vector<double>& eta, ContactState& state) {
   VOUSSOIR_EXPECT(eta.size() == static_cast<std::size_t>(model.points().owned()) && "decreases: per owned point");
   VOUSSOIR_EXPECT(cluster.size() == static_cast<std::size_t>(model.structure().nodes()) && "cluster: per node copy");
@@ -57,33 +61,31 @@ long long release(const Model<dim>& model, const PointLaws& law, const std::vect
   std::vector<double> selected(state.selected.begin(), state.selected.end());
   points.exchange().update(selected, 1);
   for (int k = 0; k < points.size(); ++k) state.selected[k] = selected[k] != 0;
-  admit<dim>(law, state);
+  admit(model, law, state);
   return total_over_ranks(comm, released);
 }
 
-template <int dim>
-bool release_all(const Model<dim>& model, const PointLaws& law, ContactState& state) {
+bool release_all(const Model& model, const PointLaws& law, ContactState& state) {
   const bool more = count_selected(model, state) < model.points().total();
   std::fill(state.selected.begin(), state.selected.end(), 1);
-  admit<dim>(law, state);
+  admit(model, law, state);
   return more;
 }
 
-template <int dim>
-bool release_mortar(const Model<dim>& model, const PointLaws& law, ContactState& state) {
+bool release_mortar(const Model& model, const PointLaws& law, ContactState& state) {
   if (model.softest_mortar() == JointLawParameters::infinity) return false;
   const auto before = count_selected(model, state);
   const auto& mortar = model.compliance();
   for (std::size_t k = 0; k < mortar.size(); ++k)
     if (mortar[k].normal > 0 || mortar[k].tangential > 0) state.selected[k] = 1;
-  admit<dim>(law, state);
+  admit(model, law, state);
   return count_selected(model, state) > before;
 }
 
-template <int dim>
-long long release_blocks(const Model<dim>& model, const PointLaws& law, const std::vector<char>& marked,
+long long release_blocks(const Model& model, const PointLaws& law, const std::vector<char>& marked,
                          ContactState& state) {
-  VOUSSOIR_EXPECT(marked.size() == model.structure().blocks().size() && "marked: per local block");
+  VOUSSOIR_EXPECT(marked.size() == static_cast<std::size_t>(model.structure().local_blocks()) &&
+                  "marked: per local block");
   const auto before = count_selected(model, state);
   std::vector<double> selected(state.selected.begin(), state.selected.end());
   for (int k = 0; k < model.points().owned(); ++k) {
@@ -92,21 +94,13 @@ long long release_blocks(const Model<dim>& model, const PointLaws& law, const st
   }
   model.points().exchange().update(selected, 1);
   for (std::size_t k = 0; k < selected.size(); ++k) state.selected[k] = selected[k] != 0;
-  admit<dim>(law, state);
+  admit(model, law, state);
   return count_selected(model, state) - before;
 }
 
-template <int dim>
-long long count_selected(const Model<dim>& model, const ContactState& state) {
+long long count_selected(const Model& model, const ContactState& state) {
   const auto owned = state.selected.begin() + model.points().owned();
   return total_over_ranks<long long>(*model.structure().comm(), std::count(state.selected.begin(), owned, 1));
 }
-
-template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&, const std::vector<double>&,
-                              ContactState&);
-template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
-template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
-template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&, ContactState&);
-template long long count_selected<2>(const Model<2>&, const ContactState&);
 
 }  // namespace voussoir

@@ -10,33 +10,21 @@ namespace voussoir {
 /// their joints where it says so; their forces become admissible. Collective.
 /// @param cluster  per local node copy; a point is tied when its nodes have the same cluster
 /// @return how many were newly selected
-template <int dim>
-long long release(const Model<dim>&, const PointLaws&, const std::vector<int>& cluster, const std::vector<double>& eta,
+long long release(const Model&, const PointLaws&, const std::vector<int>& cluster, const std::vector<double>& eta,
                   ContactState&);
 
 /// Selects every point, with admissible forces; false when all were selected already. Collective.
-template <int dim>
-bool release_all(const Model<dim>&, const PointLaws&, ContactState&);
+bool release_all(const Model&, const PointLaws&, ContactState&);
 
 /// Selects every point with mortar, for which no bond can stand, with admissible forces; false when there was none to
 /// select. Collective where joints have mortar.
-template <int dim>
-bool release_mortar(const Model<dim>&, const PointLaws&, ContactState&);
+bool release_mortar(const Model&, const PointLaws&, ContactState&);
 
 /// Selects all points of the blocks marked [per local block], with admissible forces; returns how many were newly
 /// selected. Collective.
-template <int dim>
-long long release_blocks(const Model<dim>&, const PointLaws&, const std::vector<char>& marked, ContactState&);
+long long release_blocks(const Model&, const PointLaws&, const std::vector<char>& marked, ContactState&);
 
 /// Selected points of all ranks. Collective.
-template <int dim>
-long long count_selected(const Model<dim>&, const ContactState&);
-
-extern template long long release<2>(const Model<2>&, const PointLaws&, const std::vector<int>&,
-                                     const std::vector<double>&, ContactState&);
-extern template bool release_all<2>(const Model<2>&, const PointLaws&, ContactState&);
-extern template bool release_mortar<2>(const Model<2>&, const PointLaws&, ContactState&);
-extern template long long release_blocks<2>(const Model<2>&, const PointLaws&, const std::vector<char>&, ContactState&);
-extern template long long count_selected<2>(const Model<2>&, const ContactState&);
+long long count_selected(const Model&, const ContactState&);
 
 }  // namespace voussoir

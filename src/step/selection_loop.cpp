@@ -39,8 +39,7 @@ double allowed_error(const ModelSettings& settings, bool in_time) {
 
 }  // namespace
 
-template <int dim>
-std::vector<double> borne_by_joints(const Structure<dim>& structure, const std::vector<double>& displacement,
+std::vector<double> borne_by_joints(const BlockSystem& structure, const std::vector<double>& displacement,
                                     const std::vector<double>& load) {
   VOUSSOIR_EXPECT(load.size() == displacement.size() && "load: of node copies");
   std::vector<double> r;
@@ -49,17 +48,14 @@ std::vector<double> borne_by_joints(const Structure<dim>& structure, const std::
   return r;
 }
 
-template <int dim>
-typename ContactProblem<dim>::Parts SelectionTools<dim>::parts() {
+ContactProblem::Parts SelectionTools::parts() {
   const auto& how = model_.settings();
   return {model_.structure(),      model_.points(),       model_.continuum(), model_.held(), model_.local_stiffness(),
           model_.initial_gap(),    how.preconditioner,    how.internals,      solver_,       model_.compliance(),
           model_.softest_mortar(), how.newton.has_inertia};
 }
 
-template <int dim>
-ContactProblem<dim>& SelectionTools<dim>::problem(const std::vector<char>& selected,
-                                                  const typename ContactProblem<dim>::Asked& asked) {
+ContactProblem& SelectionTools::problem(const std::vector<char>& selected, const ContactProblem::Asked& asked) {
   const bool other = !problem_ || arrangement_ != model_.arrangement() || problem_->selection() != selected;
   // A selection that changed on one rank changed for all.
   if (!any_of_ranks(*model_.structure().comm(), other)) {
@@ -68,13 +64,11 @@ ContactProblem<dim>& SelectionTools<dim>::problem(const std::vector<char>& selec
   }
   problem_.reset();  // its room first
   arrangement_ = model_.arrangement();
-  problem_ = std::make_unique<ContactProblem<dim>>(parts(), selected, asked);
+  problem_ = std::make_unique<ContactProblem>(parts(), selected, asked);
   return *problem_;
 }
 
-template <int dim>
-SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& state, const StepInput& input,
-                                  Progress& progress)
+SelectionLoop::SelectionLoop(SelectionTools& tools, ContactState& state, const StepInput& input, Progress& progress)
     : tools_(tools),
       model_(tools.model()),
       selection_(model_.settings().selection),
@@ -96,8 +90,7 @@ SelectionLoop<dim>::SelectionLoop(SelectionTools<dim>& tools, ContactState& stat
 /// Joints as worn as at the start of the step, in load steps by what the rounds before have come to: the solver gives
 /// that back once it has arrived. A time step looks at its middle: there the mean of a force is met that falls along
 /// it.
-template <int dim>
-SofteningPoints* SelectionLoop<dim>::softening() {
+SofteningPoints* SelectionLoop::softening() {
   if (!model_.weakens()) return nullptr;
   if (softening_ && !in_time()) return &*softening_;
   softening_.emplace(model_.law(), model_.softening(), before_.opened, before_.slipped,
@@ -106,8 +99,7 @@ SofteningPoints* SelectionLoop<dim>::softening() {
 }
 
 /// What they have gone through up to where the solution is.
-template <int dim>
-void SelectionLoop<dim>::keep_wear(const ContactProblem<dim>& problem) {
+void SelectionLoop::keep_wear(const ContactProblem& problem) {
   if (!softening_) return;
   wear_by(problem, state_.lambda, model_.gaps(state_.displacement));
   for (std::size_t k = 0; k < state_.opened.size(); ++k) {
@@ -116,8 +108,7 @@ void SelectionLoop<dim>::keep_wear(const ContactProblem<dim>& problem) {
   }
 }
 
-template <int dim>
-StepReport SelectionLoop<dim>::run() {
+StepReport SelectionLoop::run() {
   for (;; ++report_.selection_rounds) {
     if (!look()) {
       if (!resolve_all()) return report_;
@@ -134,16 +125,14 @@ StepReport SelectionLoop<dim>::run() {
 // ---------------------------------------------------------------------------------------------------------- look
 
 /// Whether the first solution is one to look at only: points may be released, so a rough one tells as much.
-template <int dim>
-bool SelectionLoop<dim>::looks_first() const {
+bool SelectionLoop::looks_first() const {
   if (in_time() || selection_.mode == SelectionMode::bonded || selected_before_ == model_.points().total())
     return false;
   return selected_before_ == 0 || selection_.mode == SelectionMode::adaptive;
 }
 
 /// Equilibrium with the points selected now; false where there is none.
-template <int dim>
-bool SelectionLoop<dim>::look() {
+bool SelectionLoop::look() {
   if (!find_equilibrium(hope_.from_before && selected_before_ > 0 ? &known_gap_ : nullptr)) return false;
   const bool rough = hope_.wanted > tolerance_;
   // Where points are selected already a rough state is looked at no further, unless far more have to let go.
@@ -163,8 +152,7 @@ bool SelectionLoop<dim>::look() {
   return true;
 }
 
-template <int dim>
-NewtonParameters SelectionLoop<dim>::way_of_solving() const {
+NewtonParameters SelectionLoop::way_of_solving() const {
   auto how = model_.settings().newton;
   how.time_follows = !how.has_inertia && model_.settings().any_time;
   if (!all_selected() && selection_.mode == SelectionMode::adaptive)
@@ -174,8 +162,8 @@ NewtonParameters SelectionLoop<dim>::way_of_solving() const {
 
 /// Moves the state to where the selected points obey their law, as accurately as wanted; false when there is no way.
 /// @param known_gap  [m] of the state, where that is an equilibrium under other loads; else null
-template <int dim>
-bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
+bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
+  const int dim = model_.components();
   auto& problem =
       tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
   ContactSolver newton(problem, way_of_solving(), model_.settings().internals.methods, state_.fast_way);
@@ -204,8 +192,8 @@ bool SelectionLoop<dim>::find_equilibrium(const PointField* known_gap) {
 }
 
 /// The forces of tied points. In time ties hold what has moved where it is: their forces go on from what they were.
-template <int dim>
-void SelectionLoop<dim>::recover_ties() {
+void SelectionLoop::recover_ties() {
+  const int dim = model_.components();
   Phase phase("selection");
   const auto& s = model_.structure();
   seen_.borne = borne_by_joints(s, state_.displacement, input_.load);
@@ -219,8 +207,7 @@ void SelectionLoop<dim>::recover_ties() {
 
 /// Joints that were held together may be what left no way: all are resolved before giving up, which is false. A
 /// mechanism in which tied points move alike is one without ties too.
-template <int dim>
-bool SelectionLoop<dim>::resolve_all() {
+bool SelectionLoop::resolve_all() {
   const bool ends = report_.newton.outcome == NewtonOutcome::collapse || report_.newton.stopped;
   if (ends || all_selected() || selection_.mode != SelectionMode::adaptive) return false;
   state_.displacement = displacement_;
@@ -237,32 +224,27 @@ bool SelectionLoop<dim>::resolve_all() {
 // ------------------------------------------------------------------------------------------------------ estimate
 
 /// What errors are relative to [J]; of a time step displacements do not tell it.
-template <int dim>
-double SelectionLoop<dim>::energy() const {
+double SelectionLoop::energy() const {
   if (in_time()) return input_.in_time->energy;
   const auto& s = model_.structure();
   return s.elastic_energy(s.deformation(state_.displacement));
 }
 
 /// Root of decreases, relative to the energy.
-template <int dim>
-double SelectionLoop<dim>::root_of(const std::vector<double>& decrease) const {
+double SelectionLoop::root_of(const std::vector<double>& decrease) const {
   return root_of_decreases(decrease, energy(), numbers_.largest_error, *model_.structure().comm());
 }
 
-template <int dim>
-bool SelectionLoop<dim>::may_release() const {
+bool SelectionLoop::may_release() const {
   return selection_.mode == SelectionMode::adaptive && report_.selection_rounds < selection_.largest_rounds;
 }
 
 /// Whether the scene asks for all points, and a bonded look was only to find where to begin.
-template <int dim>
-bool SelectionLoop<dim>::releases_rest() const {
+bool SelectionLoop::releases_rest() const {
   return selection_.mode == SelectionMode::all && selected_before_ == 0 && report_.selection_rounds == 0;
 }
 
-template <int dim>
-void SelectionLoop<dim>::see_violations() {
+void SelectionLoop::see_violations() {
   seen_.violations = tied_violations(model_, law_, state_, seen_.cluster);
   seen_.decrease = predicted_decrease(seen_.violations, model_.local_stiffness());
   seen_.root = in_time() || may_release() ? root_of(seen_.decrease) : 0.0;
@@ -273,8 +255,7 @@ void SelectionLoop<dim>::see_violations() {
 
 /// Error of the ties. Where the decreases alone tell that it is too large, no system is solved to know it; nor, as time
 /// steps are many, where they tell that it is small.
-template <int dim>
-void SelectionLoop<dim>::estimate() {
+void SelectionLoop::estimate() {
   auto& known = state_.rest.error;
   known.follow(seen_.root);
   const double bound = known.bound(numbers_.error_by_indicator, model_.settings().internals.rest);
@@ -285,12 +266,10 @@ void SelectionLoop<dim>::estimate() {
   progress_.looked(report_.selection_rounds, selected(), told);
 }
 
-template <int dim>
-void SelectionLoop<dim>::solve_for_error() {
+void SelectionLoop::solve_for_error() {
   if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
-  const auto error =
-      tie_error<dim>(tools_.parts(), {law_, state_.slip_origin, input_.load, input_.prescribed, softening()}, state_,
-                     seen_.cluster, seen_.violations);
+  const auto error = tie_error(tools_.parts(), {law_, state_.slip_origin, input_.load, input_.prescribed, softening()},
+                               state_, seen_.cluster, seen_.violations);
   report_.estimate_solves += error.linear_solves;
   report_.newton.krylov_iterations += error.krylov_iterations;
   report_.newton.failed_solves += !error.known;
@@ -306,8 +285,7 @@ void SelectionLoop<dim>::solve_for_error() {
 /// Whether the solution is too rough to go by; then the next round wants a better one. Where forces differ by orders of
 /// magnitude, as from the foot to the top of a tall wall, a rough round may be far from any solution where they are
 /// small. Releasing points lowers the error: one that grows is not believed.
-template <int dim>
-bool SelectionLoop<dim>::too_rough() {
+bool SelectionLoop::too_rough() {
   const bool grown = seen_.large ? seen_.root > hope_.root : report_.error_estimate > hope_.estimate;
   if (grown && hope_.wanted > tolerance_) {
     hope_.wanted = std::max(tolerance_, numbers_.share_of_violation * hope_.wanted);
@@ -321,8 +299,7 @@ bool SelectionLoop<dim>::too_rough() {
 // ------------------------------------------------------------------------------------------------------- release
 
 /// Whether points were released, which takes another round.
-template <int dim>
-bool SelectionLoop<dim>::release() {
+bool SelectionLoop::release() {
   const bool first_look = report_.selection_rounds == 0;
   if ((releases_rest() && release_all(model_, law_, state_)) || (first_look && release_mortar(model_, law_, state_))) {
     hope_.wanted = tolerance_;
@@ -333,8 +310,7 @@ bool SelectionLoop<dim>::release() {
 }
 
 /// The points that hold most of the error, or all where that is most of them.
-template <int dim>
-bool SelectionLoop<dim>::release_what_matters() {
+bool SelectionLoop::release_what_matters() {
   const auto released = voussoir::release(model_, law_, seen_.cluster, seen_.decrease, state_);
   if (released > 0) {
     state_.rest.error = {};
@@ -350,8 +326,7 @@ bool SelectionLoop<dim>::release_what_matters() {
 }
 
 /// Root of the decreases that points not selected yet would bring.
-template <int dim>
-double SelectionLoop<dim>::root_of_rest() const {
+double SelectionLoop::root_of_rest() const {
   auto decrease = seen_.decrease;
   for (std::size_t k = 0; k < decrease.size(); ++k)
     if (state_.selected[k]) decrease[k] = 0;
@@ -360,14 +335,10 @@ double SelectionLoop<dim>::root_of_rest() const {
 
 // -------------------------------------------------------------------------------------------------------- finish
 
-template <int dim>
-long long SelectionLoop<dim>::selected() const {
-  return count_selected(model_, state_);
-}
+long long SelectionLoop::selected() const { return count_selected(model_, state_); }
 
 /// The error asks for no more points. Whether that is all; else another round is to be accurate, or to let stones go.
-template <int dim>
-bool SelectionLoop<dim>::finish() {
+bool SelectionLoop::finish() {
   if (seen_.large) solve_for_error();
   const bool accurate = hope_.wanted <= tolerance_;
   hope_.wanted = tolerance_;
@@ -375,8 +346,7 @@ bool SelectionLoop<dim>::finish() {
 }
 
 /// Releases the stones that nothing but ties balances, where that is allowed; returns how many points that selects.
-template <int dim>
-long long SelectionLoop<dim>::release_loose() {
+long long SelectionLoop::release_loose() {
   report_.tied_share = 0;
   report_.tied_block = -1;
   if (selection_.mode == SelectionMode::bonded || all_selected()) return 0;
@@ -390,10 +360,5 @@ long long SelectionLoop<dim>::release_loose() {
   report_.tied_block = balance.where;
   return 0;
 }
-
-template std::vector<double> borne_by_joints<2>(const Structure<2>&, const std::vector<double>&,
-                                                const std::vector<double>&);
-template class SelectionTools<2>;
-template class SelectionLoop<2>;
 
 }  // namespace voussoir

@@ -20,43 +20,40 @@
 #include "model/step.hpp"
 #include "nonlinear/contact_solver.hpp"
 #include "ties/error_estimate.hpp"
-#include "ties/tie_balance.hpp"
+#include "ties/plane/tie_balance.hpp"
 
 namespace voussoir {
 
 /// K u - f of each block alone [N]: what joints and supports bear.
-template <int dim>
-std::vector<double> borne_by_joints(const Structure<dim>&, const std::vector<double>& displacement,
+std::vector<double> borne_by_joints(const BlockSystem&, const std::vector<double>& displacement,
                                     const std::vector<double>& load);
 
 /// What the steps of a model share.
-template <int dim>
 class SelectionTools {
  public:
-  explicit SelectionTools(const Model<dim>& model) : model_(model), solver_(model.settings().solver), ties_(model) {}
+  explicit SelectionTools(const Model& model) : model_(model), solver_(model.settings().solver), ties_(model) {}
 
-  const Model<dim>& model() const { return model_; }
+  const Model& model() const { return model_; }
   TieCriterion& ties() { return ties_; }
-  typename ContactProblem<dim>::Parts parts();
+  ContactProblem::Parts parts();
   /// The problem of a selection: that of the last one where it is the same, and stones stand where they stood.
   /// Collective.
-  ContactProblem<dim>& problem(const std::vector<char>& selected, const typename ContactProblem<dim>::Asked&);
+  ContactProblem& problem(const std::vector<char>& selected, const ContactProblem::Asked&);
   /// Makes room.
   void forget_problem() { problem_.reset(); }
 
  private:
-  const Model<dim>& model_;
+  const Model& model_;
   LinearSolver solver_;
   TieCriterion ties_;
-  std::unique_ptr<ContactProblem<dim>> problem_;
+  std::unique_ptr<ContactProblem> problem_;
   int arrangement_ = 0;  ///< of the stones, when it was made
 };
 
-template <int dim>
 class SelectionLoop {
  public:
   /// @param state  where the step starts; moved by the loop
-  SelectionLoop(SelectionTools<dim>&, ContactState& state, const StepInput&, Progress&);
+  SelectionLoop(SelectionTools&, ContactState& state, const StepInput&, Progress&);
 
   /// Collective.
   StepReport run();
@@ -85,7 +82,7 @@ class SelectionLoop {
   };
 
   SofteningPoints* softening();
-  void keep_wear(const ContactProblem<dim>&);
+  void keep_wear(const ContactProblem&);
   bool look();
   bool find_equilibrium(const PointField* known_gap);
   void recover_ties();
@@ -110,8 +107,8 @@ class SelectionLoop {
   double root_of_rest() const;
   NewtonParameters way_of_solving() const;
 
-  SelectionTools<dim>& tools_;
-  const Model<dim>& model_;
+  SelectionTools& tools_;
+  const Model& model_;
   const SelectionParameters& selection_;
   const StepParameters& numbers_;
   const StepInput& input_;
@@ -131,10 +128,5 @@ class SelectionLoop {
   StepReport report_;
   std::vector<double> mechanism_;
 };
-
-extern template std::vector<double> borne_by_joints<2>(const Structure<2>&, const std::vector<double>&,
-                                                       const std::vector<double>&);
-extern template class SelectionTools<2>;
-extern template class SelectionLoop<2>;
 
 }  // namespace voussoir

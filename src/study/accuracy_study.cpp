@@ -12,6 +12,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/safe_file.hpp"
 #include "run/simulation.hpp"
 #include "step/adaptive_step.hpp"
@@ -29,8 +30,8 @@ double largest_displacement(const Structure<dim>& structure, const std::vector<d
 }
 
 /// All load steps of the scene, with halving; the state at the end of the last one that was solved.
-ContactState solve(const Scene& scene, const Model<dim>& model, AccuracyRow& row, std::ostream& say) {
-  AdaptiveStep<dim> step(model);
+ContactState solve(const Scene& scene, const PlaneModel& model, AccuracyRow& row, std::ostream& say) {
+  AdaptiveStep step(model);
   LoadSteps steps(scene.stages, scene.load_steps);
   auto state = step.initial_state();
   row.outcome = "equilibrium";
@@ -80,7 +81,7 @@ AccuracyRow AccuracyStudy::run(const Scene& scene, Field* keep, const Field* tru
   row.element_size = element_size(scene);
   Teuchos::Time clock("run", true);
   const auto source = checked_blocks(scene, comm_);
-  const Model<dim> model(scene, *source, comm_);
+  const PlaneModel model(scene, *source, comm_);
   const auto state = solve(scene, model, row, say_);
   row.seconds = largest_over_ranks(*comm_, clock.totalElapsedTime(true));
 

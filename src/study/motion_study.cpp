@@ -8,6 +8,7 @@
 
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/study_table.hpp"
 #include "run/simulation.hpp"
 #include "step/release.hpp"
@@ -38,7 +39,7 @@ nlohmann::ordered_json entry_of(const MotionRow& r) {
 }
 
 /// Of every point a rank owns.
-std::vector<PointStatus> statuses(const Model<2>& model, const ContactState& state) {
+std::vector<PointStatus> statuses(const PlaneModel& model, const ContactState& state) {
   std::vector<PointStatus> status;
   for (int k = 0; k < model.points().owned(); ++k) status.push_back(status_of(state, k));
   return status;
@@ -58,7 +59,7 @@ void MotionStudy::add(const std::string& family, double size, double peak, Scene
   MotionRow bonded;
   for (const auto mode : {SelectionMode::bonded, SelectionMode::adaptive}) {
     scene.selection.mode = mode;
-    const Model<2> model(scene, *source, comm_);
+    const PlaneModel model(scene, *source, comm_);
     MotionRow row;
     row.family = family;
     row.size = size;
@@ -77,9 +78,9 @@ void MotionStudy::add(const std::string& family, double size, double peak, Scene
   write();
 }
 
-void MotionStudy::run(const Scene& scene, const Model<2>& model, MotionRow& row) const {
-  AdaptiveStep<2> at_rest(model);
-  DynamicStep<2> in_time(model);
+void MotionStudy::run(const Scene& scene, const PlaneModel& model, MotionRow& row) const {
+  AdaptiveStep at_rest(model);
+  DynamicStep in_time(model);
   LoadSteps steps(scene.stages, scene.load_steps);
   auto state = at_rest.initial_state();
   row.outcome = "done";

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -43,7 +43,7 @@ class MotionStudy {
   const std::vector<MotionRow>& rows() const { return rows_; }
 
  private:
-  void run(const Scene&, const Model<2>&, MotionRow&) const;
+  void run(const Scene&, const PlaneModel&, MotionRow&) const;
   void say(const MotionRow&) const;
   void write() const;
 

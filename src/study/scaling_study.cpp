@@ -13,6 +13,7 @@
 #include "linalg/linear_solver.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
+#include "model/plane/plane_model.hpp"
 #include "model/step_counts.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
@@ -113,7 +114,7 @@ std::vector<Column> columns(const ScalingRow& r) {
 
 }  // namespace
 
-ContinuumPrice continuum_price(const Model<2>& model, const std::vector<double>& load,
+ContinuumPrice continuum_price(const PlaneModel& model, const std::vector<double>& load,
                                const std::vector<double>& prescribed) {
   const auto& structure = model.structure();
   const auto& comm = *structure.comm();
@@ -125,7 +126,7 @@ ContinuumPrice continuum_price(const Model<2>& model, const std::vector<double>&
     assemble_blocks(structure);
     price.stiffness_seconds = std::min(price.stiffness_seconds, assembly.seconds());
     const ProcessorClock setup(comm);
-    const Continuum<2> continuum(structure, model.points(), model.held(), model.settings().solver.muelu);
+    const Continuum continuum(structure, model.points(), model.held(), model.settings().solver.muelu);
     price.setup_seconds = std::min(price.setup_seconds, setup.seconds());
     // What supports prescribe acts as a load: its columns of the stiffness are on the right-hand side.
     std::vector<double> given(load.size(), 0.0), forces;
@@ -157,7 +158,7 @@ ScalingStudy::ScalingStudy(const std::string& folder, const Teuchos::RCP<const T
 void ScalingStudy::add(const std::string& family, double size, Scene scene, const std::vector<SelectionMode>& modes) {
   const auto source = checked_blocks(scene, comm_);
   // Nothing of the model depends on the mode: runs share it, and its price.
-  Model<2> model(scene, *source, comm_);
+  PlaneModel model(scene, *source, comm_);
   std::vector<double> load, prescribed;
   model.loads(LoadSteps(scene.stages, scene.load_steps).factors(), 0.0, load, prescribed);
   ScalingRow row;
@@ -176,8 +177,8 @@ void ScalingStudy::add(const std::string& family, double size, Scene scene, cons
   }
 }
 
-void ScalingStudy::run(const Scene& scene, const Model<2>& model, ScalingRow row) {
-  AdaptiveStep<2> step(model);
+void ScalingStudy::run(const Scene& scene, const PlaneModel& model, ScalingRow row) {
+  AdaptiveStep step(model);
   LoadSteps steps(scene.stages, scene.load_steps);
   auto state = step.initial_state();
   row.outcome = name_of(NewtonOutcome::converged);

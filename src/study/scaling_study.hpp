@@ -16,7 +16,7 @@
 #include "linalg/system_cost.hpp"
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -31,7 +31,8 @@ struct ContinuumPrice {
 
 /// Least of three times, one after the other, so that what disturbs one of them does not count. Collective.
 /// @param load  nodal forces [N]
-ContinuumPrice continuum_price(const Model<2>&, const std::vector<double>& load, const std::vector<double>& prescribed);
+ContinuumPrice continuum_price(const PlaneModel&, const std::vector<double>& load,
+                               const std::vector<double>& prescribed);
 
 /// One load step of one run, and what it is worth in bonded solves.
 struct ScalingRow : StepNumbers {
@@ -71,7 +72,7 @@ class ScalingStudy {
   const std::vector<ScalingRow>& rows() const { return rows_; }
 
  private:
-  void run(const Scene&, const Model<2>&, ScalingRow);
+  void run(const Scene&, const PlaneModel&, ScalingRow);
   void say(const ScalingRow&) const;
   void write() const;
 

@@ -10,6 +10,7 @@
 #include "base/digest.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
 #include "results/shares_of_ranks.hpp"
@@ -57,7 +58,7 @@ class StonesByLot : public BlockSource<2> {
   std::vector<std::string> sets_;
 };
 
-std::vector<PointStiffness> resistances_by_lot(const Model<2>& model, const SystemCase& given) {
+std::vector<PointStiffness> resistances_by_lot(const PlaneModel& model, const SystemCase& given) {
   std::vector<PointStiffness> stiffness;
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& point = model.points().points()[k];
@@ -120,11 +121,11 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
   return e;
 }
 
-void time_motions(const ContactProblem<2>& problem, const Model<2>& model, const ContactState& state,
+void time_motions(const ContactProblem& problem, const PlaneModel& model, const ContactState& state,
                   const std::vector<PointStiffness>& stiffness, SystemRow& row) {
   const auto& comm = *model.structure().comm();
   const std::vector<int> active(row.blocks, 1);
-  BlockMotions<2> motions(model.structure(), model.points(), state.selected, problem.space(), active);
+  BlockMotions motions(model.structure(), model.points(), state.selected, problem.space(), active);
   motions.update(stiffness, {});
   const ProcessorClock factor(comm);
   motions.update(stiffness, {});
@@ -148,16 +149,16 @@ void harden(Scene& scene, double contrast) {
 /// A model with all points selected, under the loads at the end of all its stages.
 struct WholeSystem {
   WholeSystem(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-      : model(scene, source, comm), solver(scene.solver), state(AdaptiveStep<2>(model).initial_state()) {
+      : model(scene, source, comm), solver(scene.solver), state(AdaptiveStep(model).initial_state()) {
     LoadSteps steps(scene.stages, scene.load_steps);
     while (!steps.finished()) steps.accept();
     model.loads(steps.last_factors(), 0.0, load, prescribed);
     state.selected.assign(state.selected.size(), 1);
-    problem = std::make_unique<ContactProblem<2>>(
-        ContactProblem<2>::Parts{model.structure(), model.points(), model.continuum(), model.held(),
-                                 model.local_stiffness(), model.initial_gap(), scene.preconditioner, scene.internals,
-                                 solver},
-        state.selected, ContactProblem<2>::Asked{model.law(), state.slip_origin, load, prescribed});
+    problem = std::make_unique<ContactProblem>(
+        ContactProblem::Parts{model.structure(), model.points(), model.continuum(), model.held(),
+                              model.local_stiffness(), model.initial_gap(), scene.preconditioner, scene.internals,
+                              solver},
+        state.selected, ContactProblem::Asked{model.law(), state.slip_origin, load, prescribed});
   }
 
   /// f - K u of the state [N].
@@ -170,11 +171,11 @@ struct WholeSystem {
     return b;
   }
 
-  const Model<2> model;
+  const PlaneModel model;
   LinearSolver solver;
   ContactState state;
   std::vector<double> load, prescribed;
-  std::unique_ptr<ContactProblem<2>> problem;
+  std::unique_ptr<ContactProblem> problem;
 };
 
 /// Solves the system once: iterations, seconds, traffic, and how far the solution is off.

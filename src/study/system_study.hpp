@@ -14,7 +14,7 @@
 
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {

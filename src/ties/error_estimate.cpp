@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "nonlinear/point_update.hpp"
@@ -30,19 +31,27 @@ void release_violating(const ContactPoints& points, const std::vector<int>& clus
   for (int k = 0; k < points.size(); ++k) selected[k] = released[k] > 0;
 }
 
+/// By how much a tied point violates its law [N]; one that is open is to bear nothing.
+template <int dim>
+double off_its_law(const PointLaw& law, const double* lambda, bool is_open) {
+  Vector<dim> f;
+  std::copy_n(lambda, dim, f.begin());
+  return is_open ? norm(f) : violation(law, f);
+}
+
 }  // namespace
 
-template <int dim>
-double largest_normal_force(const Model<dim>& model, const PointField& lambda) {
+double largest_normal_force(const Model& model, const PointField& lambda) {
+  const int dim = model.components();
   VOUSSOIR_EXPECT(is_of_points(model, lambda) && "lambda: of points");
   double mine = 0;
   for (int k = 0; k < model.points().owned(); ++k) mine = std::max(mine, std::abs(lambda[dim * k]));
   return largest_over_ranks(*model.structure().comm(), mine);
 }
 
-template <int dim>
-TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, const ContactState& state,
+TiedViolations tied_violations(const Model& model, const PointLaws& law, const ContactState& state,
                                const std::vector<int>& cluster) {
+  const int dim = model.components();
   VOUSSOIR_EXPECT(is_per_point(model, law) && "laws: per point");
   VOUSSOIR_EXPECT(cluster.size() == static_cast<std::size_t>(model.structure().nodes()) && "cluster: per node copy");
   const auto& points = model.points();
@@ -57,10 +66,10 @@ TiedViolations tied_violations(const Model<dim>& model, const PointLaws& law, co
   const auto open = open_points(model);
   for (int k = 0; k < points.owned(); ++k) {
     if (!is_tied(points.points()[k], cluster)) continue;
-    Vector<dim> f;
-    std::copy_n(state.lambda.begin() + dim * k, dim, f.begin());
     // An open point that is tied bears nothing.
-    const double r = !open.empty() && open[k] ? norm(f) : violation(law[k], f);
+    const bool is_open = !open.empty() && open[k];
+    const double r = with_components(
+        dim, [&](auto n) { return off_its_law<n>(law[k], &state.lambda[static_cast<std::size_t>(n) * k], is_open); });
     if (r <= tolerance * force) continue;
     v.force[k] = r;
     worst = std::max(worst, r);
@@ -85,20 +94,18 @@ double root_of_decreases(const std::vector<double>& predicted_decrease, double e
   return sum == 0 ? 0.0 : sum < energy ? std::sqrt(sum / energy) : largest;
 }
 
-template <int dim>
-std::vector<char> open_points(const Model<dim>& model) {
+std::vector<char> open_points(const Model& model) {
   std::vector<char> open;
   for (const double gap : model.initial_gap()) open.push_back(gap > 0);
   return open;
 }
 
-template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typename ContactProblem<dim>::Asked& asked,
-                   const ContactState& state, const std::vector<int>& cluster, const TiedViolations& violations) {
+TieError tie_error(const ContactProblem::Parts& parts, const ContactProblem::Asked& asked, const ContactState& state,
+                   const std::vector<int>& cluster, const TiedViolations& violations) {
   if (violations.largest == 0) return {};
   auto released = state.selected;
   release_violating(parts.points, cluster, violations, released);
-  ContactProblem<dim> problem(parts, released, asked);
+  ContactProblem problem(parts, released, asked);
   const auto x = problem.unknowns(state.displacement);
   const auto b = Teuchos::rcp(new TpetraVector(problem.map()));
   const auto e = Teuchos::rcp(new TpetraVector(problem.map()));
@@ -110,6 +117,7 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typen
   const CurrentLaws laws(problem, state.lambda, gap);
   friction_bounds(problem, laws, trial, bound);
   project(problem, laws, trial, bound, forces);
+  const int dim = problem.components();
   for (std::size_t i = 0; i < trial.size(); i += dim) trial[i] += violations.noise;
   for (double& limit : bound) limit += violations.noise;
   resistances(problem, laws, trial, bound, 1.0, resistance);
@@ -125,8 +133,7 @@ TieError tie_error(const typename ContactProblem<dim>::Parts& parts, const typen
   return error;
 }
 
-template <int dim>
-double relative_error(const Structure<dim>& structure, const std::vector<double>& displacement, const TieError& error,
+double relative_error(const BlockSystem& structure, const std::vector<double>& displacement, const TieError& error,
                       double known_energy, double largest) {
   VOUSSOIR_EXPECT(largest > 0 && "largest error: more than none");
   VOUSSOIR_EXPECT(!std::isnan(known_energy) && "known energy: a number");
@@ -139,13 +146,5 @@ double relative_error(const Structure<dim>& structure, const std::vector<double>
   const double energy = std::max(structure.elastic_energy(without), known_energy);
   return std::sqrt(changed) < largest * std::sqrt(energy) ? std::sqrt(changed / energy) : largest;
 }
-
-template double largest_normal_force<2>(const Model<2>&, const PointField&);
-template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
-                                           const std::vector<int>&);
-template std::vector<char> open_points<2>(const Model<2>&);
-template TieError tie_error<2>(const ContactProblem<2>::Parts&, const ContactProblem<2>::Asked&, const ContactState&,
-                               const std::vector<int>&, const TiedViolations&);
-template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double, double);
 
 }  // namespace voussoir

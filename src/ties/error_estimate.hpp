@@ -23,9 +23,7 @@ struct TiedViolations {
 /// @param state      forces of tied points recovered
 /// @param cluster    per local node copy; a point is tied when its nodes have the same cluster
 /// Collective.
-template <int dim>
-TiedViolations tied_violations(const Model<dim>&, const PointLaws&, const ContactState&,
-                               const std::vector<int>& cluster);
+TiedViolations tied_violations(const Model&, const PointLaws&, const ContactState&, const std::vector<int>& cluster);
 
 /// Energy that releasing each point alone would set free, r^2 / (2 k) [J]: good for telling points apart, not for
 /// their sum. k is the stiffness of the cells beside the point [N/m].
@@ -37,8 +35,7 @@ double root_of_decreases(const std::vector<double>& predicted_decrease, double e
                          const Teuchos::Comm<int>&);
 
 /// 1 where a point stands open when a step begins.
-template <int dim>
-std::vector<char> open_points(const Model<dim>&);
+std::vector<char> open_points(const Model&);
 
 /// The error of ties, and what it took to know it.
 struct TieError {
@@ -50,28 +47,16 @@ struct TieError {
 
 /// @param state  in equilibrium with its ties; ghosts of its forces up to date
 /// Collective. Costs a linear solve where anything is violated.
-template <int dim>
-TieError tie_error(const typename ContactProblem<dim>::Parts&, const typename ContactProblem<dim>::Asked&,
-                   const ContactState&, const std::vector<int>& cluster, const TiedViolations&);
+TieError tie_error(const ContactProblem::Parts&, const ContactProblem::Asked&, const ContactState&,
+                   const std::vector<int>& cluster, const TiedViolations&);
 
 /// Error of ties relative to the energy that the structure would have without them [-]. Collective.
 /// @param known_energy  [J] of the structure, where displacement does not tell
 /// @param largest       errors beyond it are all the same
-template <int dim>
-double relative_error(const Structure<dim>&, const std::vector<double>& displacement, const TieError&,
-                      double known_energy, double largest);
+double relative_error(const BlockSystem&, const std::vector<double>& displacement, const TieError&, double known_energy,
+                      double largest);
 
 /// Largest normal force of all points, tied ones too [N]. Collective.
-template <int dim>
-double largest_normal_force(const Model<dim>&, const PointField& lambda);
-
-extern template double largest_normal_force<2>(const Model<2>&, const PointField&);
-extern template TiedViolations tied_violations<2>(const Model<2>&, const PointLaws&, const ContactState&,
-                                                  const std::vector<int>&);
-extern template std::vector<char> open_points<2>(const Model<2>&);
-extern template TieError tie_error<2>(const ContactProblem<2>::Parts&, const ContactProblem<2>::Asked&,
-                                      const ContactState&, const std::vector<int>&, const TiedViolations&);
-extern template double relative_error<2>(const Structure<2>&, const std::vector<double>&, const TieError&, double,
-                                         double);
+double largest_normal_force(const Model&, const PointField& lambda);
 
 }  // namespace voussoir

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "blocks/assembly.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
@@ -15,91 +14,53 @@
 #include "model/mortar.hpp"
 #include "model/phase.hpp"
 #include "model/point_status.hpp"
-#include "model/scene_fit.hpp"
 #include "step/release.hpp"
 #include "ties/error_estimate.hpp"
 
 namespace voussoir {
-namespace {
 
-template <int dim>
-Structure<dim> structure_of_mass(const Model<dim>& model) {
-  Phase phase("blocks");
-  const auto& s = model.structure();
-  return s.with_matrices([&](int b) {
-    const auto& block = s.blocks()[b];
-    auto mesh = block.mesh;  // around its first node, so that it is that of all blocks alike, to the last bit
-    for (auto& x : mesh.position) x = x - block.mesh.position.front();
-    return block_mass(mesh, block.material.density, s.model().thickness, model.settings().time.mass);
-  });
-}
-
-/// [m/s]
-double wave_speed(const Material& material, const ModelParameters& model) {
-  return std::sqrt(plane_elasticity(material, model.plane)[0][0] / material.density);
-}
-
-}  // namespace
-
-template <int dim>
-DynamicStep<dim>::DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progress> progress)
-    : at_rest_(at_rest),
-      mass_(structure_of_mass(at_rest)),
-      velocities_(at_rest, mass_),
-      progress_(std::move(progress)) {
+DynamicStep::DynamicStep(const Model& at_rest, std::shared_ptr<Progress> progress)
+    : at_rest_(at_rest), mass_(at_rest.mass()), velocities_(at_rest, *mass_), progress_(std::move(progress)) {
+  const int dim = at_rest_.components();
   rule_.mass_damping = at_rest.settings().time.mass_damping;
   rule_.stiffness_damping = at_rest.settings().time.stiffness_damping;
-  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0);
+  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_->nodes(), 0.0);
   const auto& absent = at_rest.absent();
   for (std::size_t i = 0; i < along_x.size(); i += dim)
-    along_x[i] = absent.empty() || !absent[mass_.block_of_node()[i / dim]];
+    along_x[i] = absent.empty() || !absent[mass_->block_of_node()[i / dim]];
   total_mass_ = 2 * velocities_.kinetic_energy(along_x);
 }
 
-template <int dim>
-double DynamicStep<dim>::total(double mine) const {
-  return total_over_ranks(*mass_.comm(), mine);
-}
+double DynamicStep::total(double mine) const { return total_over_ranks(*mass_->comm(), mine); }
 
-template <int dim>
-double DynamicStep<dim>::crossing_time() const {
+double DynamicStep::crossing_time() const {
   double longest = 0;
-  for (const auto& b : at_rest_.structure().blocks())
-    longest = std::max(longest, mass_.size() / wave_speed(b.material, mass_.model()));
-  return largest_over_ranks(*mass_.comm(), longest);
+  for (int b = 0; b < mass_->local_blocks(); ++b) longest = std::max(longest, mass_->size() / at_rest_.wave_speed(b));
+  return largest_over_ranks(*mass_->comm(), longest);
 }
 
-template <int dim>
-double DynamicStep<dim>::courant_time() const {
+double DynamicStep::courant_time() const {
   double shortest = std::numeric_limits<double>::max();
-  for (const auto& b : at_rest_.structure().blocks()) {
-    const double speed = wave_speed(b.material, mass_.model());
-    for (const auto& cell : b.mesh.cells)
-      for (int i = 0; i < cell.count; ++i) {
-        const auto edge = b.mesh.position[cell.node[(i + 1) % cell.count]] - b.mesh.position[cell.node[i]];
-        shortest = std::min(shortest, norm(edge) / speed);
-      }
-  }
-  return least_over_ranks(*mass_.comm(), shortest);
+  for (int b = 0; b < mass_->local_blocks(); ++b) shortest = std::min(shortest, at_rest_.passage(b));
+  return least_over_ranks(*mass_->comm(), shortest);
 }
 
-template <int dim>
-void DynamicStep<dim>::set_time_step(double time_step) {
+void DynamicStep::set_time_step(double time_step) {
   VOUSSOIR_EXPECT(time_step > 0 && std::isfinite(time_step) && "time step: positive");
   if (model_ && rule_.time_step == time_step) return;
   rule_.time_step = time_step;
   const double tolerance = std::min(at_rest_.settings().time.force_tolerance, at_rest_.settings().newton.tolerance);
   step_.reset();
   velocities_.forget();
-  model_ = std::make_unique<Model<dim>>(at_rest_, mass_, rule_, tolerance);
-  step_ = std::make_unique<AdaptiveStep<dim>>(*model_, progress_);
+  model_ = at_rest_.of_time_step(*mass_, rule_, tolerance);
+  step_ = std::make_unique<AdaptiveStep>(*model_, progress_);
 }
 
 /// The gaps that the points of the time step have at w = 0: none where points are closed, which is so up to round-off,
 /// or up to what load steps leave between points that press. Mortar is a spring, whose force is that of the middle: its
 /// gap counts whole, so that there it is what the displacements make it. So does one beside a stone that is not there.
-template <int dim>
-void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lambda) {
+void DynamicStep::offset_gaps(const PointField& gap, const PointField& lambda) {
+  const int dim = at_rest_.components();
   const double round_off = closed_gap * at_rest_.structure().size();
   const double left = at_rest_.settings().internals.step.noise * at_rest_.settings().newton.tolerance *
                       largest_normal_force(at_rest_, lambda);
@@ -117,8 +78,8 @@ void DynamicStep<dim>::offset_gaps(const PointField& gap, const PointField& lamb
 }
 
 /// The slips that points of the time step have at w = 0: mortar has given way from the slip where it stands.
-template <int dim>
-PointField DynamicStep<dim>::offset_slips(const ContactState& before, const PointField& gap) const {
+PointField DynamicStep::offset_slips(const ContactState& before, const PointField& gap) const {
+  const int dim = at_rest_.components();
   const auto& mortar = at_rest_.compliance();
   if (mortar.empty() || before.slip_origin.empty()) return {};
   PointField offset(gap.size(), 0.0);
@@ -129,9 +90,7 @@ PointField DynamicStep<dim>::offset_slips(const ContactState& before, const Poin
 }
 
 /// Gives held components the velocity of their support over the step; what that takes is work of the support.
-template <int dim>
-void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<double>& half,
-                                     TimeStepReport& report) const {
+void DynamicStep::move_supports(ContactState& state, const std::vector<double>& half, TimeStepReport& report) const {
   bool mine = false;
   auto v = state.velocity;
   for (std::size_t i = 0; i < v.size(); ++i)
@@ -139,21 +98,21 @@ void DynamicStep<dim>::move_supports(ContactState& state, const std::vector<doub
       v[i] = rule_.midpoint_velocity(half[i]);
       mine = true;
     }
-  if (!any_of_ranks(*mass_.comm(), mine)) return;
+  if (!any_of_ranks(*mass_->comm(), mine)) return;
   report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
   state.velocity = v;
 }
 
 /// Work and losses of a step, exact, from its middle; returns the energy that the closing of points took [J].
-template <int dim>
-double DynamicStep<dim>::book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
-                              const std::vector<double>& effective, TimeStepReport& report) const {
+double DynamicStep::book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
+                         const std::vector<double>& effective, TimeStepReport& report) const {
+  const int dim = at_rest_.components();
   const auto& s = at_rest_.structure();
   const auto& w = mid.displacement;
   report.reaction = step_->residual(mid, effective);
   const auto& reaction = report.reaction;
   std::vector<double> mw, kw;
-  mass_.apply_stiffness(w, mw);
+  mass_->apply_stiffness(w, mw);
   s.apply_stiffness(w, kw);
   double work = 0, damping = 0, friction = 0, fracture = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
@@ -180,25 +139,23 @@ double DynamicStep<dim>::book(const ContactState& mid, const ContactState& befor
 }
 
 /// Relative velocity below which points rest on each other [m/s].
-template <int dim>
-double DynamicStep<dim>::resting_speed(const ContactState& state, double energy) const {
+double DynamicStep::resting_speed(const ContactState& state, double energy) const {
   double fastest = 0;
   for (double v : state.velocity) fastest = std::max(fastest, std::abs(v));
   const auto& numbers = at_rest_.settings().internals.time_step;
-  return numbers.share_of_fastest * largest_over_ranks(*mass_.comm(), fastest) +
+  return numbers.share_of_fastest * largest_over_ranks(*mass_->comm(), fastest) +
          numbers.share_of_energy * std::sqrt(2 * std::max(energy, 0.0) / total_mass_);
 }
 
 /// Error of the velocity in one step, dt/12 of the change of the acceleration, in the norm of energy. The change is the
 /// mean of the last two: what turns from step to step is a vibration the steps are too long for, and drops out.
-template <int dim>
-double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& velocity_before, double energy) const {
+double DynamicStep::error(ContactState& after, const std::vector<double>& velocity_before, double energy) const {
   auto acceleration = after.velocity;
   for (std::size_t i = 0; i < acceleration.size(); ++i)
     acceleration[i] = (acceleration[i] - velocity_before[i]) / rule_.time_step;
   auto change = acceleration;
   const auto& first = after.acceleration_before;
-  const bool known = any_of_ranks(*mass_.comm(), !first.empty());  // empty ranks have none
+  const bool known = any_of_ranks(*mass_->comm(), !first.empty());  // empty ranks have none
   for (std::size_t i = 0; i < first.size(); ++i) change[i] = (change[i] - first[i]) / 2;
   after.acceleration_before = std::exchange(after.acceleration, std::move(acceleration));
   after.largest_energy = std::max(after.largest_energy, energy);
@@ -208,9 +165,7 @@ double DynamicStep<dim>::error(ContactState& after, const std::vector<double>& v
 
 /// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
 /// Returns what became of the energy of their last motion.
-template <int dim>
-EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointField& gap, double energy,
-                                               double resting) {
+EnergyOfJump DynamicStep::bond_what_rests(ContactState& state, const PointField& gap, double energy, double resting) {
   const auto& selection = at_rest_.settings().selection;
   if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
   const auto& joints = at_rest_.families();
@@ -226,19 +181,18 @@ EnergyOfJump DynamicStep<dim>::bond_what_rests(ContactState& state, const PointF
     if (!at_rest_.joined(static_cast<int>(k))) calm[k] = 0;  // a tie would hold a stone by one that is not there
   const bool mine = voussoir::bond_what_rests(state.rest, state.selected, gap, at_rest_.local_stiffness(), calm,
                                               negligible, selection.rest, at_rest_.settings().internals.rest);
-  if (!any_of_ranks(*mass_.comm(), mine)) return {};
+  if (!any_of_ranks(*mass_->comm(), mine)) return {};
   state.rest.error = {};
   return velocities_.settle(state, resting);
 }
 
-template <int dim>
-typename DynamicStep<dim>::Midpoint DynamicStep<dim>::midpoint(const ContactState& before,
-                                                               const StepInput& input) const {
+DynamicStep::Midpoint DynamicStep::midpoint(const ContactState& before, const StepInput& input) const {
+  const int dim = at_rest_.components();
   const auto& s = at_rest_.structure();
   Midpoint mid;
   std::vector<double> mv;
   s.apply_stiffness(before.displacement, mid.load);
-  mass_.apply_stiffness(before.velocity, mv);
+  mass_->apply_stiffness(before.velocity, mv);
   double elastic = 0, kinetic = 0;
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
     elastic += before.displacement[i] * mid.load[i] / 2;
@@ -255,8 +209,8 @@ typename DynamicStep<dim>::Midpoint DynamicStep<dim>::midpoint(const ContactStat
 
 /// The state at the end of a step, but for what joints that closed do to velocities. All that is no motion is as the
 /// middle of the step has left it.
-template <int dim>
-ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState mid, const PointField& slips) const {
+ContactState DynamicStep::at_end(const ContactState& before, ContactState mid, const PointField& slips) const {
+  const int dim = at_rest_.components();
   auto after = std::move(mid);
   const auto slipped = model_->gaps(after.displacement, after.lambda);  // of the stones, with what mortar gives way
   for (std::size_t i = 0; i < after.displacement.size(); ++i) {
@@ -276,9 +230,9 @@ ContactState DynamicStep<dim>::at_end(const ContactState& before, ContactState m
 }
 
 /// What joints that closed do to velocities, what rests is tied, and the energies after it. False where that fails.
-template <int dim>
-bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<double>& velocity_before,
-                                         double closing, TimeStepReport& report) {
+bool DynamicStep::update_velocities(ContactState& after, const std::vector<double>& velocity_before, double closing,
+                                    TimeStepReport& report) {
+  const int dim = at_rest_.components();
   const auto& s = at_rest_.structure();
   std::vector<double> ku;
   s.apply_stiffness(after.displacement, ku);
@@ -302,8 +256,8 @@ bool DynamicStep<dim>::update_velocities(ContactState& after, const std::vector<
   return true;
 }
 
-template <int dim>
-TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInput& input) {
+TimeStepResult DynamicStep::take(const ContactState& before, const StepInput& input) {
+  const int dim = at_rest_.components();
   VOUSSOIR_EXPECT(step_ && "a time step has been set");
   expect_state(at_rest_, before);
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, before.velocity) && "velocity: of node copies, in time");
@@ -342,7 +296,5 @@ TimeStepResult DynamicStep<dim>::take(const ContactState& before, const StepInpu
     report.step.newton.fail("the energy after the step is no number");
   return result;
 }
-
-template class DynamicStep<2>;
 
 }  // namespace voussoir

@@ -30,12 +30,11 @@ struct TimeStepResult {
   TimeStepReport report;
 };
 
-template <int dim>
 class DynamicStep {
  public:
   /// Builds mass matrices; at_rest must outlive it.
   /// @param progress  of its steps
-  explicit DynamicStep(const Model<dim>& at_rest, std::shared_ptr<Progress> progress = std::make_shared<Progress>());
+  explicit DynamicStep(const Model& at_rest, std::shared_ptr<Progress> progress = std::make_shared<Progress>());
 
   /// What happens within its steps.
   const std::shared_ptr<Progress>& progress() const { return progress_; }
@@ -57,7 +56,7 @@ class DynamicStep {
   TimeStepResult take(const ContactState& before, const StepInput&);
 
   const std::vector<double>& mechanism() const { return step_->mechanism(); }
-  const Model<dim>& step_model() const { return *model_; }
+  const Model& step_model() const { return *model_; }
 
  private:
   /// The load step that a time step is, but for its matrix and its gaps.
@@ -81,30 +80,21 @@ class DynamicStep {
   double error(ContactState& after, const std::vector<double>& velocity_before, double energy) const;
   double total(double mine) const;
 
-  const Model<dim>& at_rest_;
-  Structure<dim> mass_;  ///< matrices [kg]
-  VelocityUpdate<dim> velocities_;
+  const Model& at_rest_;
+  std::unique_ptr<const BlockSystem> mass_;  ///< matrices [kg]
+  VelocityUpdate velocities_;
   MidpointRule rule_;
   double total_mass_ = 0;
   std::shared_ptr<Progress> progress_;
-  std::unique_ptr<Model<dim>> model_;  ///< of the time step
-  std::unique_ptr<AdaptiveStep<dim>> step_;
+  std::unique_ptr<Model> model_;  ///< of the time step
+  std::unique_ptr<AdaptiveStep> step_;
 };
 
 /// What a time step takes, for the next step of a stage with a duration: the mean of the loads, whose impulse is theirs
 /// however long the step is.
-template <int dim>
-void loads_of_time_step(const Model<dim>&, const LoadSteps&, std::vector<double>& load,
-                        std::vector<double>& prescribed);
+void loads_of_time_step(const Model&, const LoadSteps&, std::vector<double>& load, std::vector<double>& prescribed);
 
 /// Selects points that are tied where they have moved: load steps tie places, not increments.
-template <int dim>
-void untie_what_moved(const Model<dim>&, ContactState&);
-
-extern template void loads_of_time_step<2>(const Model<2>&, const LoadSteps&, std::vector<double>&,
-                                           std::vector<double>&);
-extern template void untie_what_moved<2>(const Model<2>&, ContactState&);
-extern template double DynamicStep<2>::begin(ContactState&, bool);
-extern template class DynamicStep<2>;
+void untie_what_moved(const Model&, ContactState&);
 
 }  // namespace voussoir

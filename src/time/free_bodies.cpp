@@ -11,14 +11,15 @@
 namespace voussoir {
 namespace {
 
+constexpr int dim = 2;  // a body has one turn
+
 /// Lowest number of a block of the same body, per block of the structure; -1 where a support holds the body.
 /// Collective.
-template <int dim>
-std::vector<int> bodies_of(const Model<dim>& model, const std::vector<char>& selected) {
+std::vector<int> bodies_of(const Model& model, const std::vector<char>& selected) {
   const auto& s = model.structure();
-  const auto graph = model.source().graph();
+  const auto& graph = model.graph();
   const auto blocks = s.owner_of_block().size();
-  const auto id_of = [&](int node) { return s.blocks()[s.block_of_node()[node]].mesh.id; };
+  const auto id_of = [&](int node) { return s.nodes_of(s.block_of_node()[node]).id; };
   std::vector<int> mine(graph.neighbour.size() + blocks, 0), all(mine.size());  // tied pairs, held blocks
   for (int k = 0; k < model.points().owned(); ++k) {
     if (selected[k]) continue;
@@ -52,9 +53,9 @@ std::vector<int> bodies_of(const Model<dim>& model, const std::vector<char>& sel
 
 }  // namespace
 
-template <int dim>
-FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass, const std::vector<char>& selected)
+FreeBodies::FreeBodies(const Model& model, const BlockSystem& mass, const std::vector<char>& selected)
     : mass_(mass), turn_(static_cast<std::size_t>(dim) * mass.nodes(), 0.0) {
+  VOUSSOIR_EXPECT(model.components() == dim && "bodies of the plane");
   VOUSSOIR_EXPECT(is_per_point(model, selected) && "selected: per point");
   VOUSSOIR_EXPECT(mass.nodes() == model.structure().nodes() && "mass: of the structure at rest");
   const auto first = bodies_of(model, selected);
@@ -62,9 +63,11 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
   int count = 0;
   for (std::size_t b = 0; b < first.size(); ++b)
     if (first[b] == static_cast<int>(b)) number[b] = count++;
-  for (const auto& block : mass.blocks()) body_.push_back(first[block.mesh.id] < 0 ? -1 : number[first[block.mesh.id]]);
+  for (int b = 0; b < mass.local_blocks(); ++b) {
+    const int body = first[mass.nodes_of(b).id];
+    body_.push_back(body < 0 ? -1 : number[body]);
+  }
 
-  const auto& position = model.structure().position();
   const auto& of_node = mass.block_of_node();
   std::vector<double> along(turn_.size(), 0.0), weight;
   for (std::size_t i = 0; i < along.size(); i += dim) along[i] = 1;
@@ -73,7 +76,7 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
   for (int n = 0; n < mass.owned_nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
-    const auto arm = position[n] - model.structure().middle();
+    const auto arm = model.structure().place(n) - model.structure().centre();
     sums[3 * b] += weight[dim * n];
     for (int c = 0; c < 2; ++c) sums[3 * b + 1 + c] += weight[dim * n] * arm[c];
   }
@@ -81,7 +84,7 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
   for (int n = 0; n < mass.nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
-    const auto arm = position[n] - model.structure().middle();
+    const auto arm = model.structure().place(n) - model.structure().centre();
     turn_[dim * n] = -(arm[1] - sums[3 * b + 2] / sums[3 * b]);
     turn_[dim * n + 1] = arm[0] - sums[3 * b + 1] / sums[3 * b];
   }
@@ -93,8 +96,7 @@ FreeBodies<dim>::FreeBodies(const Model<dim>& model, const Structure<dim>& mass,
   for (int b = 0; b < count; ++b) weight_.push_back(sums[3 * b]);
 }
 
-template <int dim>
-Vector<dim> FreeBodies<dim>::remove_motion(std::vector<double>& velocity) const {
+Vector<3> FreeBodies::remove_motion(std::vector<double>& velocity) const {
   VOUSSOIR_EXPECT(velocity.size() == turn_.size() && "velocity: of node copies");
   const auto& of_node = mass_.block_of_node();
   std::vector<double> momentum;
@@ -110,12 +112,10 @@ Vector<dim> FreeBodies<dim>::remove_motion(std::vector<double>& velocity) const 
   for (int i = 0; i < dim * mass_.nodes(); ++i)
     if (const int b = body_[of_node[i / dim]]; b >= 0)
       velocity[i] -= sums[3 * b + i % dim] / weight_[b] + sums[3 * b + 2] / inertia_[b] * turn_[i];
-  Vector<dim> all{};
+  Vector<3> all{};
   for (std::size_t b = 0; b < weight_.size(); ++b)
     for (int c = 0; c < dim; ++c) all[c] += sums[3 * b + c];
   return all;
 }
-
-template class FreeBodies<2>;
 
 }  // namespace voussoir

@@ -32,10 +32,9 @@ PointField relative_velocities(const ContactPoints& points, const std::vector<do
 }
 
 /// B M^-1 B^T on the points that are held, nothing on the others.
-template <int dim>
-class VelocityProjection<dim>::Impulses : public TpetraOperator {
+class VelocityProjection::Impulses : public TpetraOperator {
  public:
-  Impulses(const Model<dim>& model, const Structure<dim>& mass)
+  Impulses(const Model& model, const BlockSystem& mass)
       : points_(model.points()),
         map_(map_of_points(model.points(), mass.comm())),
         all_selected_(points_.size(), 1),
@@ -43,7 +42,7 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
         blocks_(mass, space_, std::vector<int>(mass.owner_of_block().size(), 1)),
         impulse_(space_.map()),
         change_(space_.map()) {
-    SystemMatrix<dim> matrix(mass, points_, all_selected_, space_);
+    SystemMatrix matrix(mass, points_, all_selected_, space_);
     matrix.update(std::vector<PointStiffness>(points_.size()), {});
     all_or_none(*mass.comm(), [&] { blocks_.update(matrix.local()); });
   }
@@ -55,6 +54,7 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
 
   /// -B^T lambda on node copies [N s].
   const std::vector<double>& of_points(const TpetraVector& lambda) const {
+    const int dim = points_.components();
     field_.assign(static_cast<std::size_t>(dim) * points_.size(), 0.0);
     std::copy_n(local_view(lambda), dim * points_.owned(), field_.begin());
     points_.exchange().update(field_, dim);
@@ -73,6 +73,7 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
   }
 
   void relative(const std::vector<double>& velocity, TpetraVector& speed, double factor) const {
+    const int dim = points_.components();
     const auto all = relative_velocities(points_, velocity);
     double* value = local_view_to_write(speed);
     for (int i = 0; i < dim * points_.owned(); ++i) value[i] = held_[i] ? factor * all[i] : 0.0;
@@ -88,17 +89,18 @@ class VelocityProjection<dim>::Impulses : public TpetraOperator {
   const ContactPoints& points_;
   Teuchos::RCP<const TpetraMap> map_;
   std::vector<char> all_selected_, held_;
-  MergedSpace<dim> space_;
-  BlockSolves<dim> blocks_;
+  MergedSpace space_;
+  BlockSolves blocks_;
   mutable TpetraVector impulse_, change_;
   mutable std::vector<double> field_, nodal_;
 };
 
 /// The mass that resists an impulse at a point, of its nodes alone.
-template <int dim>
-class VelocityProjection<dim>::ByMass : public Preconditioner {
+class VelocityProjection::ByMass : public Preconditioner {
  public:
-  ByMass(const Model<dim>& model, const Structure<dim>& mass) : resisting_(dim * model.points().size(), 0.0) {
+  ByMass(const Model& model, const BlockSystem& mass) {
+    const int dim = model.components();
+    resisting_.assign(static_cast<std::size_t>(dim) * model.points().size(), 0.0);
     std::vector<double> along_x(static_cast<std::size_t>(dim) * mass.nodes(), 0.0), weight;
     for (std::size_t i = 0; i < along_x.size(); i += dim) along_x[i] = 1;
     mass.apply_stiffness(along_x, weight);
@@ -123,22 +125,20 @@ class VelocityProjection<dim>::ByMass : public Preconditioner {
   std::vector<double> resisting_;
 };
 
-template <int dim>
-VelocityProjection<dim>::VelocityProjection(const Model<dim>& model, const Structure<dim>& mass)
+VelocityProjection::VelocityProjection(const Model& model, const BlockSystem& mass)
     : model_(model), mass_(mass), solver_(model.settings().solver), by_mass_(std::make_shared<ByMass>(model, mass)) {}
 
-template <int dim>
-VelocityProjection<dim>::~VelocityProjection() = default;
+VelocityProjection::~VelocityProjection() = default;
 
-template <int dim>
-double VelocityProjection<dim>::mass(int point, int axis) const {
+double VelocityProjection::mass(int point, int axis) const {
+  const int dim = model_.components();
   VOUSSOIR_EXPECT(point >= 0 && point < model_.points().size() && axis >= 0 && axis < dim && "a component of a point");
   return (*by_mass_)[dim * point + axis];
 }
 
-template <int dim>
-double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::vector<char>& held,
-                                      const std::vector<double>* supports) {
+double VelocityProjection::apply(std::vector<double>& velocity, const std::vector<char>& held,
+                                 const std::vector<double>* supports) {
+  const int dim = model_.components();
   VOUSSOIR_EXPECT(is_of_nodes(model_, velocity) && all_finite(velocity) && "velocity: of node copies, finite");
   VOUSSOIR_EXPECT(held.size() == static_cast<std::size_t>(dim) * model_.points().size() && "held: of points");
   VOUSSOIR_EXPECT((!supports || is_of_nodes(model_, *supports)) && "velocity of supports: of node copies, or none");
@@ -168,7 +168,5 @@ double VelocityProjection<dim>::apply(std::vector<double>& velocity, const std::
     if (model_.held()[i]) work += (momentum[i] - of_points[i]) * (*supports)[i];
   return total_over_ranks(*mass_.comm(), work);
 }
-
-template class VelocityProjection<2>;
 
 }  // namespace voussoir

@@ -19,11 +19,10 @@ namespace voussoir {
 /// B v: relative velocities of contact points along their axes [m/s, points x components].
 PointField relative_velocities(const ContactPoints&, const std::vector<double>& velocity);
 
-template <int dim>
 class VelocityProjection {
  public:
   /// @param mass  the structure with the mass of its blocks in the place of their stiffness
-  VelocityProjection(const Model<dim>&, const Structure<dim>& mass);
+  VelocityProjection(const Model&, const BlockSystem& mass);
   ~VelocityProjection();
 
   /// What resists an impulse at a point along its axis, of its two nodes alone [kg]; 0 where supports hold both.
@@ -40,13 +39,11 @@ class VelocityProjection {
  private:
   class Impulses;
   class ByMass;
-  const Model<dim>& model_;
-  const Structure<dim>& mass_;
+  const Model& model_;
+  const BlockSystem& mass_;
   LinearSolver solver_;
   Teuchos::RCP<Impulses> impulses_;  ///< from the first projection on: a run without impacts factors no mass
   std::shared_ptr<ByMass> by_mass_;
 };
-
-extern template class VelocityProjection<2>;
 
 }  // namespace voussoir

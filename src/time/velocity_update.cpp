@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -22,8 +23,8 @@ namespace {
 using Held = std::vector<char>;
 
 /// Which points bear something: per point.
-template <int dim>
-std::vector<char> loaded_points(const Model<dim>& model, const ContactState& state) {
+std::vector<char> loaded_points(const Model& model, const ContactState& state) {
+  const int dim = model.components();
   const double none = model.settings().internals.step.least_noise * largest_force(model, state);
   std::vector<char> loaded(state.selected.size());
   for (std::size_t k = 0; k < loaded.size(); ++k) {
@@ -37,9 +38,9 @@ std::vector<char> loaded_points(const Model<dim>& model, const ContactState& sta
 /// Points that rest on each other: 1 for their normal components. Forces at a vertex of three blocks are not unique, so
 /// a point without one rests there as well when it touches and does not part.
 /// @param speed  relative velocities [m/s]
-template <int dim>
-Held closed_points(const Model<dim>& model, const ContactState& state, const std::vector<char>& loaded,
+Held closed_points(const Model& model, const ContactState& state, const std::vector<char>& loaded,
                    const PointField& speed, double resting) {
+  const int dim = model.components();
   const auto& points = model.points();
   const auto gap = model.gaps(state.displacement);
   const double round_off = closed_gap * model.structure().size();
@@ -56,8 +57,8 @@ Held closed_points(const Model<dim>& model, const ContactState& state, const std
 }
 
 /// Whether friction holds a point that bears something, with a margin for what the solver leaves.
-template <int dim>
-bool sticks(const Model<dim>& model, const ContactState& state, std::size_t k) {
+bool sticks(const Model& model, const ContactState& state, std::size_t k) {
+  const int dim = model.components();
   const auto law = law_left(model, state, static_cast<int>(k));
   double q = 0;
   for (int c = 1; c < dim; ++c) q += state.lambda[dim * k + c] * state.lambda[dim * k + c];
@@ -66,9 +67,8 @@ bool sticks(const Model<dim>& model, const ContactState& state, std::size_t k) {
 }
 
 /// Points that rest on each other, and these with those that stick: 1 for every component that is held.
-template <int dim>
-std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& state, const PointField& speed,
-                               double resting) {
+std::pair<Held, Held> contacts(const Model& model, const ContactState& state, const PointField& speed, double resting) {
+  const int dim = model.components();
   const auto loaded = loaded_points(model, state);
   const auto closed = closed_points(model, state, loaded, speed, resting);
   auto sticking = closed;
@@ -81,9 +81,8 @@ std::pair<Held, Held> contacts(const Model<dim>& model, const ContactState& stat
 }  // namespace
 
 /// S of the time step with the selection of a step.
-template <int dim>
-struct VelocityUpdate<dim>::Spread {
-  Spread(const Model<dim>& at_rest, const Structure<dim>& mass, const Model<dim>& step_model, const ContactState& s,
+struct VelocityUpdate::Spread {
+  Spread(const Model& at_rest, const BlockSystem& mass, const Model& step_model, const ContactState& s,
          LinearSolver& solver)
       : state(s),
         zero(s.displacement.size(), 0.0),
@@ -95,12 +94,12 @@ struct VelocityUpdate<dim>::Spread {
 
   ContactState state;
   std::vector<double> zero, no_gap;
-  ContactProblem<dim> problem;
-  FreeBodies<dim> bodies;
+  ContactProblem problem;
+  FreeBodies bodies;
 };
 
-template <int dim>
-double largest_force(const Model<dim>& model, const ContactState& state) {
+double largest_force(const Model& model, const ContactState& state) {
+  const int dim = model.components();
   VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
   double mine = 0;
   for (int k = 0; k < model.points().owned(); ++k)
@@ -108,20 +107,15 @@ double largest_force(const Model<dim>& model, const ContactState& state) {
   return largest_over_ranks(*model.structure().comm(), mine);
 }
 
-template <int dim>
-VelocityUpdate<dim>::VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass)
+VelocityUpdate::VelocityUpdate(const Model& at_rest, const BlockSystem& mass)
     : at_rest_(at_rest), mass_(mass), projection_(at_rest, mass), solver_(at_rest.settings().solver) {}
 
-template <int dim>
-VelocityUpdate<dim>::~VelocityUpdate() = default;
+VelocityUpdate::~VelocityUpdate() = default;
 
-template <int dim>
-void VelocityUpdate<dim>::forget() {
-  spread_.reset();
-}
+void VelocityUpdate::forget() { spread_.reset(); }
 
-template <int dim>
-double VelocityUpdate<dim>::product(const std::vector<double>& v, const std::vector<double>& w) const {
+double VelocityUpdate::product(const std::vector<double>& v, const std::vector<double>& w) const {
+  const int dim = at_rest_.components();
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, v) && is_of_nodes(at_rest_, w) && "velocities: of node copies");
   std::vector<double> mw;
   mass_.apply_stiffness(w, mw);
@@ -131,25 +125,24 @@ double VelocityUpdate<dim>::product(const std::vector<double>& v, const std::vec
 }
 
 /// Largest relative velocity of what is held and can move.
-template <int dim>
-double VelocityUpdate<dim>::fastest(const PointField& speed, const Held& held) const {
+double VelocityUpdate::fastest(const PointField& speed, const Held& held) const {
+  const int dim = at_rest_.components();
   double mine = 0;
   for (int i = 0; i < dim * at_rest_.points().owned(); ++i)
     if (held[i] && projection_.mass(i / dim, i % dim) > 0) mine = std::max(mine, std::abs(speed[i]));
   return largest_over_ranks(*mass_.comm(), mine);
 }
 
-template <int dim>
-typename VelocityUpdate<dim>::Supports VelocityUpdate<dim>::moving_supports(const std::vector<double>& velocity) const {
+VelocityUpdate::Supports VelocityUpdate::moving_supports(const std::vector<double>& velocity) const {
   bool mine = false;
   for (std::size_t i = 0; i < velocity.size(); ++i) mine |= at_rest_.held()[i] && velocity[i] != 0;
   return any_of_ranks(*mass_.comm(), mine) ? std::make_unique<const std::vector<double>>(velocity) : nullptr;
 }
 
 /// What is held, and all of the points that are tied. Returns the work of supports.
-template <int dim>
-double VelocityUpdate<dim>::project(std::vector<double>& velocity, Held held, const std::vector<char>& selected,
-                                    const Supports& supports) {
+double VelocityUpdate::project(std::vector<double>& velocity, Held held, const std::vector<char>& selected,
+                               const Supports& supports) {
+  const int dim = at_rest_.components();
   for (int i = 0; i < dim * at_rest_.points().size(); ++i)
     held[i] = (held[i] || !selected[i / dim]) && projection_.mass(i / dim, i % dim) > 0;
   return projection_.apply(velocity, held, supports.get());
@@ -157,9 +150,8 @@ double VelocityUpdate<dim>::project(std::vector<double>& velocity, Held held, co
 
 /// The same, as friction does it. Seen from supports the velocities that are left have no part in the ones that were
 /// taken, so the loss is the energy of these: a square, which round-off cannot make a gain.
-template <int dim>
-EnergyOfJump VelocityUpdate<dim>::stop(std::vector<double>& velocity, const Held& held,
-                                       const std::vector<char>& selected, const Supports& supports) {
+EnergyOfJump VelocityUpdate::stop(std::vector<double>& velocity, const Held& held, const std::vector<char>& selected,
+                                  const Supports& supports) {
   auto taken = velocity;
   EnergyOfJump energy;
   energy.work_of_supports = project(velocity, held, selected, supports);
@@ -169,10 +161,9 @@ EnergyOfJump VelocityUpdate<dim>::stop(std::vector<double>& velocity, const Held
 }
 
 /// How the normal impulses of points that are not at rest spread within a time step.
-template <int dim>
-typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& step, const PointField& lambda,
-                                                              const PointField& speed, const Held& closed,
-                                                              double resting, const Supports& supports) {
+VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& lambda, const PointField& speed,
+                                           const Held& closed, double resting, const Supports& supports) {
+  const int dim = at_rest_.components();
   auto& problem = spread_->problem;
   const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
   PointField impulse(lambda.size(), 0.0);
@@ -199,11 +190,11 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::spread(const Model<dim>& 
 }
 
 /// A way without the motions of free bodies as wholes. Seen from supports that move alike these had no work of theirs.
-template <int dim>
-typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::within_bodies(Way way, const Supports& supports) const {
+VelocityUpdate::Way VelocityUpdate::within_bodies(Way way, const Supports& supports) const {
+  const int dim = at_rest_.components();
   const auto momentum = spread_->bodies.remove_motion(way.velocity);
   if (!supports) return way;
-  std::array<double, dim + 1> mine{};  // velocities of what is held, and how many nodes are
+  std::array<double, 4> mine{};  // velocities of what is held, and how many nodes are
   for (int n = 0; n < mass_.owned_nodes(); ++n) {
     bool holds = false;
     for (int c = 0; c < dim; ++c) holds = holds || at_rest_.held()[dim * n + c];
@@ -216,8 +207,8 @@ typename VelocityUpdate<dim>::Way VelocityUpdate<dim>::within_bodies(Way way, co
   return way;
 }
 
-template <int dim>
-EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& state, double lost, double resting) {
+EnergyOfJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting) {
+  const int dim = at_rest_.components();
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
   VOUSSOIR_EXPECT(std::isfinite(lost) && lost >= 0 && "energy of closing: not negative");
   VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
@@ -260,8 +251,8 @@ EnergyOfJump VelocityUpdate<dim>::apply(const Model<dim>& step, ContactState& st
   return energy;
 }
 
-template <int dim>
-std::vector<char> VelocityUpdate<dim>::calm(const ContactState& state, double energy, double resting) const {
+std::vector<char> VelocityUpdate::calm(const ContactState& state, double energy, double resting) const {
+  const int dim = at_rest_.components();
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
   VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
   const auto speed = relative_velocities(at_rest_.points(), state.velocity);
@@ -277,15 +268,11 @@ std::vector<char> VelocityUpdate<dim>::calm(const ContactState& state, double en
   return is_calm;
 }
 
-template <int dim>
-EnergyOfJump VelocityUpdate<dim>::settle(ContactState& state, double resting) {
+EnergyOfJump VelocityUpdate::settle(ContactState& state, double resting) {
   if (!at_rest_.rubs()) return {};
   const auto speed = relative_velocities(at_rest_.points(), state.velocity);
   return stop(state.velocity, contacts(at_rest_, state, speed, resting).second, state.selected,
               moving_supports(state.velocity));
 }
-
-template double largest_force<2>(const Model<2>&, const ContactState&);
-template class VelocityUpdate<2>;
 
 }  // namespace voussoir

@@ -22,8 +22,7 @@
 namespace voussoir {
 
 /// Largest normal force of selected points [N]. Collective.
-template <int dim>
-double largest_force(const Model<dim>&, const ContactState&);
+double largest_force(const Model&, const ContactState&);
 
 /// What a change of velocities adds to the book of a step. [J]
 struct EnergyOfJump {
@@ -31,11 +30,10 @@ struct EnergyOfJump {
   double work_of_supports = 0;  ///< of those that move
 };
 
-template <int dim>
 class VelocityUpdate {
  public:
   /// @param mass  the structure with the mass of its blocks in the place of their stiffness
-  VelocityUpdate(const Model<dim>& at_rest, const Structure<dim>& mass);
+  VelocityUpdate(const Model& at_rest, const BlockSystem& mass);
   ~VelocityUpdate();
 
   /// Collective.
@@ -43,7 +41,7 @@ class VelocityUpdate {
   /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
   /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
   /// @param resting  relative velocity below which a point counts as resting [m/s]
-  EnergyOfJump apply(const Model<dim>& step, ContactState& state, double lost, double resting);
+  EnergyOfJump apply(const Model& step, ContactState& state, double lost, double resting);
 
   /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
   /// may take.
@@ -73,17 +71,15 @@ class VelocityUpdate {
     std::vector<double> velocity;  ///< [m/s]
     double work_of_supports = 0;   ///< [J]
   };
-  Way spread(const Model<dim>& step, const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
+  Way spread(const Model& step, const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
              double resting, const Supports&);
   Way within_bodies(Way, const Supports&) const;
 
-  const Model<dim>& at_rest_;
-  const Structure<dim>& mass_;
-  VelocityProjection<dim> projection_;
+  const Model& at_rest_;
+  const BlockSystem& mass_;
+  VelocityProjection projection_;
   LinearSolver solver_;
   std::unique_ptr<Spread> spread_;  ///< of the last selection and time step
 };
-
-extern template class VelocityUpdate<2>;
 
 }  // namespace voussoir

@@ -11,6 +11,7 @@
 #include "dynamics/energy_book.hpp"
 #include "dynamics/load_steps.hpp"
 #include "mesh/block_source.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene_reader.hpp"
 #include "support/repository.hpp"
 #include "time/dynamic_step.hpp"
@@ -32,7 +33,7 @@ class Motion {
   /// All stages with their fixed time steps; false when a step does not converge.
   bool run(const std::function<void()>& watch) {
     LoadSteps steps(scene_.stages, scene_.load_steps);
-    DynamicStep<2> in_time(model_);
+    DynamicStep in_time(model_);
     std::vector<double> load, prescribed;
     while (!steps.finished()) {
       if (!steps.dynamic()) {
@@ -89,7 +90,7 @@ class Motion {
     return least;
   }
 
-  const Model<2>& model() const { return model_; }
+  const PlaneModel& model() const { return model_; }
   const ContactState& state() const { return state_; }
   const EnergyBook& book() const { return book_; }
 
@@ -112,8 +113,8 @@ class Motion {
 
   Scene scene_;
   std::unique_ptr<BlockSource<2>> source_;
-  Model<2> model_;
-  AdaptiveStep<2> load_step_;
+  PlaneModel model_;
+  AdaptiveStep load_step_;
   ContactState state_;
   EnergyBook book_;
 };

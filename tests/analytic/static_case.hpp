@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
-#include "model/model.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -63,16 +63,16 @@ class StaticCase {
     return report_;
   }
 
-  const Model<2>& model() const { return model_; }
-  AdaptiveStep<2>& solver() { return step_; }
+  const PlaneModel& model() const { return model_; }
+  AdaptiveStep& solver() { return step_; }
   const ContactState& state() const { return state_; }
   const StepReport& report() const { return report_; }
 
  private:
   Scene scene_;
   std::unique_ptr<BlockSource<2>> source_;
-  Model<2> model_;
-  AdaptiveStep<2> step_;
+  PlaneModel model_;
+  AdaptiveStep step_;
   ContactState state_;
   StepReport report_;
 };

@@ -36,17 +36,17 @@ int iterations_at_solution(Scene scene) {
   std::fill(state.selected.begin(), state.selected.end(), 1);
 
   LinearSolver solver(model.settings().solver);
-  const ContactProblem<2>::Parts parts{model.structure(),
-                                       model.points(),
-                                       model.continuum(),
-                                       model.held(),
-                                       model.local_stiffness(),
-                                       {},
-                                       model.settings().preconditioner,
-                                       model.settings().internals,
-                                       solver};
-  ContactProblem<2> problem(parts, state.selected,
-                            {model.law(), state.slip_origin, experiment.load(), experiment.prescribed()});
+  const ContactProblem::Parts parts{model.structure(),
+                                    model.points(),
+                                    model.continuum(),
+                                    model.held(),
+                                    model.local_stiffness(),
+                                    {},
+                                    model.settings().preconditioner,
+                                    model.settings().internals,
+                                    solver};
+  ContactProblem problem(parts, state.selected,
+                         {model.law(), state.slip_origin, experiment.load(), experiment.prescribed()});
   auto patternless = experiment.load();
   for (std::size_t i = 0; i < patternless.size(); ++i) patternless[i] = std::sin(1 + 1.7 * static_cast<double>(i));
   int most = 0;

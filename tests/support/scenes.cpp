@@ -10,6 +10,7 @@
 #include "linalg/gather.hpp"
 #include "mesh/block_source.hpp"
 #include "model/joint_strength.hpp"
+#include "model/plane/plane_model.hpp"
 
 namespace voussoir::test {
 namespace {
@@ -158,11 +159,11 @@ long long Solution::selected() const {
 Experiment::Experiment(const Scene& scene) : scene_(scene) {
   const auto comm = Tpetra::getDefaultComm();
   source_ = make_block_source<2>(scene_.mesh, *comm);
-  model_ = std::make_unique<Model<2>>(scene_, *source_, comm);
-  step_ = std::make_unique<AdaptiveStep<2>>(*model_);
+  model_ = std::make_unique<PlaneModel>(scene_, *source_, comm);
+  step_ = std::make_unique<AdaptiveStep>(*model_);
   state_ = step_->initial_state();
   slip_before_ = state_.slip_origin;
-  construction_ = std::make_unique<Construction<2>>(scene_, *model_);
+  construction_ = std::make_unique<Construction>(scene_, *model_);
   model_->loads({}, 0.0, load_, prescribed_);
 }
 

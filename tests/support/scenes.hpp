@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/construction.hpp"
+#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -75,8 +76,8 @@ class Experiment {
   Solution solution() const;
 
   const Scene& scene() const { return scene_; }
-  const Model<2>& model() const { return *model_; }
-  AdaptiveStep<2>& step() { return *step_; }
+  const PlaneModel& model() const { return *model_; }
+  AdaptiveStep& step() { return *step_; }
   ContactState& state() { return state_; }
   const std::vector<double>& load() const { return load_; }
   const std::vector<double>& prescribed() const { return prescribed_; }
@@ -84,10 +85,10 @@ class Experiment {
  private:
   Scene scene_;
   std::unique_ptr<BlockSource<2>> source_;
-  std::unique_ptr<Model<2>> model_;
-  std::unique_ptr<AdaptiveStep<2>> step_;
+  std::unique_ptr<PlaneModel> model_;
+  std::unique_ptr<AdaptiveStep> step_;
   ContactState state_;
-  std::unique_ptr<Construction<2>> construction_;
+  std::unique_ptr<Construction> construction_;
   PointField slip_before_;
   std::vector<double> load_, prescribed_;
   StepReport last_;

@@ -3,6 +3,7 @@
 
 #include "homogenisation/merged_space.hpp"
 #include "model/contact_problem.hpp"
+#include "model/plane/plane_model.hpp"
 #include "support/scenes.hpp"
 
 namespace voussoir::test {
@@ -16,18 +17,18 @@ inline Scene tied_wall() {
 }
 
 /// Which local node copies are one.
-inline std::vector<int> clusters(const Model<2>& model, const std::vector<char>& selected) {
-  return MergedSpace<2>(model.structure(), model.points(), selected, model.held()).cluster();
+inline std::vector<int> clusters(const PlaneModel& model, const std::vector<char>& selected) {
+  return MergedSpace(model.structure(), model.points(), selected, model.held()).cluster();
 }
 
-inline ContactProblem<2>::Parts parts_of(const Model<2>& model, LinearSolver& solver) {
+inline ContactProblem::Parts parts_of(const PlaneModel& model, LinearSolver& solver) {
   const auto& how = model.settings();
   return {model.structure(),   model.points(),     model.continuum(), model.held(), model.local_stiffness(),
           model.initial_gap(), how.preconditioner, how.internals,     solver};
 }
 
 /// The blocks of a point.
-inline const Joint& joint_of(const Model<2>& model, int point) {
+inline const Joint& joint_of(const PlaneModel& model, int point) {
   return model.points().joints()[model.points().points()[point].joint];
 }
 

@@ -34,7 +34,7 @@ Teuchos::RCP<TpetraVector> block_motion(const SelectedWall& w, int which) {
 }
 
 struct System {
-  SystemMatrix<2> h;
+  SystemMatrix h;
   explicit System(const SelectedWall& w) : h(w.structure, w.points, w.selected, w.space) {
     h.update(w.statuses(), w.proximal());
   }
@@ -43,8 +43,8 @@ struct System {
 /// A system with its preconditioner, nothing switched off.
 struct WholeOperator {
   System system;
-  Continuum<2> continuum;
-  CoarseOperator<2> preconditioner;
+  Continuum continuum;
+  CoarseOperator preconditioner;
   explicit WholeOperator(const SelectedWall& w)
       : system(w),
         continuum(w.structure, w.points, w.held, {}),
@@ -57,7 +57,7 @@ TEUCHOS_UNIT_TEST(BlockMotions, AreThreePerBlockWithASelectedPoint) {
   for (const auto selected : {Selected::some, Selected::all}) {
     const SelectedWall w(selected);
     const auto active = w.active();
-    const BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, active);
+    const BlockMotions motions(w.structure, w.points, w.selected, w.space, active);
     TEST_EQUALITY(motions.size(), 3 * std::count(active.begin(), active.end(), 1));
   }
 }
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(BlockMotions, SolveExactlyForMotionsOfEveryBlock) {
   for (const auto selected : {Selected::some, Selected::all}) {
     const SelectedWall w(selected);
     const System system(w);
-    BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
+    BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active());
     motions.update(w.statuses(), w.proximal());
     for (int which = 0; which < 3; ++which) {
       const auto x = block_motion(w, which);
@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(BlockMotions, SolveExactlyForMotionsOfEveryBlock) {
 
 TEUCHOS_UNIT_TEST(BlockMotions, AddToWhatIsThere) {
   const SelectedWall w(Selected::some);
-  BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
+  BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active());
   motions.update(w.statuses(), w.proximal());
   const auto r = noise_vector(w.space.map());
   TpetraVector once(w.space.map()), twice(w.space.map());
@@ -102,10 +102,10 @@ const PreconditionerParameters parts[] = {{true, true, true},   {false, true, tr
 TEUCHOS_UNIT_TEST(CoarseOperator, IsSymmetricAndPositiveWhateverIsSelectedAndSwitchedOn) {
   for (const auto selected : {Selected::none, Selected::few, Selected::some, Selected::all}) {
     const SelectedWall w(selected);
-    const Continuum<2> continuum(w.structure, w.points, w.held, {});
+    const Continuum continuum(w.structure, w.points, w.held, {});
     const System system(w);
     for (const auto& part : parts) {
-      CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, part);
+      CoarseOperator m(w.structure, w.points, w.selected, w.space, continuum, part);
       m.update(system.h, w.statuses(), w.proximal());
       m.couple(system.h, Symmetry::symmetric);
       const auto a = noise_vector(w.space.map());
@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(CoarseOperator, WithoutSymmetryLeavesNothingToBlockMotionsEith
     const auto& system = whole.system;
     auto& m = whole.preconditioner;
     m.couple(system.h, Symmetry::none);
-    BlockMotions<2> motions(w.structure, w.points, w.selected, w.space, w.active());
+    BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active());
     motions.update(w.statuses(), w.proximal());
     const auto r = noise_vector(w.space.map());
     TpetraVector z(w.space.map()), left(w.space.map()), seen(w.space.map()), before(w.space.map());
@@ -166,9 +166,9 @@ TEUCHOS_UNIT_TEST(CoarseOperator, WithoutSymmetryLeavesNothingToBlockMotionsEith
 
 TEUCHOS_UNIT_TEST(CoarseOperator, OfABondedStructureIsTheContinuum) {
   const SelectedWall w(Selected::none);
-  const Continuum<2> continuum(w.structure, w.points, w.held, {});
+  const Continuum continuum(w.structure, w.points, w.held, {});
   const System system(w);
-  CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
+  CoarseOperator m(w.structure, w.points, w.selected, w.space, continuum, {});
   m.update(system.h, w.statuses(), w.proximal());
   auto r = noise_vector(w.space.map());
   for (int k = 0; k < 2 * w.space.owned_clusters(); ++k)

@@ -12,9 +12,9 @@ using namespace voussoir::test;
 /// A wall, its matrix and its coarse operator, with statuses that slip one way, the other, or have no friction (0).
 struct Problem {
   const SelectedWall wall;
-  Continuum<2> continuum{wall.structure, wall.points, wall.held, {}};
-  SystemMatrix<2> h{wall.structure, wall.points, wall.selected, wall.space};
-  CoarseOperator<2> m;
+  Continuum continuum{wall.structure, wall.points, wall.held, {}};
+  SystemMatrix h{wall.structure, wall.points, wall.selected, wall.space};
+  CoarseOperator m;
 
   explicit Problem(Selected what, const PreconditionerParameters& parameters = {})
       : wall(what), m(wall.structure, wall.points, wall.selected, wall.space, continuum, parameters) {}

@@ -21,7 +21,7 @@ struct TwoCubes {
   Structure<3> structure;
   ContactPoints points;
   std::vector<char> held, selected;
-  MergedSpace<3> space;
+  MergedSpace space;
 
   explicit TwoCubes(int n, Chosen chosen, bool on_ground = false)
       : source(two_cubes(n)),
@@ -79,7 +79,7 @@ struct TwoCubes {
 /// Entries of H between unknowns of this rank, as a dense matrix [columns x columns]; rows of others stay empty.
 using Dense = std::vector<std::vector<double>>;
 
-Dense rows_of(const SystemMatrix<3>& matrix, const MergedSpace<3>& space) {
+Dense rows_of(const SystemMatrix& matrix, const MergedSpace& space) {
   Dense h(3 * space.clusters(), std::vector<double>(3 * space.clusters(), 0.0));
   const auto rows = matrix.local();
   for (int i = 0; i < 3 * space.owned_clusters(); ++i)
@@ -192,7 +192,7 @@ TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsTheSumOfItsDefinition) {
   for (const int n : {1, 2})
     for (const auto chosen : {Chosen::even, Chosen::all}) {
       const TwoCubes t(n, chosen, true);
-      SystemMatrix<3> matrix(t.structure, t.points, t.selected, t.space);
+      SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
       const auto stiffness = t.resistances(true);
       matrix.update(stiffness, t.proximal());
       TEST_ASSERT(matrix.couple(stiffness));
@@ -209,7 +209,7 @@ TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsTheSumOfItsDefinition) {
 
 TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsSymmetricWhereFrictionDoesNotFollowThePressure) {
   const TwoCubes t(2, Chosen::all, true);
-  SystemMatrix<3> matrix(t.structure, t.points, t.selected, t.space);
+  SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
   const auto stiffness = t.resistances(false);
   matrix.update(stiffness, t.proximal());
   TEST_ASSERT(!matrix.couple(stiffness));
@@ -221,10 +221,10 @@ TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsSymmetricWhereFrictionDoesNotFollowTheP
 TEUCHOS_UNIT_TEST(BlockMotionsInSpace, GiveBackTheSixRigidMotionsOfEveryCubeFromWhatTheSystemMakesOfThem) {
   for (const int n : {1, 2}) {
     const TwoCubes t(n, Chosen::all);
-    SystemMatrix<3> matrix(t.structure, t.points, t.selected, t.space);
+    SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
     const auto stiffness = t.resistances(false);
     matrix.update(stiffness, t.proximal());
-    BlockMotions<3> motions(t.structure, t.points, t.selected, t.space, {1, 1});
+    BlockMotions motions(t.structure, t.points, t.selected, t.space, {1, 1});
     TEST_EQUALITY(motions.size(), 12);
     motions.update(stiffness, t.proximal());
     for (int upper = 0; upper < 2; ++upper)
@@ -249,7 +249,7 @@ TEUCHOS_UNIT_TEST(BlockMotionsInSpace, GiveBackTheSixRigidMotionsOfEveryCubeFrom
 
 TEUCHOS_UNIT_TEST(SystemMatrixInSpace, ResistsNoMotionOfCubesThatNothingHolds) {
   const TwoCubes t(2, Chosen::all);
-  SystemMatrix<3> matrix(t.structure, t.points, t.selected, t.space);
+  SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
   matrix.update(std::vector<PointStiffness>(t.points.size()), {});
   TpetraVector x(t.space.map()), hx(t.space.map());
   t.space.average(t.displacement([](const Vector<3>& y) { return up + cross(Vector<3>{1, 2, 3}, y); }), x);

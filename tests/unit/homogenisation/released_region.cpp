@@ -12,7 +12,7 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
-ReleasedRegion<2> region_of(const SelectedWall& w) { return {w.structure, w.points, w.selected, w.space}; }
+ReleasedRegion region_of(const SelectedWall& w) { return {w.structure, w.points, w.selected, w.space}; }
 
 TEUCHOS_UNIT_TEST(ReleasedRegion, IsSmallWhereLittleHasParted) {
   const SelectedWall none(Selected::none), few(Selected::few), all(Selected::all), mine(Selected::few, alone());
@@ -26,7 +26,7 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, IsSmallWhereLittleHasParted) {
 
 TEUCHOS_UNIT_TEST(ReleasedRegion, SolvesExactlyWhatMovesThereWithFriction) {
   const SelectedWall w(Selected::few);
-  SystemMatrix<2> h(w.structure, w.points, w.selected, w.space);
+  SystemMatrix h(w.structure, w.points, w.selected, w.space);
   auto region = region_of(w);
   for (const double direction : {0.0, 1.0, -1.0}) {  // without friction, and slipping either way: factored anew
     const auto stiffness = direction == 0 ? w.statuses() : slipping(w, direction);
@@ -47,8 +47,8 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, SolvesExactlyWhatMovesThereWithFriction) {
 
 TEUCHOS_UNIT_TEST(ReleasedRegion, SavesIterations) {
   const SelectedWall w(Selected::few);
-  const Continuum<2> continuum(w.structure, w.points, w.held, {});
-  SystemMatrix<2> h(w.structure, w.points, w.selected, w.space);
+  const Continuum continuum(w.structure, w.points, w.held, {});
+  SystemMatrix h(w.structure, w.points, w.selected, w.space);
   LinearSolver solver({});
   const std::vector<double> nothing(w.proximal().size(), 0.0);  // the continuum knows of no proximal term
   for (const double direction : {0.0, 1.0}) {
@@ -59,7 +59,7 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, SavesIterations) {
       PreconditionerParameters parameters;
       parameters.released_region = region;
       const auto m =
-          std::make_shared<CoarseOperator<2>>(w.structure, w.points, w.selected, w.space, continuum, parameters);
+          std::make_shared<CoarseOperator>(w.structure, w.points, w.selected, w.space, continuum, parameters);
       h.update(stiffness, nothing);
       m->update(h, stiffness, nothing);
       const auto symmetry = h.couple(stiffness) ? Symmetry::none : Symmetry::symmetric;
@@ -79,9 +79,9 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, SavesIterations) {
 
 TEUCHOS_UNIT_TEST(ReleasedRegion, IsFactoredAgainWhenPointsSlipTheOtherWay) {
   const SelectedWall w(Selected::few);
-  const Continuum<2> continuum(w.structure, w.points, w.held, {});
-  SystemMatrix<2> h(w.structure, w.points, w.selected, w.space);
-  CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
+  const Continuum continuum(w.structure, w.points, w.held, {});
+  SystemMatrix h(w.structure, w.points, w.selected, w.space);
+  CoarseOperator m(w.structure, w.points, w.selected, w.space, continuum, {});
   const auto factorised_for = [&](double direction) {
     const auto stiffness = slipping(w, direction);
     h.update(stiffness, w.proximal());
@@ -103,9 +103,9 @@ TEUCHOS_UNIT_TEST(ReleasedRegion, IsFactoredAgainWhenPointsSlipTheOtherWay) {
 TEUCHOS_UNIT_TEST(ReleasedRegion, ANewStepTakesFactorsOnlyWhereNothingHasChanged) {
   for (const auto selected : {Selected::few, Selected::all}) {
     const SelectedWall w(selected);
-    const Continuum<2> continuum(w.structure, w.points, w.held, {});
-    SystemMatrix<2> h(w.structure, w.points, w.selected, w.space);
-    CoarseOperator<2> m(w.structure, w.points, w.selected, w.space, continuum, {});
+    const Continuum continuum(w.structure, w.points, w.held, {});
+    SystemMatrix h(w.structure, w.points, w.selected, w.space);
+    CoarseOperator m(w.structure, w.points, w.selected, w.space, continuum, {});
     const auto stiffness = slipping(w, 1);
     const auto update = [&](double factor) {
       auto more = stiffness;

@@ -18,7 +18,7 @@ struct SelectedWall {
   Structure<2> structure;
   ContactPoints points;
   std::vector<char> held, selected;
-  MergedSpace<2> space;
+  MergedSpace space;
 
   explicit SelectedWall(Selected what, const Comm& comm = everyone())
       : source(wall(what == Selected::few ? 12 : 5, what == Selected::few ? 8 : 3)),

@@ -18,7 +18,7 @@ struct Bonded {
   Structure<2> structure;
   ContactPoints points;
   std::vector<char> held;
-  Continuum<2> continuum;
+  Continuum continuum;
   std::vector<double> residual, lambda;  // K u - f per node copy [N], forces of the points [N]
   double largest_force = 0;
 

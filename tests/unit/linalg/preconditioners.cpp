@@ -35,9 +35,9 @@ class BondedWall {
     std::vector<char> held(2 * structure_.nodes(), 0);
     for (int i = 0; i < structure_.nodes(); ++i)
       if (structure_.position()[i][1] == 0) held[2 * i] = held[2 * i + 1] = 1;
-    continuum_ = std::make_unique<Continuum<2>>(structure_, points_, held, muelu);
+    continuum_ = std::make_unique<Continuum>(structure_, points_, held, muelu);
   }
-  const Continuum<2>& continuum() const { return *continuum_; }
+  const Continuum& continuum() const { return *continuum_; }
   const Preconditioner& multigrid() const { return *continuum_->preconditioner(); }
   Teuchos::RCP<TpetraVector> noise() const { return noise_vector(continuum_->space().map()); }
 
@@ -50,7 +50,7 @@ class BondedWall {
   std::unique_ptr<BlockSource<2>> source_;
   Structure<2> structure_;
   ContactPoints points_;
-  std::unique_ptr<Continuum<2>> continuum_;
+  std::unique_ptr<Continuum> continuum_;
 };
 
 /// Small walls get as many levels as large ones.

@@ -22,7 +22,7 @@ using namespace voussoir::test;
 struct WallAtRest {
   Experiment wall;
   LinearSolver solver;
-  std::unique_ptr<ContactProblem<2>> problem;
+  std::unique_ptr<ContactProblem> problem;
   Teuchos::RCP<TpetraVector> x;
   PointField lambda;
   std::vector<PointStiffness> sticking;
@@ -31,9 +31,9 @@ struct WallAtRest {
     if (!wall.advance({{"weight", 1}})) throw std::runtime_error("the wall does not stand");
     const auto& model = wall.model();
     const ContactState& state = wall.state();
-    problem = std::make_unique<ContactProblem<2>>(
+    problem = std::make_unique<ContactProblem>(
         parts_of(model, solver), state.selected,
-        ContactProblem<2>::Asked{model.law(), state.slip_origin, wall.load(), wall.prescribed()});
+        ContactProblem::Asked{model.law(), state.slip_origin, wall.load(), wall.prescribed()});
     x = problem->unknowns(wall.state().displacement);
     lambda = wall.state().lambda;
     for (const double stiffness : model.local_stiffness()) sticking.push_back({stiffness, stiffness});

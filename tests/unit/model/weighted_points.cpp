@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(WeightedPoints, AreNeverTiedButWhereTheyArePairsOfCoincidentNo
   TEST_EQUALITY(stones.points.total(), 6);  // of the stone with five edges
   const auto is_end = [](const ContactPoint& p) { return p.place[0] == 0 || p.place[0] == 2; };
   for (const auto& p : stones.points.points()) TEST_EQUALITY(p.can_be_tied(), is_end(p));
-  const Continuum<2> continuum(stones.structure, stones.points, stones.held, {}, {}, stones.stiffness);
+  const Continuum continuum(stones.structure, stones.points, stones.held, {}, {}, stones.stiffness);
   for (const auto& p : stones.points.points()) TEST_EQUALITY(continuum.space().tied(p), is_end(p));
 }
 
@@ -112,8 +112,8 @@ TEUCHOS_UNIT_TEST(CarriedPoints, StandWhereTheyStoodOrBeginWithoutAPast) {
 // Where a point reaches two nodes of one stone, their stiffness is not lost with the point's.
 TEUCHOS_UNIT_TEST(WeightedPoints, ComeAndGoFromTheSystemAsIfTheyHadNeverBeen) {
   const PressedStones stones(stacks().back());
-  const MergedSpace<2> space(stones.structure, stones.points, stones.selected, stones.held);
-  SystemMatrix<2> system(stones.structure, stones.points, stones.selected, space);
+  const MergedSpace space(stones.structure, stones.points, stones.selected, stones.held);
+  SystemMatrix system(stones.structure, stones.points, stones.selected, space);
   const auto values = [&] {
     const auto h = system.local();
     return std::vector<double>(h.value, h.value + h.start[2 * space.owned_clusters()]);

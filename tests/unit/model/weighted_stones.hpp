@@ -169,10 +169,9 @@ struct PressedStones {
     const PreconditionerParameters preconditioner;
     if (slip_origin.empty()) slip_origin.assign(lambda.size(), 0.0);
     LinearSolver solver{SolverParameters{}};
-    const Continuum<2> continuum(structure, points, held, {}, internals.preconditioner, stiffness);
-    ContactProblem<2> problem(
-        {structure, points, continuum, held, stiffness, no_gap, preconditioner, internals, solver}, selected,
-        {law, slip_origin, load, prescribed});
+    const Continuum continuum(structure, points, held, {}, internals.preconditioner, stiffness);
+    ContactProblem problem({structure, points, continuum, held, stiffness, no_gap, preconditioner, internals, solver},
+                           selected, {law, slip_origin, load, prescribed});
     displacement.resize(held.size(), 0.0);
     const auto x = problem.unknowns(displacement);
     NewtonParameters newton;

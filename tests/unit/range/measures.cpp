@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 
+#include "model/plane/plane_model.hpp"
 #include "range/range_check.hpp"
 #include "range/slip_range.hpp"
 #include "range/stone_overlap.hpp"
@@ -22,7 +23,7 @@ constexpr Vector<2> middle{0.375, 0.375};                                     //
 
 struct Moved {
   Experiment wall{tied_wall()};
-  const Model<2>& model = wall.model();
+  const PlaneModel& model = wall.model();
   ContactState state = wall.state();
   std::vector<double> load;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "run/static_theorem.hpp"
 #include "support/scenes.hpp"
 
@@ -27,7 +28,7 @@ struct Pushed {
     wall.model().loads({{"weight", 1.0}, {"sideways", push / unit}}, 0, load, prescribed);
   }
   Settled settled(int most_solves) {
-    return settle_in_time(const_cast<Model<2>&>(wall.model()), wall.step(), wall.state(), {before, load, prescribed},
+    return settle_in_time(const_cast<PlaneModel&>(wall.model()), wall.step(), wall.state(), {before, load, prescribed},
                           most_solves);
   }
 };

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "support/tied_wall.hpp"
 
 namespace {
@@ -21,7 +22,7 @@ struct Drawn {
   explicit Drawn(const Scene& scene) : wall(scene), state(wall.state()) {
     for (std::size_t i = 0; i < state.lambda.size(); i += 2) state.lambda[i] = -1;
   }
-  const Model<2>& model() const { return wall.model(); }
+  const PlaneModel& model() const { return wall.model(); }
   /// Over all ranks: how many points between two blocks are selected, of how many.
   std::array<long long, 2> selected_between(BlockId i, BlockId j) const {
     std::array<long long, 2> count{0, 0};

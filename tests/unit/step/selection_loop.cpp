@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "support/tied_wall.hpp"
 
 namespace {
@@ -31,9 +32,9 @@ struct Drawn {
   Drawn(SelectionMode mode, double pull) : wall(scene(mode, pull)), state(wall.state()) {
     std::vector<double> load, prescribed;
     model().loads({{"weight", 1.0}, {"pressure on right", 1.0}}, 0.0, load, prescribed);
-    SelectionTools<2> tools(model());
+    SelectionTools tools(model());
     Progress progress;
-    SelectionLoop<2> loop(tools, state, {load, prescribed}, progress);
+    SelectionLoop loop(tools, state, {load, prescribed}, progress);
     report = loop.run();
     mechanism = loop.mechanism();
   }
@@ -45,7 +46,7 @@ struct Drawn {
     apply_all_loads(scene);
     return scene;
   }
-  const Model<2>& model() const { return wall.model(); }
+  const PlaneModel& model() const { return wall.model(); }
   /// Over all points between two blocks and all ranks: force on the second [N], how many there are, how many selected.
   std::array<double, 4> between(BlockId i, BlockId j) const {
     std::array<double, 4> mine{}, all{};

@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(Step, IsTheSameWhateverStepsWereTakenBefore) {
       Loaded scene(arch ? arch_scene(31) : wall_scene(6), mode);
       TEST_ASSERT(scene.stands());
       const auto before = scene.state();
-      AdaptiveStep<2> used(scene.model()), fresh(scene.model());
+      AdaptiveStep used(scene.model()), fresh(scene.model());
       auto state = before;
       TEST_ASSERT(advance(used, state, scene.little()).converged());
       TEST_ASSERT(advance(used, state, scene.much()).converged());
@@ -76,7 +76,7 @@ TEUCHOS_UNIT_TEST(Step, InTimeIsTheSameWhateverStepsWereTakenBefore) {
   for (const auto mode : {SelectionMode::all, SelectionMode::adaptive}) {
     Loaded wall(wall_scene(4), mode);
     TEST_ASSERT(wall.stands());
-    DynamicStep<2> used(wall.model()), fresh(wall.model());
+    DynamicStep used(wall.model()), fresh(wall.model());
     auto before = wall.state();
     used.begin(before);
     for (auto* step : {&used, &fresh}) step->set_time_step(2e-3);
@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(Step, KeepsWhatPointsDoAsForcesAndGapsHaveIt) {
   for (const auto mode : {SelectionMode::all, SelectionMode::adaptive}) {
     Loaded wall(slippery, mode);
     TEST_ASSERT(wall.stands());
-    AdaptiveStep<2> step(wall.model());
+    AdaptiveStep step(wall.model());
     const auto [after, report] = step.take(wall.state(), wall.much());
     TEST_ASSERT(report.converged());
     auto all = count_statuses(wall, after, out, success);
@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(Step, KeepsWhatPointsDoAsForcesAndGapsHaveIt) {
     TEST_COMPARE(all[2], >, 0);
     TEST_ASSERT(all[3] == 0 || mode == SelectionMode::adaptive);
 
-    DynamicStep<2> in_time(wall.model());
+    DynamicStep in_time(wall.model());
     auto state = wall.state();
     in_time.begin(state);
     in_time.set_time_step(1e-3);
@@ -147,7 +147,7 @@ TEUCHOS_UNIT_TEST(Step, EndsWhereAQuestionIsAnsweredNoAndIsTakenAfterwards) {
   Loaded wall(wall_scene(6), SelectionMode::all);
   TEST_ASSERT(wall.stands());
   const auto before = wall.state();
-  AdaptiveStep<2> step(wall.model());
+  AdaptiveStep step(wall.model());
   auto& progress = *step.progress();
   std::vector<std::string> order;
   progress.print = [&](const NewtonProgress&) { order.emplace_back("print"); };
@@ -173,7 +173,7 @@ TEUCHOS_UNIT_TEST(Step, EndsWhereAQuestionIsAnsweredNoAndIsTakenAfterwards) {
   TEST_ASSERT(after.report.converged());
   TEST_EQUALITY(progress.solves(), 2 + after.report.newton.newton_iterations);
   TEST_EQUALITY(order.size(), 4 + after.report.newton.newton_iterations);
-  AdaptiveStep<2> fresh(wall.model());
+  AdaptiveStep fresh(wall.model());
   TEST_ASSERT(same(after.after, fresh.take(before, wall.much()).after));
 }
 

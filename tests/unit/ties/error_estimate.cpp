@@ -59,8 +59,8 @@ TEUCHOS_UNIT_TEST(TieError, IsTheDistanceToTheSolutionWithoutTies) {
   TEST_COMPARE(violations.largest, >, 0);
   LinearSolver solver(scene.solver);
   const auto error =
-      tie_error<2>(parts_of(model, solver), {model.law(), tied.state().slip_origin, tied.load(), tied.prescribed()},
-                   tied.state(), cluster, violations);
+      tie_error(parts_of(model, solver), {model.law(), tied.state().slip_origin, tied.load(), tied.prescribed()},
+                tied.state(), cluster, violations);
   TEST_ASSERT(error.known);
   TEST_EQUALITY(error.linear_solves, 1);
 
@@ -90,8 +90,8 @@ TEUCHOS_UNIT_TEST(TieError, CostsNothingWhereTiesHold) {
   const auto cluster = clusters(model, tied.state().selected);
   const auto none = tied_violations(model, model.law(), tied.state(), cluster);
   const auto error =
-      tie_error<2>(parts_of(model, solver), {model.law(), tied.state().slip_origin, tied.load(), tied.prescribed()},
-                   tied.state(), cluster, none);
+      tie_error(parts_of(model, solver), {model.law(), tied.state().slip_origin, tied.load(), tied.prescribed()},
+                tied.state(), cluster, none);
   TEST_EQUALITY(error.linear_solves, 0);
   TEST_EQUALITY(relative_error(model.structure(), tied.state().displacement, error, 0, 10), 0.0);
 }

@@ -1,7 +1,7 @@
 // Stones between springs with a law, by hand.
 //
 // Set-up    One stone of 0.5 m on the ground, two of 0.25 m on it side by side, all 0.25 m high.
-#include "ties/stone_relaxation.hpp"
+#include "ties/plane/stone_relaxation.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "support/tied_wall.hpp"
 
 namespace {
@@ -18,7 +19,7 @@ using namespace voussoir::test;
 
 constexpr double weight = 1000, spring = 1e6, ground = 1e12;  // [N], [N/m] of points and of what holds block 0
 
-std::vector<Stone> stones_of(const Model<2>& model) {
+std::vector<Stone> stones_of(const PlaneModel& model) {
   const auto& s = model.structure();
   std::vector<Stone> stones;
   for (const auto& block : s.blocks()) {
@@ -37,7 +38,7 @@ std::vector<Stone> stones_of(const Model<2>& model) {
 /// Stones lack what they are given here, by block.
 struct Relaxed {
   Experiment wall{tied_wall()};
-  const Model<2>& model = wall.model();
+  const PlaneModel& model = wall.model();
   StoneRelaxation stones{model, stones_of(model), spring};
   std::vector<StoneVector> lacks;
 

@@ -33,7 +33,7 @@ TEUCHOS_UNIT_TEST(DynamicStep, StonesThatPressAreClosedWhateverALoadStepHasLeftB
   }
 
   constexpr double time_step = 1e-3;  // [s]
-  DynamicStep<2> in_time(model);
+  DynamicStep in_time(model);
   in_time.begin(state);
   in_time.set_time_step(time_step);
   const auto report = advance(in_time, state, {wall.load(), wall.prescribed()});
@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(DynamicStep, WhatStandsOnMortarStandsInTime) {
     auto state = wall.state();
     const auto before = state.lambda;
     constexpr double time_step = 1e-3;  // [s]
-    DynamicStep<2> in_time(wall.model());
+    DynamicStep in_time(wall.model());
     in_time.begin(state);
     in_time.set_time_step(time_step);
     for (int k = 0; k < 3; ++k) {
@@ -92,7 +92,7 @@ TEUCHOS_UNIT_TEST(DynamicStep, MortarSwingsAsASpring) {
   for (double& f : load) f *= 1 + more;
   const double period = 2 * M_PI * std::sqrt(2000 * height / stiffness);
   constexpr int steps = 100;
-  DynamicStep<2> in_time(wall.model());
+  DynamicStep in_time(wall.model());
   in_time.begin(state);
   in_time.set_time_step(period / steps);
   std::vector<double> way;
@@ -119,7 +119,7 @@ TEUCHOS_UNIT_TEST(DynamicStep, StonesThatAreNotThereHoldNothing) {
   auto& state = wall.state();
   auto up = wall.load();
   for (double& f : up) f *= -1;
-  DynamicStep<2> in_time(wall.model());
+  DynamicStep in_time(wall.model());
   const auto& mesh = scene.mesh.wall;
   TEST_FLOATING_EQUALITY(in_time.total_mass(), 2 * 2000 * mesh.block_height * mesh.block_length, 1e-9);
   in_time.begin(state);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "blocks/assembly.hpp"
+#include "model/plane/plane_model.hpp"
 #include "support/tied_wall.hpp"
 
 namespace voussoir::test {
@@ -9,7 +10,7 @@ namespace voussoir::test {
 /// One stone of 0.5 m, two of 0.25 m on it side by side, all 0.25 m high, 2000 kg/m3.
 struct FloatingWall {
   Experiment wall;
-  const Model<2>& model;
+  const PlaneModel& model;
   Structure<2> mass;
   std::vector<double> mass_of_node;  ///< [kg] per local node copy
 

@@ -24,7 +24,7 @@ double largest(const FloatingWall& wall, const std::vector<double>& v) {
 
 TEUCHOS_UNIT_TEST(FreeBodies, StonesThatNothingTiesLoseAllTheirMotion) {
   const FloatingWall wall;
-  const FreeBodies<2> bodies(wall.model, wall.mass, std::vector<char>(wall.model.points().size(), 1));
+  const FreeBodies bodies(wall.model, wall.mass, std::vector<char>(wall.model.points().size(), 1));
   auto v = wall.velocity({{1, 2, 0}, {-3, 0, 0}, {0, 5, 0}});
   const auto momentum = bodies.remove_motion(v);
   TEST_FLOATING_EQUALITY(momentum[0], lower * 1 - upper * 3, round_off);
@@ -39,7 +39,7 @@ TEUCHOS_UNIT_TEST(FreeBodies, StonesThatNothingTiesLoseAllTheirMotion) {
 // the mass each, and not a turn about its mass centre either.
 TEUCHOS_UNIT_TEST(FreeBodies, TiedStonesLoseTheMotionOfTheirMassCentreAlone) {
   const FloatingWall wall;
-  const FreeBodies<2> bodies(wall.model, wall.mass, std::vector<char>(wall.model.points().size(), 0));
+  const FreeBodies bodies(wall.model, wall.mass, std::vector<char>(wall.model.points().size(), 0));
   auto v = wall.velocity({{2, 7, 0.5}, {2, 7, 0.5}, {2, 7, 0.5}});
   bodies.remove_motion(v);
   TEST_COMPARE(largest(wall, v), <, 10 * round_off);
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(FreeBodies, WhatASupportHoldsKeepsItsMotionWithAllThatIsTiedTo
   std::vector<char> selected(wall.model.points().size(), 0);
   for (std::size_t k = 0; k < selected.size(); ++k)
     selected[k] = joint_of(wall.model, static_cast<int>(k)).block_j == 2;
-  const FreeBodies<2> bodies(wall.model, wall.mass, selected);  // 1 is tied to 0, 2 is free
+  const FreeBodies bodies(wall.model, wall.mass, selected);  // 1 is tied to 0, 2 is free
   const auto before = wall.velocity({{0, 1, 0}, {4, 0, 0}, {0, 3, 0}});
   auto v = before;
   const auto momentum = bodies.remove_motion(v);

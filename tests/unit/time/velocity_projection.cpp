@@ -7,6 +7,7 @@
 #include <map>
 
 #include "linalg/reduce.hpp"
+#include "model/plane/plane_model.hpp"
 #include "unit/time/floating_wall.hpp"
 
 namespace {
@@ -17,7 +18,7 @@ using namespace voussoir::test;
 constexpr double solved = 1e-8;  // impulses are found to 1e-11 of their size
 
 /// Points whose two nodes belong to no other point: what happens there is between the two.
-std::vector<int> pairs_alone(const Model<2>& model) {
+std::vector<int> pairs_alone(const PlaneModel& model) {
   std::map<int, int> points_of_node;
   for (const auto& p : model.points().points())
     ++points_of_node[p.shares_i.first()], ++points_of_node[p.shares_j.first()];
@@ -30,7 +31,7 @@ std::vector<int> pairs_alone(const Model<2>& model) {
 }
 
 /// 1 for the normal, or for both components, of every point.
-std::vector<char> held(const Model<2>& model, bool both) {
+std::vector<char> held(const PlaneModel& model, bool both) {
   std::vector<char> all(2 * static_cast<std::size_t>(model.points().size()), 1);
   for (std::size_t i = 1; i < all.size(); i += 2) all[i] = both;
   return all;
@@ -38,7 +39,7 @@ std::vector<char> held(const Model<2>& model, bool both) {
 
 TEUCHOS_UNIT_TEST(VelocityProjection, MassAtAPointIsThatOfItsTwoNodesInSeries) {
   const FloatingWall wall;
-  const VelocityProjection<2> projection(wall.model, wall.mass);
+  const VelocityProjection projection(wall.model, wall.mass);
   for (int k = 0; k < wall.model.points().owned(); ++k) {
     const auto& p = wall.model.points().points()[k];
     const double series = 1 / (1 / wall.mass_of_node[p.shares_i.first()] + 1 / wall.mass_of_node[p.shares_j.first()]);
@@ -49,7 +50,7 @@ TEUCHOS_UNIT_TEST(VelocityProjection, MassAtAPointIsThatOfItsTwoNodesInSeries) {
 
 TEUCHOS_UNIT_TEST(VelocityProjection, TwoNodesThatMeetGoOnWithTheirMeanAndTheOthersAsTheyWere) {
   const FloatingWall wall;
-  VelocityProjection<2> projection(wall.model, wall.mass);
+  VelocityProjection projection(wall.model, wall.mass);
   const auto before = wall.velocity({{1, 0, 0}, {0, -3, 0}, {0, -3, 0}});
   auto v = before;
   TEST_EQUALITY(projection.apply(v, held(wall.model, false)), 0.0);
@@ -75,7 +76,7 @@ TEUCHOS_UNIT_TEST(VelocityProjection, TwoNodesThatMeetGoOnWithTheirMeanAndTheOth
 
 TEUCHOS_UNIT_TEST(VelocityProjection, EndsRelativeVelocitiesAndKeepsMomentum) {
   const FloatingWall wall;
-  VelocityProjection<2> projection(wall.model, wall.mass);
+  VelocityProjection projection(wall.model, wall.mass);
   auto v = wall.velocity({{1, 0, 0}, {0, -3, 0}, {2, 1, 0}});
   const auto momentum = [&] {
     double sum[2] = {0, 0};

@@ -7,8 +7,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "blocks/assembly.hpp"
+#include "model/plane/plane_model.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -38,7 +40,7 @@ class Flight {
           const auto& block = at_rest_.structure().blocks()[b];
           return block_mass(block.mesh, block.material.density, 1.0, Mass::consistent);
         })),
-        step_(at_rest_, mass_, MidpointRule{1e-4, 0, 0}, 1e-11),
+        step_(at_rest_.of_time_step(mass_, MidpointRule{1e-4, 0, 0}, 1e-11)),
         update_(at_rest_, mass_),
         state(experiment_.state()) {
     state.velocity.assign(state.displacement.size(), 0.0);
@@ -72,7 +74,7 @@ class Flight {
     Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, static_cast<int>(mine), Teuchos::outArg(everywhere));
     return everywhere != 0;
   }
-  double apply() { return update_.apply(step_, state, 0.0, resting).friction; }
+  double apply() { return update_.apply(*step_, state, 0.0, resting).friction; }
 
   bool bed(int k) const { return std::abs(at_rest_.points().points()[k].axis[0][1]) > 0.5; }
   /// Largest relative velocity at bed points, normal (0) or tangential (1) [m/s].
@@ -103,10 +105,10 @@ class Flight {
 
  private:
   Experiment experiment_;
-  const Model<2>& at_rest_;
+  const PlaneModel& at_rest_;
   Structure<2> mass_;
-  Model<2> step_;
-  VelocityUpdate<2> update_;
+  std::unique_ptr<Model> step_;
+  VelocityUpdate update_;
 
  public:
   ContactState& state;

@@ -1,4 +1,4 @@
-#include "ties/tie_balance.hpp"
+#include "ties/plane/tie_balance.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 /// Stiffness of the springs [N/m]: that of the softest point, for all alike. Which stones find a balance is a matter of
 /// places and laws; springs that differ by orders of magnitude would only make them wait for each other. Collective.
-double stiffness_of_springs(const Model<2>& model) {
+double stiffness_of_springs(const Model& model) {
   double softest = std::numeric_limits<double>::max();
   for (int k = 0; k < model.points().size(); ++k) {
     const double sigma = model.local_stiffness()[k];
@@ -31,7 +31,7 @@ double stiffness_of_springs(const Model<2>& model) {
 }
 
 /// The points as springs, each with the nearest force that its law admits; an open one bears none.
-std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, const ContactState& state,
+std::vector<StonePoint> springs(const Model& model, const PointLaws& law, const ContactState& state,
                                 const std::vector<int>& cluster) {
   std::vector<StonePoint> springs(model.points().size());
   const auto open = open_points(model);
@@ -51,37 +51,38 @@ std::vector<StonePoint> springs(const Model<2>& model, const PointLaws& law, con
   return springs;
 }
 
-StoneVector sum_over(const Structure<2>& s, const LocalBlock<2>& block, const Vector<2>& middle,
+StoneVector sum_over(const BlockSystem& s, const NodesOfBlock& block, const Vector<2>& middle,
                      const std::vector<double>& nodal) {
   StoneVector sum{};
-  const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
+  const int first = block.first_local, count = block.nodes;
   for (int i = first; i < first + count; ++i) {
     const Vector<2> f{nodal[2 * i], nodal[2 * i + 1]};
     sum[0] += f[0];
     sum[1] += f[1];
-    sum[2] += cross(s.position()[i] - middle, f);
+    sum[2] += cross(in_plane(s.place(i)) - middle, f);
   }
   return sum;
 }
 
 /// Sum of the magnitudes of nodal forces of a block [N].
-double magnitudes_over(const LocalBlock<2>& block, const std::vector<double>& nodal) {
+double magnitudes_over(const NodesOfBlock& block, const std::vector<double>& nodal) {
   double sum = 0;
-  const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
+  const int first = block.first_local, count = block.nodes;
   for (int i = first; i < first + count; ++i) sum += norm(Vector<2>{nodal[2 * i], nodal[2 * i + 1]});
   return sum;
 }
 
 /// The blocks as rigid bodies where they are; supports hold a node as a point does.
-std::vector<Stone> stones_of(const Model<2>& model, const DependentStones& dependent, double stiffness) {
+std::vector<Stone> stones_of(const Model& model, const DependentStones& dependent, double stiffness) {
   const auto& s = model.structure();
   std::vector<Stone> stones;
-  for (const auto& block : s.blocks()) {
+  for (int b = 0; b < s.local_blocks(); ++b) {
+    const auto& block = s.nodes_of(b);
     Stone stone;
-    const int first = block.first_local, count = static_cast<int>(block.mesh.position.size());
-    for (int i = first; i < first + count; ++i) stone.middle = stone.middle + (1.0 / count) * s.position()[i];
+    const int first = block.first_local, count = block.nodes;
+    for (int i = first; i < first + count; ++i) stone.middle = stone.middle + (1.0 / count) * in_plane(s.place(i));
     for (int i = first; i < first + count; ++i) {
-      const Vector<2> arm = s.position()[i] - stone.middle;
+      const Vector<2> arm = in_plane(s.place(i)) - stone.middle;
       stone.radius = std::max(stone.radius, norm(arm));
       for (int c = 0; c < 2; ++c) {
         if (!model.held()[2 * i + c]) continue;
@@ -89,7 +90,7 @@ std::vector<Stone> stones_of(const Model<2>& model, const DependentStones& depen
         stone.support[2] += stiffness * arm[1 - c] * arm[1 - c];
       }
     }
-    if (const BlockId under = dependent.depends_on(block.mesh.id); under >= 0) stone.rides_on = s.local_block(under);
+    if (const BlockId under = dependent.depends_on(block.id); under >= 0) stone.rides_on = s.local_block(under);
     stones.push_back(stone);
   }
   return stones;
@@ -101,12 +102,12 @@ StoneVector about(const StoneVector& v, const Vector<2>& from, const Vector<2>& 
 }
 
 /// 1 for each owned block that is not there, all its joints far open; empty for none.
-std::vector<char> absent_here(const Model<2>& model) {
+std::vector<char> absent_here(const Model& model) {
   const auto& s = model.structure();
   const auto& gap = model.initial_gap();
   const auto is_far = [&](double g) { return g >= s.size(); };
   if (std::none_of(gap.begin(), gap.end(), is_far)) return {};
-  std::vector<int> near(s.blocks().size(), 0), far(s.blocks().size(), 0);
+  std::vector<int> near(s.local_blocks(), 0), far(s.local_blocks(), 0);
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& joint = model.points().joint_of(k);
     auto& count = is_far(gap[k]) ? far : near;
@@ -119,29 +120,29 @@ std::vector<char> absent_here(const Model<2>& model) {
 }
 
 /// Which stones depend on which, from what every rank knows of its own. Collective.
-DependentStones dependent_stones(const Model<2>& model, const std::vector<char>& absent) {
+DependentStones dependent_stones(const Model& model, const std::vector<char>& absent) {
   const auto& s = model.structure();
   const auto blocks = static_cast<long>(s.owner_of_block().size());
   std::vector<int> mine(2 * blocks, 0);  // is a block held, is it absent
   for (std::size_t i = 0; i < model.held().size() / 2; ++i)
-    if (model.held()[2 * i] || model.held()[2 * i + 1]) mine[s.blocks()[s.block_of_node()[i]].mesh.id] = 1;
-  for (std::size_t b = 0; b < absent.size(); ++b) mine[blocks + s.blocks()[b].mesh.id] = absent[b];
+    if (model.held()[2 * i] || model.held()[2 * i + 1]) mine[s.nodes_of(s.block_of_node()[i]).id] = 1;
+  for (std::size_t b = 0; b < absent.size(); ++b) mine[blocks + s.nodes_of(static_cast<int>(b)).id] = absent[b];
   const auto all = largest_of_each(*s.comm(), mine);
-  return {model.source().graph(), {all.begin(), all.begin() + blocks}, {all.begin() + blocks, all.end()}};
+  return {model.graph(), {all.begin(), all.begin() + blocks}, {all.begin() + blocks, all.end()}};
 }
 
 /// Marks the stones that lack more than they may, on every rank that sees them.
-std::vector<char> marked(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<double>& bearable) {
+std::vector<char> marked(const BlockSystem& s, const std::vector<double>& lacks, const std::vector<double>& bearable) {
   std::vector<double> flag(s.nodes(), 0.0);
-  for (int b = 0; b < s.owned_blocks(); ++b) flag[s.blocks()[b].first_local] = lacks[b] > bearable[b];
+  for (int b = 0; b < s.owned_blocks(); ++b) flag[s.nodes_of(b).first_local] = lacks[b] > bearable[b];
   s.node_exchange().update(flag, 1);
   std::vector<char> loose;
-  for (const auto& block : s.blocks()) loose.push_back(flag[block.first_local] != 0);
+  for (int b = 0; b < s.local_blocks(); ++b) loose.push_back(flag[s.nodes_of(b).first_local] != 0);
   return loose;
 }
 
 /// The stones that lack more than they may, with the largest share of them all and where it is.
-TieBalance balance_of(const Structure<2>& s, const std::vector<double>& lacks, const std::vector<double>& bearable,
+TieBalance balance_of(const BlockSystem& s, const std::vector<double>& lacks, const std::vector<double>& bearable,
                       const std::vector<double>& own) {
   TieBalance balance;
   balance.any = true;
@@ -150,7 +151,7 @@ TieBalance balance_of(const Structure<2>& s, const std::vector<double>& lacks, c
     const double share = own[b] > 0 ? lacks[b] / own[b] : std::numeric_limits<double>::infinity();
     if (share <= balance.largest) continue;
     balance.largest = share;
-    balance.where = s.blocks()[b].mesh.id;
+    balance.where = s.nodes_of(b).id;
   }
   balance.loose = marked(s, lacks, bearable);
   const double mine = balance.largest;
@@ -166,7 +167,7 @@ TieBalance balance_of(const Structure<2>& s, const std::vector<double>& lacks, c
 
 /// What depends on nothing but where stones are, what holds them and which are there.
 struct TieCriterion::Stones {
-  Stones(const Model<2>& model, std::vector<char> absent_here, double stiffness)
+  Stones(const Model& model, std::vector<char> absent_here, double stiffness)
       : arrangement(model.arrangement()),
         absent(std::move(absent_here)),
         dependent(dependent_stones(model, absent)),
@@ -186,7 +187,9 @@ struct TieCriterion::Stones {
   Vector<2> centre{};
 };
 
-TieCriterion::TieCriterion(const Model<2>& model) : model_(model) {}
+TieCriterion::TieCriterion(const Model& model) : model_(model) {
+  VOUSSOIR_EXPECT(model.components() == 2 && "stones are let go in the plane");
+}
 TieCriterion::~TieCriterion() = default;
 
 /// Makes what depends on the stones alone. Collective.
@@ -234,7 +237,7 @@ std::vector<double> TieCriterion::left_alone(const Demands& demands, double unkn
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& stone = relaxation.stones()[b];
     auto lacks = demands.lacks[b], load = demands.loads[b];
-    if (const auto more = below.find(s.blocks()[b].mesh.id); more != below.end()) {
+    if (const auto more = below.find(s.nodes_of(b).id); more != below.end()) {
       const auto& m = more->second;
       const auto other_lacks = about({m[0], m[1], m[2]}, stones_->centre, stone.middle);
       const auto other_load = about({m[3], m[4], m[5]}, stones_->centre, stone.middle);
@@ -263,8 +266,8 @@ TieCriterion::Demands TieCriterion::demands_of(const std::vector<StonePoint>& po
   Demands demands;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& stone = stones_->relaxation.stones()[b];
-    demands.loads.push_back(sum_over(s, s.blocks()[b], stone.middle, load));
-    demands.lacks.push_back(sum_over(s, s.blocks()[b], stone.middle, lacking));
+    demands.loads.push_back(sum_over(s, s.nodes_of(b), stone.middle, load));
+    demands.lacks.push_back(sum_over(s, s.nodes_of(b), stone.middle, lacking));
     for (double& l : demands.lacks[b]) l = -l;
   }
   return demands;
@@ -279,7 +282,7 @@ std::vector<double> TieCriterion::measures(const Demands& demands, const std::ve
   std::vector<double> own;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     own.push_back(size_of(demands.loads[b], relaxation.stones()[b].radius));
-    if (own[b] <= balanced * magnitudes_over(s.blocks()[b], load)) own[b] = relaxation.passing(b);
+    if (own[b] <= balanced * magnitudes_over(s.nodes_of(b), load)) own[b] = relaxation.passing(b);
   }
   return own;
 }

@@ -25,7 +25,7 @@
 #include "model/contact_problem.hpp"
 #include "model/model.hpp"
 #include "ties/dependent_stones.hpp"
-#include "ties/stone_relaxation.hpp"
+#include "ties/plane/stone_relaxation.hpp"
 
 namespace voussoir {
 
@@ -41,7 +41,7 @@ struct TieBalance {
 /// where their places, supports or presence have changed, and where they found balance is asked first the next time.
 class TieCriterion {
  public:
-  explicit TieCriterion(const Model<2>&);
+  explicit TieCriterion(const Model&);
   ~TieCriterion();
 
   /// Collective.
@@ -66,7 +66,7 @@ class TieCriterion {
   std::map<BlockId, BlockSums> of_dependants(const Demands&);
   std::vector<double> left_alone(const Demands&, double unknown, const std::map<BlockId, BlockSums>& below);
 
-  const Model<2>& model_;
+  const Model& model_;
   std::unique_ptr<Stones> stones_;
 };
 

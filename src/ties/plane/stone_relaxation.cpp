@@ -1,4 +1,4 @@
-#include "ties/stone_relaxation.hpp"
+#include "ties/plane/stone_relaxation.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
@@ -18,15 +18,15 @@ Vector<2> force_of(const StonePoint& spring, double stiffness, const Vector<2>& 
                                               spring.force[1] - stiffness * motion[1]});
 }
 
-std::vector<long long> block_ids(const Structure<2>& s) {
+std::vector<long long> block_ids(const BlockSystem& s) {
   std::vector<long long> ids;
-  for (const auto& block : s.blocks()) ids.push_back(block.mesh.id);
+  for (int b = 0; b < s.local_blocks(); ++b) ids.push_back(s.nodes_of(b).id);
   return ids;
 }
 
 }  // namespace
 
-StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stones, double stiffness)
+StoneRelaxation::StoneRelaxation(const Model& model, std::vector<Stone> stones, double stiffness)
     : model_(model),
       numbers_(model.settings().internals.ties),
       stones_(std::move(stones)),
@@ -34,15 +34,17 @@ StoneRelaxation::StoneRelaxation(const Model<2>& model, std::vector<Stone> stone
       exchange_(block_ids(model.structure()), model.structure().owned_blocks(), model.structure().comm()),
       links_(stones_.size()),
       known_alone_(stones_.size()) {
-  VOUSSOIR_EXPECT(stones_.size() == model.structure().blocks().size() && "stones: per local block");
+  VOUSSOIR_EXPECT(stones_.size() == static_cast<std::size_t>(model.structure().local_blocks()) &&
+                  "stones: per local block");
   VOUSSOIR_EXPECT(stiffness > 0 && std::isfinite(stiffness) && "stiffness of springs: positive");
   for (const auto& stone : stones_) VOUSSOIR_EXPECT(stone.radius > 0 && "radius of a stone: positive");
   const auto& s = model.structure();
   for (int k = 0; k < model.points().size(); ++k) {
     const auto p = model.points().at(k);
     const int i = model.points().joint_of(k).local_i, j = model.points().joint_of(k).local_j;
-    links_[i].push_back({k, j, stones_[j].rides_on == i, -1.0, p.place(Side::i, s.position()) - stones_[i].middle});
-    links_[j].push_back({k, i, stones_[i].rides_on == j, 1.0, p.place(Side::j, s.position()) - stones_[j].middle});
+    links_[i].push_back({k, j, stones_[j].rides_on == i, -1.0, in_plane(p.place(Side::i, s)) - stones_[i].middle});
+    links_[j].push_back({k, i, stones_[i].rides_on == j, 1.0, in_plane(p.place(Side::j, s)) - stones_[j].middle});
+    arms_.push_back({links_[i].back().arm, links_[j].back().arm});
   }
 }
 
@@ -73,7 +75,7 @@ Vector<2> StoneRelaxation::motion_of(int point, Side side) const {
   const auto& points = model_.points();
   const int block = side == Side::i ? points.joint_of(point).local_i : points.joint_of(point).local_j;
   const auto& d = place_[block];
-  const Vector<2> arm = points.at(point).place(side, model_.structure().position()) - stones_[block].middle;
+  const auto& arm = arms_[point][side == Side::i ? 0 : 1];
   const Vector<2> u{d[0] - d[2] * arm[1], d[1] + d[2] * arm[0]};
   return {dot(u, axis_of(point, 0)), dot(u, axis_of(point, 1))};
 }

@@ -53,7 +53,7 @@ class StoneRelaxation {
   /// Collective.
   /// @param stones     per local block
   /// @param stiffness  of every spring [N/m]
-  StoneRelaxation(const Model<2>&, std::vector<Stone> stones, double stiffness);
+  StoneRelaxation(const Model&, std::vector<Stone> stones, double stiffness);
 
   /// Takes the stones back to where they are.
   /// @param points  per local point
@@ -96,12 +96,13 @@ class StoneRelaxation {
   void move(std::vector<double> steps);
   void take_up(const std::vector<int>& moved);
 
-  const Model<2>& model_;
+  const Model& model_;
   const TieParameters numbers_;
   std::vector<Stone> stones_;
   double stiffness_;
-  Exchange exchange_;                     ///< of blocks
-  std::vector<std::vector<Link>> links_;  ///< of local blocks
+  Exchange exchange_;                           ///< of blocks
+  std::vector<std::vector<Link>> links_;        ///< of local blocks
+  std::vector<std::array<Vector<2>, 2>> arms_;  ///< [m] of points, from the middles of their stones i and j
   std::vector<StonePoint> points_;
   std::vector<StoneVector> lacks_;        ///< at first, of owned blocks
   std::vector<double> bearable_;          ///< of owned blocks
