@@ -1,12 +1,10 @@
 #include "joints/joint_facets.hpp"
 
+#include "joints/same_side.hpp"
 #include "mesh/border.hpp"
 
 namespace voussoir {
 namespace {
-
-// Points are shared by facets that meet at less than 20 degrees (joints/joint_finder): a facet belongs to its side.
-constexpr double same_side = 0.94;
 
 struct Place {
   int joint, within;
@@ -45,7 +43,7 @@ std::vector<std::vector<FacetOfJoint>> facets_of_joints(const BlockSource<2>& so
       const auto along =
           s.position()[block.first_local + edge.node[1]] - s.position()[block.first_local + edge.node[0]];
       const Vector<2> outward{along[1], -along[0]};
-      const auto faces = [&](const Place& p) { return dot(p.outward, outward) > same_side * norm(outward); };
+      const auto faces = [&](const Place& p) { return on_same_side(p.outward, outward); };
       for (const auto& one : at(edge.node[0]))
         for (const auto& other : at(edge.node[1]))
           if (one.joint == other.joint && faces(one) && faces(other))

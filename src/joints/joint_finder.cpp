@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "joints/same_side.hpp"
+
 namespace voussoir {
 
 namespace {
@@ -9,9 +11,8 @@ namespace {
 /// Adds half an edge to the point it belongs to.
 void add_half_edge(std::vector<PointOfTwoBlocks>& points, VertexId vertex, int node_i, int node_j,
                    const Vector<2>& normal) {
-  constexpr double same_side = 0.94;  // cosine of 20 degrees
   for (auto& p : points)
-    if (p.vertex == vertex && dot(p.normal, normal) > same_side * norm(p.normal) * norm(normal)) {
+    if (p.vertex == vertex && on_same_side(p.normal, normal)) {
       p.normal = p.normal + normal;
       p.length += norm(normal) / 2;
       return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "joints/same_side.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -27,9 +29,8 @@ std::array<Vector<3>, 4> shares_of_corners(const std::array<Vector<3>, 4>& x) {
 
 /// Adds a corner of a face to the point it belongs to.
 void add_corner(std::vector<PointInSpace>& points, VertexId vertex, int node_i, int node_j, const Vector<3>& normal) {
-  constexpr double same_side = 0.94;  // cosine of 20 degrees
   for (auto& p : points)
-    if (p.vertex == vertex && dot(p.normal, normal) > same_side * norm(p.normal) * norm(normal)) {
+    if (p.vertex == vertex && on_same_side(p.normal, normal)) {
       p.normal = p.normal + normal;
       p.area += norm(normal);
       return;

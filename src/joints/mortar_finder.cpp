@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "joints/same_side.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -12,7 +14,6 @@ namespace {
 constexpr double on_the_line = 1e-8, shortest = 1e-9;
 // Weights of a point are about one: what is left of those that vanish is round-off.
 constexpr double vanishes = 1e-12;
-constexpr double same_side = 0.94;  // cosine of 20 degrees, as in joint_finder
 
 /// The nodes of an edge in its direction.
 struct Edge {
@@ -121,7 +122,7 @@ struct Dual {
 /// The point of a node on the side with this normal.
 Growing& point_of(std::vector<Growing>& points, int node, const Vector<2>& normal) {
   for (auto& p : points)
-    if (p.node == node && dot(p.normal, normal) > same_side * norm(p.normal) * norm(normal)) return p;
+    if (p.node == node && on_same_side(p.normal, normal)) return p;
   points.push_back({node, {}, 0, {}});
   return points.back();
 }

@@ -3,12 +3,9 @@
 #include <map>
 #include <utility>
 
+#include "joints/same_side.hpp"
+
 namespace voussoir {
-namespace {
-
-constexpr double same_side = 0.94;  // cosine of 20 degrees: a sharper corner has two points (joints/joint_finder)
-
-}  // namespace
 
 std::vector<PointPlace> places_of(const ContactPoints& points, const Structure<2>& structure) {
   std::vector<PointPlace> places;
@@ -33,7 +30,7 @@ std::vector<int> same_places(const std::vector<PointPlace>& points, const std::v
     const auto joint = of_joint.find({p.block_i, p.block_j});
     if (joint == of_joint.end()) continue;
     for (const int k : joint->second) {
-      if (taken[k] || norm(others[k].place - p.place) > near || dot(others[k].normal, p.normal) < same_side) continue;
+      if (taken[k] || norm(others[k].place - p.place) > near || !on_same_side(others[k].normal, p.normal)) continue;
       taken[k] = 1;
       same.back() = k;
       break;

@@ -7,6 +7,17 @@
 
 namespace voussoir::test {
 
+/// A scene whose stones move for a second without weight, and without supports unless they are held.
+inline Scene in_flight(Scene scene, bool held = false) {
+  if (!held) scene.supports.clear();
+  scene.loads.clear();
+  StageParameters time;
+  time.name = "flight";
+  time.duration = 1;
+  scene.stages = {time};
+  return scene;
+}
+
 /// One stone of 0.5 m, two of 0.25 m on it side by side, all 0.25 m high, 2000 kg/m3.
 struct FloatingWall {
   Experiment wall;
@@ -15,7 +26,7 @@ struct FloatingWall {
   std::vector<double> mass_of_node;  ///< [kg] per local node copy
 
   explicit FloatingWall(bool held = false)
-      : wall(scene(held)), model(wall.model()), mass(model.structure().with_matrices([this](int b) {
+      : wall(in_flight(tied_wall(), held)), model(wall.model()), mass(model.structure().with_matrices([this](int b) {
           const auto& block = model.structure().blocks()[b];
           return block_mass(block.mesh, block.material.density, 1.0, Mass::lumped);
         })) {
@@ -23,16 +34,6 @@ struct FloatingWall {
     for (std::size_t i = 0; i < along_x.size(); i += 2) along_x[i] = 1;
     mass.apply_stiffness(along_x, weight);
     for (std::size_t i = 0; i < weight.size(); i += 2) mass_of_node.push_back(weight[i]);
-  }
-  static Scene scene(bool held) {
-    Scene scene = tied_wall();
-    if (!held) scene.supports.clear();
-    scene.loads.clear();
-    StageParameters time;
-    time.name = "flight";
-    time.duration = 1;
-    scene.stages = {time};
-    return scene;
   }
   /// Velocities on node copies: of each block a translation, and a turn about the origin.
   std::vector<double> velocity(const std::vector<std::array<double, 3>>& of_block) const {

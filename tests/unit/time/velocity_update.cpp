@@ -12,6 +12,7 @@
 #include "blocks/assembly.hpp"
 #include "model/plane/plane_model.hpp"
 #include "support/scenes.hpp"
+#include "unit/time/floating_wall.hpp"
 
 namespace {
 
@@ -20,21 +21,10 @@ using namespace voussoir::test;
 
 constexpr double resting = 1e-6;  // [m/s]
 
-Scene floating_wall() {
-  Scene scene = wall_scene(2);
-  scene.supports.clear();
-  scene.loads.clear();
-  StageParameters time;
-  time.name = "flight";
-  time.duration = 1;
-  scene.stages = {time};
-  return scene;
-}
-
 class Flight {
  public:
   Flight()
-      : experiment_(floating_wall()),
+      : experiment_(in_flight(wall_scene(2))),
         at_rest_(experiment_.model()),
         mass_(at_rest_.structure().with_matrices([this](int b) {
           const auto& block = at_rest_.structure().blocks()[b];
