@@ -1,7 +1,7 @@
 #include "nonlinear/active_set.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -362,7 +362,8 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     const PointField chosen = known_gap && search.solves == 0 ? *known_gap : gap_;
     const bool in_balance = size_of(problem_, report.residual * scale_, 0, scale_) <= tolerance;
     choose(lambda, chosen, in_balance);
-    if (settled_ && go_to_the_bound(problem_, laws_, {closed_, sliding_, change_before_, change_}, lambda))
+    if (settled_ &&
+        go_to_the_bound(problem_, laws_, {closed_, sliding_, change_before_, change_}, numbers_.alike, lambda))
       choose(lambda, chosen, in_balance);
     aim(lambda, chosen);
     const auto end = solve_once(x, lambda, search, report);
@@ -385,13 +386,13 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
 }
 
 void ActiveSet::tell(NewtonReport& report, int krylov, int local_solves) const {
-  long long mine[2] = {0, 0}, all[2];
+  std::array<long long, 2> mine{};
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
     mine[0] += closed_[k];
     mine[1] += slides(k);
   }
-  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
+  const auto all = total_of_each(*problem_.map()->getComm(), mine);  // all ranks, listening or not
   report.tell(watch, {report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0],
                       all[1], krylov, length_, augmentation_, local_solves});
 }

@@ -16,6 +16,11 @@ void ActiveSetParameters::declare(ParameterSection& section) {
       "the same where statuses stay and all is in balance; as at rest: no more. Reason: gaps that the last solve "
       "leaves decide on statuses at the start of the next step; an arch whose springing moves takes 16 solves "
       "with it, 30 without");
+  section.add(
+      "alike", alike, "-", inside(0.0, 1.0),
+      "share of the change of forces by which the next may differ and be out of balance, and still goes round a "
+      "vertex. Reason: one that nodes answer to is out of balance by all of itself and differs by orders of "
+      "magnitude; one that goes round comes again to round-off, out of balance by the accuracy of linear solves");
   section.add("accuracy", accuracy, "-", inside(0.0, 1.0),
               "of linear solves, relative to their right side. Reason: what a solve leaves looks like points that "
               "change: 1e-2 takes 2.2 times the solves on the bridge in its earthquake");

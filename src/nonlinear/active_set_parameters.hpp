@@ -14,6 +14,7 @@ struct ActiveSetParameters {
   double accuracy = 1e-4;                  ///< of linear solves, relative to their right side
   double finest_accuracy = 1e-10;          ///< of linear solves in time where statuses stay
   int patience = 8;                        ///< solves that gain too little after which it circles
+  double alike = 0.01;                     ///< share of a change by which one that goes round may differ from the last
   double gained = 0.5;                     ///< share of the best residual below which a solve has gained
   int many_krylov =
       50;  ///< Krylov iterations of a solve at rest, at most; such a one without a gain means loose stones

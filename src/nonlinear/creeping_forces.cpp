@@ -1,21 +1,16 @@
 #include "nonlinear/creeping_forces.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "nonlinear/residuals.hpp"
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// [-] A change that nodes answer to is out of balance by all of itself and differs from the one before by orders of
-/// magnitude; one that goes round is out of balance by what the linear solve left and comes again to round-off. So much
-/// of it may be either, and points that change by less have no part in it.
-constexpr double share = 0.01;
 
 /// So often a change of a sticking point's forces can be repeated until it slips: |q + t dq| = bound + t times its
 /// change.
@@ -43,26 +38,27 @@ double repeats(const PointLaw& law, bool slides, const double* force, const doub
 }
 
 /// Largest part of a change that goes round [N]; 0 of another. Collective.
-double size_of_creeping(NonlinearProblem& problem, const Creep& creep) {
-  double mine[2] = {0, 0}, all[2];
+double size_of_creeping(NonlinearProblem& problem, const Creep& creep, double alike) {
+  std::array<double, 2> mine{};
   for (std::size_t i = 0; i < creep.change_before.size(); ++i) {
     mine[0] = std::max(mine[0], std::abs(creep.change[i]));
     mine[1] = std::max(mine[1], std::abs(creep.change[i] - creep.change_before[i]));
   }
-  Teuchos::reduceAll(*problem.map()->getComm(), Teuchos::REDUCE_MAX, 2, mine, all);
-  if (!(all[0] > 0 && all[1] <= share * all[0])) return 0;
+  const auto all = largest_of_each(*problem.map()->getComm(), mine);
+  if (!(all[0] > 0 && all[1] <= alike * all[0])) return 0;
   TpetraVector at_nodes(problem.map());
   problem.subtract_contact_forces(creep.change, at_nodes);
-  return at_nodes.normInf() <= share * all[0] ? all[0] : 0;
+  return at_nodes.normInf() <= alike * all[0] ? all[0] : 0;
 }
 
 }  // namespace
 
-bool go_to_the_bound(NonlinearProblem& problem, const CurrentLaws& laws, const Creep& creep, PointField& lambda) {
-  const double least = share * size_of_creeping(problem, creep);
+bool go_to_the_bound(NonlinearProblem& problem, const CurrentLaws& laws, const Creep& creep, double alike,
+                     PointField& lambda) {
+  const double least = alike * size_of_creeping(problem, creep, alike);
   if (!(least > 0)) return false;
   const int n = problem.components();
-  double mine = infinity, all = infinity;
+  double mine = infinity;
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k] || !creep.closed[k]) continue;
     const auto* const change = &creep.change[std::size_t(k) * n];
@@ -71,7 +67,7 @@ bool go_to_the_bound(NonlinearProblem& problem, const CurrentLaws& laws, const C
     const bool slides = std::any_of(s, s + n - 1, [](double c) { return c != 0; });
     mine = std::min(mine, repeats(laws[k], slides, &lambda[std::size_t(k) * n], change, n));
   }
-  Teuchos::reduceAll(*problem.map()->getComm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  const double all = least_over_ranks(*problem.map()->getComm(), mine);
   if (!std::isfinite(all)) return false;
   // Once more, as a solve would, so that round-off of the change leaves no point short of its bound.
   for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] += (all + 1) * creep.change[i];

@@ -23,6 +23,8 @@ struct Creep {
 
 /// Moves the forces. False where their change is not that of the solve before, or not in balance by itself, so that
 /// nodes answer to it, or where it takes no point to a bound. Collective.
-bool go_to_the_bound(NonlinearProblem&, const CurrentLaws&, const Creep&, PointField& lambda);
+/// @param alike  share of a change by which the next may differ and be out of balance; points that change by less have
+///               no part in it
+bool go_to_the_bound(NonlinearProblem&, const CurrentLaws&, const Creep&, double alike, PointField& lambda);
 
 }  // namespace voussoir

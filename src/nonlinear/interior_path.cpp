@@ -1,11 +1,12 @@
 #include "nonlinear/interior_path.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "base/check.hpp"
+#include "linalg/reduce.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/saved_position.hpp"
@@ -147,7 +148,7 @@ bool InteriorPath::take_shortcut(TpetraVector& x, PointField& lambda) {
 
 /// Mean of w y over all bounds, as a force squared [N2]: scaled by the local stiffness of its point.
 double InteriorPath::barrier() const {
-  double mine[2] = {0, 0}, all[2];
+  std::array<double, 2> mine{};
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& p = path_[k];
@@ -157,7 +158,7 @@ double InteriorPath::barrier() const {
       mine[1] += 1;
     }
   }
-  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  const auto all = total_of_each(*problem_.map()->getComm(), mine);
   return all[1] > 0 ? all[0] / all[1] : 0;
 }
 
@@ -183,7 +184,7 @@ void InteriorPath::aim(const PointField& lambda, double target) {
 /// Directions of all slacks from that of the gaps; the step after which the first slack would vanish, at most
 /// so far that a full step keeps its distance from it.
 double InteriorPath::step_length() {
-  double mine = 1 / numbers_.to_boundary, all = mine;
+  double mine = 1 / numbers_.to_boundary;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
@@ -200,8 +201,7 @@ double InteriorPath::step_length() {
       if (p.dy[j] < 0) mine = std::min(mine, -p.y[j] / p.dy[j]);
     }
   }
-  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-  return all;
+  return least_over_ranks(*problem_.map()->getComm(), mine);
 }
 
 /// From the interior to admissible forces: open points lose theirs, slipping ones stay within their bound.
@@ -319,7 +319,7 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
 }
 
 void InteriorPath::tell(NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
-  long long mine[2] = {0, 0}, all[2];
+  std::array<long long, 2> mine{};
   for (int k = 0; k < problem_.owned_points(); ++k) {
     const auto& p = path_[k];
     const double stiffness = problem_.local_stiffness()[k];
@@ -327,7 +327,7 @@ void InteriorPath::tell(NewtonReport& report, double equilibrium, double contact
     ++mine[0];
     mine[1] += p.w[1] < stiffness * p.y[1] || p.w[2] < stiffness * p.y[2];
   }
-  Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 2, mine, all);  // all ranks, listening or not
+  const auto all = total_of_each(*problem_.map()->getComm(), mine);  // all ranks, listening or not
   report.tell(watch, {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
                       augmentation_});
 }

@@ -1,6 +1,5 @@
 #include "nonlinear/stability.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <array>
@@ -94,10 +93,9 @@ class Share {
 
   /// How many of them any rank has.
   long long size() const {
-    long long mine = 0, all = 0;
+    long long mine = 0;
     for (int k = 0; k < problem_.owned_points(); ++k) mine += tangents_[k].softens ? 2 : 0;
-    Teuchos::reduceAll(*problem_.map()->getComm(), Teuchos::REDUCE_SUM, 1, &mine, &all);
-    return all;
+    return total_over_ranks(*problem_.map()->getComm(), mine);
   }
   /// A start that is alike on any ranks, and nothing that is symmetric.
   PointField start() const {

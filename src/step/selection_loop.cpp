@@ -1,6 +1,7 @@
 #include "step/selection_loop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/check.hpp"
@@ -18,15 +19,15 @@ namespace {
 double beside_what_follows(double root) { return root / std::hypot(1, root); }
 
 /// The stones of the joint that a point is on. Collective.
-void stones_of_point(const ContactPoints& points, const Teuchos::Comm<int>& comm, PointId id, int* stones) {
-  int mine[2] = {-1, -1};
+std::array<int, 2> stones_of_point(const ContactPoints& points, const Teuchos::Comm<int>& comm, PointId id) {
+  std::array<int, 2> mine{-1, -1};
   for (int k = 0; k < points.owned(); ++k) {
     if (points.points()[k].id != id) continue;
     const auto& joint = points.joints()[points.points()[k].joint];
     mine[0] = joint.block_i;
     mine[1] = joint.block_j;
   }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, mine, stones);
+  return largest_of_each(comm, mine);
 }
 
 bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
@@ -185,7 +186,7 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
   }
   if (!looks) keep_wear(problem);
   if (report_.newton.unstable > 0)
-    stones_of_point(model_.points(), *model_.structure().comm(), report_.newton.unstable_at, report_.unstable_joint);
+    report_.unstable_joint = stones_of_point(model_.points(), *model_.structure().comm(), report_.newton.unstable_at);
   seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;
