@@ -10,6 +10,7 @@
 #include "results/mechanism_words.hpp"
 #include "results/recorder.hpp"
 #include "run/rigid_limits.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 #include "step/adaptive_step.hpp"
 
 namespace voussoir {
@@ -93,7 +94,7 @@ class LimitRun {
     auto& rigid = *summary.rigid;
     summary.outcome = Outcome::equilibrium;
     const auto forces = limits.most_balanced(0, &rigid.free_share);
-    rigid.at_least = rigid.free_share >= LimitAnalysis::largest_free_share;
+    rigid.at_least = rigid.free_share >= LimitAnalysisParameters::largest_free_share;
     const bool rows = limits.is_rows();
     if (rows && !rigid.at_least) rigid.factor = 1 / (1 - rigid.free_share);
     summary.message = "forces that joints admit balance the loads; they can leave " +

@@ -10,6 +10,7 @@
 #include "model/plane/plane_model.hpp"
 #include "results/mechanism_words.hpp"
 #include "results/step_warnings.hpp"
+#include "run/load_factor_analysis_parameters.hpp"
 #include "run/settling_in_time.hpp"
 #include "run/static_theorem.hpp"
 #include "step/finite_rotations.hpp"
@@ -17,15 +18,7 @@
 namespace voussoir {
 namespace {
 
-// Attempts that stand rarely take five times the linear solves of the dearest that did; the first may need hundreds.
-// Where what is left undecided cannot be let go in time, as the solver tells a mechanism in up to a thousand.
-constexpr int patience = 5, fewest_solves = 300, fewest_in_statics = 1000;
-
-/// Beyond this share of the structure displacements change what bears what, which small ones leave out.
-constexpr double small_displacements = 0.01;
-
-// A mechanism whose stones overlap by less of its largest motion than this is one: those found far from the limit 1e-5.
-constexpr double believable_overlap = 1e-3;
+using Numbers = LoadFactorAnalysisParameters;
 
 /// How far stones that press on each other would move into each other, relative to the largest motion of a mechanism.
 double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const PlaneModel& model) {
@@ -87,7 +80,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
     found.report.newton.newton_iterations = budget.solves();
     found.report.newton.reason = "no equilibrium within " + std::to_string(most) +
                                  " linear solves: no attempt that stands took more than 1 / " +
-                                 std::to_string(patience) + " of them";
+                                 std::to_string(Numbers::patience) + " of them";
     return found;
   }
   const auto& refusal = theorem.refusal();
@@ -100,7 +93,8 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
 LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, const ContactState& before,
                                                      const LoadIncrement& increment) {
   const bool in_time = can_settle_in_time(run.model);
-  const int most = std::max(in_time ? fewest_solves : fewest_in_statics, patience * most_solves_);
+  const int most =
+      std::max(in_time ? Numbers::fewest_solves : Numbers::fewest_in_statics, Numbers::patience * most_solves_);
   auto found = by_statics(run, before, increment, most);
   if (found.report.newton.outcome == NewtonOutcome::converged)
     most_solves_ = std::max(most_solves_, found.report.newton.newton_iterations);
@@ -190,10 +184,10 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   search_.add(collapse ? Verdict::collapse : Verdict::undecided, solves);
   if (!collapse) return;
   // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
-  const auto& mechanism = found.mechanism;
   const auto overlap = [&](const auto& motion, const auto& state) { return overlap_of(motion, state, run.model); };
-  if (!first && overlap(mechanism, failed) > std::max(believable_overlap, overlap(mechanism_, failed_))) return;
-  mechanism_ = mechanism;
+  if (!first && overlap(found.mechanism, failed) > std::max(Numbers::believable_overlap, overlap(mechanism_, failed_)))
+    return;
+  mechanism_ = found.mechanism;
   mechanism_dilates_ = found.dilates;
   failed_ = failed;
 }
@@ -241,7 +235,7 @@ void LoadFactorAnalysis::conclude(const Attempting& run) {
   judge(run);
   auto& summary = run.recorder.summary();
   const double share = summary.residual_displacement / run.model.structure().size();
-  if (share > small_displacements && run.model.settings().rotations == Rotations::small)
+  if (share > Numbers::small_displacements && run.model.settings().rotations == Rotations::small)
     summary.message += "; by then displacements are " + six_digits(100 * share) +
                        " % of the structure, more than small displacements, which are all that is computed, can tell";
 }

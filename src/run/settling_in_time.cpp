@@ -7,6 +7,7 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/plane/plane_model.hpp"
+#include "run/settling_parameters.hpp"
 #include "step/finite_rotations.hpp"
 #include "time/dynamic_step.hpp"
 
@@ -14,24 +15,7 @@ namespace voussoir {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-// The slowest vibration of a compact body takes four passages of a wave. Slender structures vibrate more slowly, which
-// more time resolves all the better.
-constexpr double passages_in_period = 4;
-// A quarter of that period at first: vibrations are not to be seen, but to be damped.
-constexpr double steps_in_period = 4;
-// Steps of one length; the next ones are twice as long. The first of them bring the loads, over four periods.
-constexpr int steps_of_a_length = 16;
-constexpr int lengths = 10;
-// A mechanism has gone a thousand times as far as loads deform a compact body, and at least doubles its kinetic energy
-// in each of the last two lengths; falling freely it grows fourfold.
-constexpr double far = 1000, growth = 2;
-constexpr int lengths_of_growth = 2;
-// Near rest kinetic energy is so small a share of the elastic one that what is left moves stones by a tenth of what
-// loads do. The midpoint rule lets stiff vibrations ring on below such a level when time steps are long; the load step
-// that is to show the equilibrium has none. Asked again when it is ten times calmer.
-constexpr double near_rest = 1e-2, calmer = 0.1;
-// A load step from a place of rest that is an equilibrium takes dozens of linear solves.
-constexpr int solves_to_confirm = 200;
+using Numbers = SettlingParameters;
 
 /// Total of the sizes of nodal loads [N].
 double size_of(const Structure<2>& s, const std::vector<double>& load) {
@@ -53,7 +37,7 @@ bool confirm(PlaneModel& model, AdaptiveStep& step, const LoadIncrement& increme
   auto state = settled.state;
   untie_what_moved(model, state);
   state.velocity.clear();
-  const SolveBudget budget(step, std::min(solves_to_confirm, most_solves));
+  const SolveBudget budget(step, std::min(Numbers::solves_to_confirm, most_solves));
   const auto report = solve_load_step(model, step, state, increment.load, increment.prescribed);
   settled.stopped = report.newton.stopped && !budget.spent();
   if (budget.spent()) {
@@ -110,22 +94,22 @@ Settled settle_in_time(PlaneModel& model, AdaptiveStep& step, const ContactState
   settled.state.velocity.clear();
   auto& state = settled.state;
   DynamicStep dynamics(model, step.progress());
-  const double crossing = dynamics.crossing_time(), period = passages_in_period * crossing;
+  const double crossing = dynamics.crossing_time(), period = Numbers::passages_in_period * crossing;
   dynamics.set_stiffness_damping(period / pi);  // critical at that period
   dynamics.begin(state, false);
   const double acceleration = size_of(s, increment.load) / dynamics.total_mass();
   const double deforms = acceleration * std::pow(period / (2 * pi), 2);
-  double time_step = period / steps_in_period, energy_before = 0, rests_below = near_rest;
+  double time_step = period / Numbers::steps_in_period, energy_before = 0, rests_below = Numbers::near_rest;
   int grown = 0;
-  for (int length = 0; length < lengths; ++length, time_step *= 2) {
+  for (int length = 0; length < Numbers::lengths; ++length, time_step *= 2) {
     dynamics.set_time_step(time_step);
     double elastic = 0, kinetic = 0;
-    for (int k = 0; k < steps_of_a_length; ++k) {
-      const double share = length > 0 ? 1.0 : (k + 0.5) / steps_of_a_length;
+    for (int k = 0; k < Numbers::steps_of_a_length; ++k) {
+      const double share = length > 0 ? 1.0 : (k + 0.5) / Numbers::steps_of_a_length;
       auto load = increment.load_before;
       for (std::size_t i = 0; i < load.size(); ++i) load[i] += share * (increment.load[i] - load[i]);
       // Supports move evenly: after an even number of steps the midpoint rule leaves them at rest.
-      const double moved = length > 0 ? 1.0 : (k + 1.0) / steps_of_a_length;
+      const double moved = length > 0 ? 1.0 : (k + 1.0) / Numbers::steps_of_a_length;
       auto held = equilibrium.displacement;
       for (std::size_t i = 0; i < held.size(); ++i) held[i] += moved * (increment.prescribed[i] - held[i]);
       const auto report = take_step(dynamics, state, {load, held}, most_solves, settled);
@@ -133,10 +117,10 @@ Settled settle_in_time(PlaneModel& model, AdaptiveStep& step, const ContactState
       settled.time += time_step;
       elastic = report.elastic, kinetic = report.kinetic;
     }
-    grown = kinetic > growth * energy_before && length > 0 ? grown + 1 : 0;
+    grown = kinetic > Numbers::growth * energy_before && length > 0 ? grown + 1 : 0;
     energy_before = kinetic;
-    const bool moves_on = grown >= lengths_of_growth;
-    if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > far * deforms) {
+    const bool moves_on = grown >= Numbers::lengths_of_growth;
+    if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > Numbers::far * deforms) {
       settled.verdict = Verdict::collapse;
       settled.mechanism = state.velocity;
       const double largest = largest_motion(s, state.velocity);
@@ -145,7 +129,7 @@ Settled settle_in_time(PlaneModel& model, AdaptiveStep& step, const ContactState
     }
     if (length == 0 || kinetic > rests_below * elastic) continue;
     if (confirm(model, step, increment, most_solves - settled.solves, settled)) return settled;
-    rests_below = calmer * kinetic / elastic;
+    rests_below = Numbers::calmer * kinetic / elastic;
   }
   return settled;
 }

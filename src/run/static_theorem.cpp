@@ -9,28 +9,14 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/plane/plane_model.hpp"
+#include "run/load_factor_analysis_parameters.hpp"
+#include "run/static_theorem_parameters.hpp"
 #include "step/release.hpp"
 
 namespace voussoir {
 namespace {
 
-// Load steps that stand take no more linear solves than this but for the hardest (the first step of a bridge takes 33);
-// those that fall may take thousands.
-constexpr int solves_before_asking = 40;
-// The simplex method takes some twenty pivots a stone, and each costs in proportion to the stones: so many take ten
-// seconds. More are asked of the theorem where a scene or a user asks.
-constexpr int most_stones = 1200;
-// So many take a few tenths of a second: no more than the stage itself.
-constexpr int most_stones_at_ends = 300;
-// Of so few, asking costs less than as many solves, and those that have been followed to where they turned to take few
-// where they stand.
-constexpr int solves_before_asking_few = 20;
-
-// How far along its mechanism the theorem is asked again, as shares of the size of the structure.
-constexpr double shares_along[] = {0.01, 0.1};
-
-// Of the way from the loads before, what is none: what the theorem answers is exact to 1e-7.
-constexpr double nothing_borne = 1e-6;
+using Numbers = StaticTheoremParameters;
 
 bool follows(const PlaneModel& model) { return model.settings().rotations == Rotations::finite; }
 
@@ -38,7 +24,7 @@ bool follows(const PlaneModel& model) { return model.settings().rotations == Rot
 
 bool theorem_applies(const PlaneModel& model) {
   return model.settings().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
-         model.source().block_count() <= most_stones;
+         model.source().block_count() <= Numbers::most_stones;
 }
 
 void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& before,
@@ -63,15 +49,15 @@ GoOn StaticTheorem::after_solve() {
     if (++places_ > 1) asked_ = !applies_ || !follows(model_);
     solves_here_ = 0;
   }
-  const bool few = places_ > 1 && model_.source().block_count() <= most_stones_at_ends;
-  const int enough = few ? solves_before_asking_few : solves_before_asking;
+  const bool few = places_ > 1 && model_.source().block_count() <= Numbers::most_stones_at_ends;
+  const int enough = few ? Numbers::solves_before_asking_few : Numbers::solves_before_asking;
   return !asked_ && ++solves_here_ >= enough && refuses() ? GoOn::no : GoOn::yes;
 }
 
 StepReport StaticTheorem::solve(AdaptiveStep& step, PlaneModel& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
   VOUSSOIR_EXPECT(state_ && load_ && "a step has begun");
-  const bool asks_first = follows(model_) && model_.source().block_count() <= most_stones_at_ends;
+  const bool asks_first = follows(model_) && model_.source().block_count() <= Numbers::most_stones_at_ends;
   const bool at_once = asks_first && nothing_has_moved() && refuses();
   StepReport report;
   if (!at_once) report = solve_load_step(model, step, state, *load_, prescribed);
@@ -91,7 +77,7 @@ StepReport StaticTheorem::solve(AdaptiveStep& step, PlaneModel& model, ContactSt
 
 bool StaticTheorem::refuses_any_part() const {
   if (!refusal_) return false;
-  return !follows(model_) || (at_the_start() && refusal_->share < nothing_borne);
+  return !follows(model_) || (at_the_start() && refusal_->share < Numbers::nothing_borne);
 }
 
 /// Stones stand as drawn, and nothing presses them yet.
@@ -107,7 +93,7 @@ bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state
   if (!at_the_start()) return false;
   if (report.newton.outcome == NewtonOutcome::not_converged) return true;
   return report.newton.outcome == NewtonOutcome::converged && ends_stage_ &&
-         model_.source().block_count() <= most_stones_at_ends &&
+         model_.source().block_count() <= Numbers::most_stones_at_ends &&
          count_selected(model_, state) < model_.points().total();
 }
 
@@ -145,7 +131,7 @@ std::string StaticTheorem::reason(PlaneModel& model, const ContactState& from) c
 /// Whether stones that move on come to where forces balance the loads. Leaves the model there.
 std::string StaticTheorem::along_the_mechanism(PlaneModel& model, const ContactState& from) const {
   std::string at;
-  for (const double share : shares_along) {
+  for (const double share : LoadFactorAnalysisParameters::shares_along) {
     auto there = from.displacement;
     const double far = share * model_.structure().size();
     for (std::size_t i = 0; i < there.size(); ++i) there[i] += far * refusal_->mechanism[i];

@@ -14,6 +14,7 @@
 #include "base/check.hpp"
 #include "base/tensor.hpp"
 #include "joints/contact_law.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 
 namespace voussoir {
 
@@ -28,14 +29,11 @@ struct AdmissibleForces {
   std::vector<Generator> generators;
 };
 
-/// Friction of so much and more counts as without end, which admits a little more: such a joint slips where the force
-/// is within 0.6 degrees of its plane, and generators of its cone could hardly be told from each other.
-constexpr double endless_friction = 100;
-
 inline AdmissibleForces admissible_forces(const PointLaw& law) {
   VOUSSOIR_EXPECT(law.friction >= 0 && law.cohesion >= 0 && law.tension >= 0 && "a law bounds forces from both sides");
   constexpr double endless = std::numeric_limits<double>::infinity();
-  const bool cone = law.friction > 0 && law.friction < endless_friction && std::isfinite(law.cohesion);
+  const bool cone =
+      law.friction > 0 && law.friction < LimitAnalysisParameters::endless_friction && std::isfinite(law.cohesion);
   const double least = cone ? std::max(-law.tension, -law.cohesion / law.friction) : -law.tension;
   AdmissibleForces set;
   const bool pulls_freely = !std::isfinite(least);

@@ -7,13 +7,13 @@
 
 #include "base/check.hpp"
 #include "statics/admissible_forces.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 #include "statics/linear_programme.hpp"
 
 namespace voussoir {
 namespace {
 
-// Motions of a mechanism are exact to 1e-8 of the largest, which is 1; ten times that is none.
-constexpr double none = 1e-7;
+constexpr double none = LimitAnalysisParameters::no_motion;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 double power(const Wrench& load, const Wrench& motion) {
@@ -128,7 +128,7 @@ class MotionProgramme {
       return terms;
     };
     const auto v = relative_velocity(c, mechanism_);
-    const double friction = c.law.friction < endless_friction ? c.law.friction : 0;
+    const double friction = c.law.friction < LimitAnalysisParameters::endless_friction ? c.law.friction : 0;
     if (norm(v) <= none) {
       for (const auto& axis : c.axis) add_row(relative(axis), -none, none);
     } else if (std::abs(v[1]) > none && std::abs(v[0] - friction * std::abs(v[1])) <= none) {

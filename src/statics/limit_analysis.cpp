@@ -6,21 +6,13 @@
 
 #include "base/check.hpp"
 #include "statics/coulomb_motion.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 #include "statics/limit_programme.hpp"
 
 namespace voussoir {
 namespace {
 
-// A motion may press into points by so much of its size, a hundred times the programme's tolerance; more than that
-// proves nothing.
-constexpr double against_the_law = 1e-8;
-// Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium of
-// the elastic structure may be out of balance.
-constexpr double clear_gain = 1e-6;
-// What the normal forces of the last programme weigh in the next, and when the sequence has settled, as in the source.
-constexpr double weight_of_last = 0.6;
-constexpr double settled = 1e-4;
-constexpr int most_programmes = 100;
+using Numbers = LimitAnalysisParameters;
 
 double size_of(const Wrench& w, double radius) { return std::max(std::hypot(w[0], w[1]), std::abs(w[2]) / radius); }
 
@@ -30,9 +22,9 @@ bool on_a_line(const RigidStructure& s, const std::vector<int>& order, std::size
   const double radius = s.stones[static_cast<std::size_t>(a.stone_i)].radius;
   for (std::size_t k = first; k < last; ++k) {
     const auto& c = s.contacts[static_cast<std::size_t>(order[k])];
-    if (!dry(c.law) || c.law.friction != a.law.friction || norm(c.axis[0] - a.axis[0]) > straight ||
-        std::abs(dot(c.arm_i - a.arm_i, a.axis[0])) > straight * radius ||
-        std::abs(dot(c.arm_j - a.arm_j, a.axis[0])) > straight * radius)
+    if (!dry(c.law) || c.law.friction != a.law.friction || norm(c.axis[0] - a.axis[0]) > Numbers::straight ||
+        std::abs(dot(c.arm_i - a.arm_i, a.axis[0])) > Numbers::straight * radius ||
+        std::abs(dot(c.arm_j - a.arm_j, a.axis[0])) > Numbers::straight * radius)
       return false;
   }
   return true;
@@ -65,12 +57,12 @@ double closes(const RigidStructure& s, const std::vector<Wrench>& motion) {
 /// The contract of a structure.
 void expect_structure(const RigidStructure& s) {
   const auto is_stone = [&](int stone) { return stone >= 0 && stone < static_cast<int>(s.stones.size()); };
-  const auto is_unit = [](const Vector<2>& v) { return std::abs(norm(v) - 1) < straight; };
+  const auto is_unit = [](const Vector<2>& v) { return std::abs(norm(v) - 1) < Numbers::straight; };
   for (const auto& stone : s.stones) VOUSSOIR_EXPECT(stone.radius > 0 && "radius of a stone: positive");
   for (const auto& c : s.contacts) {
     VOUSSOIR_EXPECT(is_stone(c.stone_i) && is_stone(c.stone_j) && "stones of a contact: of the structure");
     VOUSSOIR_EXPECT(is_unit(c.axis[0]) && is_unit(c.axis[1]) && "axes of a contact: of length one");
-    VOUSSOIR_EXPECT(std::abs(dot(c.axis[0], c.axis[1])) < straight && "axes of a contact: at right angles");
+    VOUSSOIR_EXPECT(std::abs(dot(c.axis[0], c.axis[1])) < Numbers::straight && "axes of a contact: at right angles");
   }
   for (const auto& held : s.supports) {
     VOUSSOIR_EXPECT(is_stone(held.stone) && "stone of a support: of the structure");
@@ -166,7 +158,7 @@ std::optional<LimitAnalysis::Bound> LimitAnalysis::bound_of(const std::vector<Wr
   for (const auto& h : s_.supports)
     against =
         std::max(against, std::abs(dot(velocity_at(mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
-  if (against > against_the_law || !(of_raised > clear_gain * turned_over)) return {};
+  if (against > Numbers::against_the_law || !(of_raised > Numbers::clear_gain * turned_over)) return {};
   return Bound{(absorbed - of_fixed) / of_raised, of_raised};
 }
 
@@ -179,8 +171,8 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
   const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
   tell_forces(p, found, factor, answer);
   answer.factor = factor;
-  if (answer.out_of_balance > out_of_balance) return answer;
-  if (factor >= largest * (1 - clear_gain)) {
+  if (answer.out_of_balance > Numbers::out_of_balance) return answer;
+  if (factor >= largest * (1 - Numbers::clear_gain)) {
     answer.verdict = LimitVerdict::unlimited;
     return answer;
   }
@@ -190,8 +182,8 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
   if (!bound) return answer;
   answer.factor = bound->factor;
   // The mechanism proves by itself. Forces agree as well as balance lets them, which of light stones is little.
-  const double apart = clear_gain * std::max(1.0, factor) + out_of_balance * unit_ / bound->power;
-  if (std::abs(answer.factor - factor) <= apart && answer.factor < largest * (1 - clear_gain))
+  const double apart = Numbers::clear_gain * std::max(1.0, factor) + Numbers::out_of_balance * unit_ / bound->power;
+  if (std::abs(answer.factor - factor) <= apart && answer.factor < largest * (1 - Numbers::clear_gain))
     answer.verdict = LimitVerdict::limited;
   return answer;
 }
@@ -212,7 +204,7 @@ LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, 
                                         ProgrammeBasis* basis) const {
   LimitAnswer answer;
   const bool begun = basis && !basis->empty();
-  for (const double most : {endless, most_force}) {
+  for (const double most : {endless, Numbers::most_force}) {
     auto p = programme(share_of_joints, false, most);
     p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
     p.lp.set_cost(p.factor_column, 1);
@@ -240,8 +232,8 @@ LimitAnswer LimitAnalysis::in_motion(double largest, LimitAnswer answer) const {
   if (!answer.dilates) return answer;
   std::vector<Wrench> undilated;
   answer.estimate = without_dilatancy(largest, answer, &undilated);
-  const bool bears_as_much = answer.estimate && *answer.estimate >= answer.factor * (1 - 2 * settled);
-  if (!bears_as_much || undilated.empty() || closes(s_, undilated) > against_the_law) return answer;
+  const bool bears_as_much = answer.estimate && *answer.estimate >= answer.factor * (1 - 2 * Numbers::settled);
+  if (!bears_as_much || undilated.empty() || closes(s_, undilated) > Numbers::against_the_law) return answer;
   answer.motion = std::move(undilated);
   answer.dilates = false;
   return answer;
@@ -278,29 +270,30 @@ std::optional<double> LimitAnalysis::without_dilatancy(double largest, const Lim
   if (associated.verdict == LimitVerdict::unlimited) return associated.factor;
   if (associated.verdict != LimitVerdict::limited) return {};
   if (associated.estimate) return associated.estimate;
-  auto p = programme(1, true, most_force);
+  auto p = programme(1, true, Numbers::most_force);
   p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
   p.lp.set_cost(p.factor_column, 1);
   std::vector<double> presses;
   for (const int k : kept_) presses.push_back(associated.force[static_cast<std::size_t>(k)][0]);
   double last = associated.factor;
-  for (int round = 0; round < most_programmes; ++round) {
+  for (int round = 0; round < Numbers::most_programmes; ++round) {
     for (std::size_t k = 0; k < kept_.size(); ++k) {
       const auto& law = s_.contacts[static_cast<std::size_t>(kept_[k])].law;
       if (p.forces[k].generators.size() != 3 || !dry(law)) continue;
-      const double shear = (1 - slope_left) * law.friction * std::max(0.0, presses[k]) / unit_;  // but for round-off
+      const double shear =
+          (1 - Numbers::slope_left) * law.friction * std::max(0.0, presses[k]) / unit_;  // but for round-off
       p.lp.set_column(p.first_column[k] + 2, -shear, shear);
     }
     const auto found = p.lp.maximise();
     if (found.end != ProgrammeEnd::optimal) return {};
     const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
-    if (round > 0 && std::abs(factor - last) <= settled * std::max(factor, last)) {
+    if (round > 0 && std::abs(factor - last) <= Numbers::settled * std::max(factor, last)) {
       if (motion) *motion = motion_of(s_, found.price);
       return factor;
     }
     last = factor;
     for (std::size_t k = 0; k < kept_.size(); ++k)
-      presses[k] += weight_of_last * (p.force(k, found.x, unit_)[0] - presses[k]);
+      presses[k] += Numbers::weight_of_last * (p.force(k, found.x, unit_)[0] - presses[k]);
   }
   return {};
 }

@@ -55,7 +55,6 @@ class LimitAnalysis {
   /// share of every joint, from its edges, that they leave free, up to the largest one looked for. Dry straight joints
   /// alone can be narrowed. Of many such forces those with the least sum of normal forces.
   LimitAnswer most_balanced(double factor, double* free_share) const;
-  static constexpr double largest_free_share = 1 - 1.0 / 1024;
   /// Whether stones stand in rows: each has two neighbours at most, or is held and has one, none of a row is its own
   /// neighbour's neighbour, and all joints are dry and straight. The share that forces leave free is then one of the
   /// depth of a row, and 1 / (1 - share) its geometric factor of safety.

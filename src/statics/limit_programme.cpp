@@ -57,7 +57,7 @@ void LimitAnalysis::add_forces_of_joints(Programme& p, bool sliding, double most
     }
     auto law = c.law;
     const bool slides = sliding && law.friction > 0 && std::isfinite(law.friction) && dry(law);
-    if (slides) law = {slope_left * law.friction, 1, 0};
+    if (slides) law = {LimitAnalysisParameters::slope_left * law.friction, 1, 0};
     p.forces.push_back(admissible_forces(law));
     p.arm.push_back(arm);
     p.first_column.push_back(p.lp.columns());
@@ -88,7 +88,7 @@ void LimitAnalysis::add_forces_of_supports(Programme& p) const {
       for (std::size_t c = 0; c < 3; ++c) w[c] -= share * b[c];
     }
     const double left = std::sqrt(power(w, w));
-    if (left < straight) continue;
+    if (left < LimitAnalysisParameters::straight) continue;
     for (auto& x : w) x /= left;
     basis.push_back(w);
     Column column;

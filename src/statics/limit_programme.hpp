@@ -11,15 +11,6 @@
 namespace voussoir {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-// Points lie on a line and have one normal to so much of the size of their stones: what places of a drawing keep.
-constexpr double straight = 1e-9;
-// Forces are in balance to so much of the largest load, which the programme's tolerance leaves room for.
-constexpr double out_of_balance = 1e-8;
-// Stones that are held, or jam between such, may press on each other as much as one likes. Forces end at so many times
-// the largest load: their round-off is as large as the programme's tolerance there.
-constexpr double most_force = 1e6;
-// Friction that hardly dilates: this share of Coulomb's slope is left, so that programmes keep an inside.
-constexpr double slope_left = 1e-3;
 
 inline bool dry(const PointLaw& law) { return law.cohesion == 0 && law.tension == 0; }
 

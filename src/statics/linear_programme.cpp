@@ -9,13 +9,10 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 
 namespace voussoir {
 namespace {
-
-// Balance and prices are exact to so much of the largest of their kind, which has size one: a stone of a millionth of
-// the weight of the heaviest is in balance to a ten-thousandth of its own.
-constexpr double tolerance = 1e-10;
 
 double bound(double value) { return std::isfinite(value) ? value : std::copysign(COIN_DBL_MAX, value); }
 
@@ -42,8 +39,8 @@ LinearProgramme::LinearProgramme() : parts_(std::make_unique<Parts>()) {
   parts_->simplex.setLogLevel(0);
   parts_->simplex.setOptimizationDirection(-1);
   parts_->simplex.scaling(0);  // callers give rows and columns of size one; scaled prices may be worth nothing unscaled
-  parts_->simplex.setPrimalTolerance(tolerance);
-  parts_->simplex.setDualTolerance(tolerance);
+  parts_->simplex.setPrimalTolerance(LimitAnalysisParameters::tolerance);
+  parts_->simplex.setDualTolerance(LimitAnalysisParameters::tolerance);
 }
 LinearProgramme::~LinearProgramme() = default;
 LinearProgramme::LinearProgramme(LinearProgramme&&) noexcept = default;

@@ -5,15 +5,16 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 #include "statics/limit_programme.hpp"
 
 namespace voussoir {
 namespace {
 
-// A reaction of more than this comes from forces at their end, so that it has none.
-constexpr double endless_reaction = most_force / 10;
+using Numbers = LimitAnalysisParameters;
+
 // A share of joints is bisected to what is looked for of it.
-constexpr double finest = 1 - LimitAnalysis::largest_free_share;
+constexpr double finest = 1 - Numbers::largest_free_share;
 
 }  // namespace
 
@@ -92,7 +93,7 @@ LimitAnswer LimitAnalysis::least_pressed(double share_of_joints, const Programme
 std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports, double factor) const {
   VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
   std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
-  auto p = programme(1, false, most_force);
+  auto p = programme(1, false, Numbers::most_force);
   const double f = factor * raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, f, f);
   if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
@@ -104,7 +105,7 @@ std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports,
         for (std::size_t k = 0; k < p.held.size(); ++k) {
           const double share = p.held[k].support == support ? p.held[k].direction[c] : 0.0;
           p.lp.set_cost(p.held_column + static_cast<int>(k), sign * share);
-          held = held || std::abs(share) > straight;
+          held = held || std::abs(share) > Numbers::straight;
         }
         auto& end = sign > 0 ? range.most : range.least;
         if (!held) {
@@ -112,8 +113,8 @@ std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports,
           continue;
         }
         const auto found = p.lp.maximise();
-        const double force = std::abs(found.value) > out_of_balance ? sign * found.value * unit_ : 0.0;
-        if (found.end == ProgrammeEnd::optimal && found.value < endless_reaction) end = force;
+        const double force = std::abs(found.value) > Numbers::out_of_balance ? sign * found.value * unit_ : 0.0;
+        if (found.end == ProgrammeEnd::optimal && found.value < Numbers::endless_reaction) end = force;
       }
     }
   return ranges;
