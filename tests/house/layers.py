@@ -9,6 +9,7 @@ SEES = {
     "base": [],
     "linalg": ["base"],
     "mesh": ["base"],
+    "stones": ["mesh"],
     "blocks": ["mesh", "linalg"],
     "joints": ["blocks", "linalg"],
     "selection": ["linalg"],

@@ -1,0 +1,335 @@
+#include "stones/imprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "stones/drawing.hpp"
+#include "stones/welded_points.hpp"
+
+namespace voussoir {
+namespace {
+
+using Loop = std::vector<int>;
+using Edge = std::pair<int, int>;
+
+/// All points, and the edges between them cut at those that lie on them.
+class CutEdges {
+ public:
+  CutEdges(const Places& points, double weld) : x_(points), weld_(weld), tree_(boxes(points)) {}
+
+  /// The points on the way from a to b, both included.
+  Loop way(int a, int b) {
+    const auto [known, is_new] = ways_.emplace(std::minmax(a, b), Loop{});
+    if (is_new) known->second = cut(known->first.first, known->first.second);
+    return a < b ? known->second : Loop(known->second.rbegin(), known->second.rend());
+  }
+
+  /// A closed polygon with all points on its edges, without edges that it goes to and fro; empty when nothing is left.
+  Loop around(const Loop& corners) {
+    Loop loop;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const int a = corners[k], b = corners[(k + 1) % corners.size()];
+      if (a == b) continue;
+      const Loop part = way(a, b);
+      loop.insert(loop.end(), part.begin(), part.end() - 1);
+    }
+    for (std::size_t k = 0; k < loop.size() && loop.size() > 2;) {
+      const int before = loop[(k + loop.size() - 1) % loop.size()], after = loop[(k + 1) % loop.size()];
+      if (loop[k] == before || before == after) {
+        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(k));
+        k = 0;
+      } else {
+        ++k;
+      }
+    }
+    return loop.size() > 2 ? loop : Loop{};
+  }
+
+ private:
+  static std::vector<Box<3>> boxes(const Places& points) {
+    std::vector<Box<3>> boxes;
+    for (const auto& x : points) boxes.push_back({x, x});
+    return boxes;
+  }
+
+  Loop cut(int a, int b) const {
+    const auto along = x_[b] - x_[a];
+    const double squared = dot(along, along);
+    Box<3> box{x_[a], x_[a]};
+    box.add({x_[b], x_[b]});
+    for (int i = 0; i < 3; ++i) box.low[i] -= weld_, box.high[i] += weld_;
+    std::vector<std::pair<double, int>> between;
+    tree_.visit_overlaps(box, [&](int point) {
+      if (point == a || point == b) return;
+      const double part = dot(x_[point] - x_[a], along) / squared;
+      if (part > 0 && part < 1 && norm(x_[point] - x_[a] - part * along) <= weld_) between.emplace_back(part, point);
+    });
+    std::sort(between.begin(), between.end());
+    Loop way{a};
+    for (const auto& [part, point] : between) way.push_back(point);
+    way.push_back(b);
+    return way;
+  }
+
+  const Places& x_;
+  double weld_;
+  BoxTree<3> tree_;
+  std::map<Edge, Loop> ways_;
+};
+
+/// The border of polygons that lie side by side: edges that two of them have are none of it.
+class Outline {
+ public:
+  void add(const Loop& loop) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Edge edge{loop[k], loop[(k + 1) % loop.size()]};
+      if (edges_.erase({edge.second, edge.first}) == 0) edges_.insert(edge);
+    }
+  }
+  const std::set<Edge>& edges() const { return edges_; }
+
+ private:
+  std::set<Edge> edges_;
+};
+
+/// A joint on a facet: its number, and its convex pieces as loops of points.
+struct OnFacet {
+  int joint;
+  std::vector<Loop> pieces;
+};
+
+/// The drawing of one facet, over numbers of its own.
+class FacetDrawing {
+ public:
+  FacetDrawing(const StoneFacet& facet, const Places& points) : axes_(facet.centre, facet.normal), x_(points) {}
+
+  void add_edge(int a, int b) {
+    if (a == b || !known_.insert(std::minmax(a, b)).second) return;
+    drawing_.edges.push_back({local(a), local(b)});
+  }
+  int local(int point) {
+    const auto [known, is_new] = number_.emplace(point, static_cast<int>(points_.size()));
+    if (is_new) {
+      points_.push_back(point);
+      drawing_.points.push_back(axes_(x_[point]));
+    }
+    return known->second;
+  }
+  Polygon polygon(const Loop& points) const {
+    Polygon p;
+    for (const int point : points) p.push_back(axes_(x_[point]));
+    return p;
+  }
+  Loop global(const Loop& local) const {
+    Loop points;
+    for (const int k : local) points.push_back(points_[k]);
+    return points;
+  }
+  const Drawing2& drawing() const { return drawing_; }
+
+ private:
+  PlaneAxes axes_;
+  const Places& x_;
+  std::set<Edge> known_;
+  std::map<int, int> number_;
+  Loop points_;
+  Drawing2 drawing_;
+};
+
+class Imprinting {
+ public:
+  Imprinting(const std::vector<FacetedStone>& stones, const StoneJoints& joints, double weld)
+      : stones_(stones),
+        joints_(joints),
+        weld_(weld),
+        welded_(weld),
+        number_(numbers_of_points()),
+        pieces_(numbers_of_pieces()),
+        cut_(welded_.points(), weld) {}
+
+  Imprint run() {
+    std::map<std::array<int, 2>, std::vector<int>> joints_of_facet;
+    for (int j = 0; j < static_cast<int>(joints_.joints.size()); ++j)
+      for (int side = 0; side < 2; ++side)
+        joints_of_facet[{joints_.joints[j].stone[side], joints_.joints[j].facet[side]}].push_back(j);
+    imprint_.points = welded_.points();
+    for (int s = 0; s < static_cast<int>(stones_.size()); ++s)
+      for (int f = 0; f < static_cast<int>(stones_[s].facets.size()); ++f) cut_facet(s, f, joints_of_facet[{s, f}]);
+    return std::move(imprint_);
+  }
+
+ private:
+  std::vector<Loop> numbers_of_points() {
+    std::vector<Loop> numbers;
+    for (const auto& stone : stones_) {
+      numbers.emplace_back();
+      for (const auto& x : stone.surface->points) numbers.back().push_back(welded_.add(x));
+    }
+    return numbers;
+  }
+
+  std::vector<std::vector<Loop>> numbers_of_pieces() {
+    std::vector<std::vector<Loop>> numbers;
+    for (const auto& joint : joints_.joints) {
+      numbers.emplace_back();
+      for (const auto& piece : joint.pieces) numbers.back().push_back(numbers_of(piece));
+    }
+    return numbers;
+  }
+
+  /// Where nearly parallel edges of two stones cross is chance: such a corner, with no point of a stone near it and
+  /// nearly on the line of its neighbours, is none.
+  Loop numbers_of(const Places& piece) {
+    Loop numbers;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const auto &before = piece[(k + piece.size() - 1) % piece.size()], &after = piece[(k + 1) % piece.size()];
+      const double length = norm(after - before);
+      const bool straight = norm(cross(after - before, piece[k] - before)) <= weld_ / 2 * length;
+      if (!straight || welded_.find(piece[k]) >= 0) numbers.push_back(welded_.add(piece[k]));
+    }
+    return numbers;
+  }
+
+  void cut_facet(int s, int f, const std::vector<int>& joints) {
+    const auto& facet = stones_[s].facets[f];
+    if (facet.area == 0) return;
+    FacetDrawing drawing(facet, imprint_.points);
+    std::vector<std::array<int, 2>> border;  // of the facet, directed
+    for (const auto& e : facet.edges) {
+      const int a = number_[s][e[0]], b = number_[s][e[1]];
+      if (a == b) continue;
+      const Loop way = cut_.way(a, b);
+      for (std::size_t k = 0; k + 1 < way.size(); ++k) drawing.add_edge(way[k], way[k + 1]);
+      border.push_back({drawing.local(a), drawing.local(b)});
+    }
+    std::vector<OnFacet> on_facet;
+    for (const int j : joints) {
+      on_facet.push_back({j, {}});
+      Outline outline;
+      for (Loop corners : pieces_[j]) {
+        if (joints_.joints[j].stone[0] != s) std::reverse(corners.begin(), corners.end());
+        const Loop loop = cut_.around(corners);
+        if (loop.empty()) continue;
+        on_facet.back().pieces.push_back(loop);
+        outline.add(loop);
+      }
+      for (const auto& [a, b] : outline.edges()) drawing.add_edge(a, b);
+    }
+    for (std::size_t k = 0; k < crossings_of(drawing.drawing()).size(); ++k)
+      imprint_.faults.crossings.push_back({s, f});
+    for (const auto& drawn : cells_of(drawing.drawing())) {
+      if (winding(drawing.drawing().points, border, drawn.inside) < 1) continue;
+      ImprintedCell cell{s, f, -1, drawing.global(drawn.outer), {}, drawn.area};
+      for (const auto& hole : drawn.holes) cell.holes.push_back(drawing.global(hole));
+      for (const auto& joint : on_facet)
+        for (const auto& piece : joint.pieces)
+          if (holds(drawing.polygon(piece), drawn.inside)) cell.joint = joint.joint;
+      imprint_.cells.push_back(std::move(cell));
+    }
+  }
+
+  const std::vector<FacetedStone>& stones_;
+  const StoneJoints& joints_;
+  double weld_;
+  WeldedPoints welded_;
+  std::vector<Loop> number_;               ///< per stone and point
+  std::vector<std::vector<Loop>> pieces_;  ///< per joint and piece
+  CutEdges cut_;
+  Imprint imprint_;
+};
+
+/// A loop as it reads from either side: of all beginnings and both ways the least.
+Loop canonical(const Loop& loop) {
+  const int least = *std::min_element(loop.begin(), loop.end());
+  Loop best;
+  for (Loop way : {loop, Loop(loop.rbegin(), loop.rend())})
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      if (way[k] != least) continue;
+      Loop turned(way.begin() + static_cast<std::ptrdiff_t>(k), way.end());
+      turned.insert(turned.end(), way.begin(), way.begin() + static_cast<std::ptrdiff_t>(k));
+      if (best.empty() || turned < best) best = std::move(turned);
+    }
+  return best;
+}
+
+void pair_cells(Imprint& imprint) {
+  std::map<std::vector<Loop>, Loop> of_border;
+  for (int c = 0; c < static_cast<int>(imprint.cells.size()); ++c) {
+    std::vector<Loop> border{canonical(imprint.cells[c].outer)};
+    for (const auto& hole : imprint.cells[c].holes) border.push_back(canonical(hole));
+    std::sort(border.begin() + 1, border.end());
+    of_border[border].push_back(c);
+  }
+  imprint.other.assign(imprint.cells.size(), -1);
+  for (const auto& [border, cells] : of_border) {
+    if (cells.size() == 2 && imprint.cells[cells[0]].stone != imprint.cells[cells[1]].stone) {
+      imprint.other[cells[0]] = cells[1];
+      imprint.other[cells[1]] = cells[0];
+    } else if (cells.size() > 1) {
+      imprint.faults.crowded.push_back(cells[0]);
+    }
+  }
+  for (int c = 0; c < static_cast<int>(imprint.cells.size()); ++c)
+    if (imprint.cells[c].joint >= 0 && imprint.other[c] < 0) imprint.faults.lonely.push_back(c);
+}
+
+/// Every edge of a closed surface is there once each way. Finds those that are not, and the shortest of all.
+void look_at_edges(Imprint& imprint) {
+  std::map<std::array<int, 3>, int> uses;  // stone, from, to
+  imprint.shortest_edge = std::numeric_limits<double>::infinity();
+  for (const auto& cell : imprint.cells) {
+    auto loops = cell.holes;
+    loops.push_back(cell.outer);
+    for (const auto& loop : loops)
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const int a = loop[k], b = loop[(k + 1) % loop.size()];
+        ++uses[{cell.stone, a, b}];
+        imprint.shortest_edge = std::min(imprint.shortest_edge, norm(imprint.points[b] - imprint.points[a]));
+      }
+  }
+  std::set<int> open;
+  for (const auto& [edge, number] : uses) {
+    const auto back = uses.find({edge[0], edge[2], edge[1]});
+    if (number != 1 || back == uses.end() || back->second != 1) open.insert(edge[0]);
+  }
+  imprint.faults.open_stones.assign(open.begin(), open.end());
+}
+
+}  // namespace
+
+Imprint imprinted(const std::vector<FacetedStone>& stones, const StoneJoints& joints, double weld) {
+  Imprint imprint = Imprinting(stones, joints, weld).run();
+  pair_cells(imprint);
+  look_at_edges(imprint);
+  return imprint;
+}
+
+void refuse_faults(const Imprint& imprint, const std::vector<FacetedStone>& stones, double tolerance, double weld) {
+  const auto& faults = imprint.faults;
+  if (faults.none()) return;
+  std::string message = "mesh > stones: with joint tolerance = " + number_text(tolerance) +
+                        " [m] and weld = " + number_text(weld) + " [m] the stones do not fit together:";
+  const auto add = [&](std::size_t number, const std::string& what, int stone) {
+    if (number > 0)
+      message += "\n    " + std::to_string(number) + " " + what + ", first of " + in_words(*stones[stone].surface);
+  };
+  const auto stone_of = [&](const std::vector<int>& cells) {
+    return cells.empty() ? 0 : imprint.cells[cells[0]].stone;
+  };
+  add(faults.open_stones.size(), "stones whose cut facets are not closed",
+      faults.open_stones.empty() ? 0 : faults.open_stones[0]);
+  add(faults.lonely.size(), "joint faces that the other stone has not", stone_of(faults.lonely));
+  add(faults.crowded.size(), "faces that more than two stones have", stone_of(faults.crowded));
+  add(faults.crossings.size(), "joints that cross on a face", faults.crossings.empty() ? 0 : faults.crossings[0][0]);
+  throw InputError(message +
+                   "\n  Raise joint tolerance above the largest gap in a joint and weld to two to ten times of it, or "
+                   "lower\n  both below the thinnest part of a stone and the narrowest gap that is meant to be open.");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,28 @@
+// Stones from the files people have: OBJ, STL, PLY, COMPAS.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stones/surface.hpp"
+
+namespace voussoir {
+
+/// The stones of a file, or of all files of a folder in the order of their names, as they are written there.
+///
+/// OBJ       every object or group is a stone; statements of one name go on with the same stone
+/// STL       ascii (every solid is a stone) or binary (the file is one)
+/// PLY       ascii or binary; the file is a stone
+/// JSON      of COMPAS: meshes, lists of them, an Assembly or a BlockModel; every mesh is a stone
+///
+/// Throws InputError, naming file and line or byte, for what is no such file.
+/// @param unit  [m] the length that the file calls 1
+std::vector<StoneSurface> read_stones(const std::string& path, double unit);
+
+/// The same of the contents of a file; `file` is for messages and names.
+std::vector<StoneSurface> read_obj(const std::string& file, const std::string& contents);
+std::vector<StoneSurface> read_stl(const std::string& file, const std::string& contents);
+std::vector<StoneSurface> read_ply(const std::string& file, const std::string& contents);
+std::vector<StoneSurface> read_compas(const std::string& file, const std::string& contents);
+
+}  // namespace voussoir

@@ -1,0 +1,78 @@
+// How files of stones are read: line by line or byte by byte, with words for what is wrong in them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "base/tensor.hpp"
+
+namespace voussoir {
+
+/// Throws InputError "mesh > stones > file = `file`\n  `why`\n  `advice`".
+[[noreturn]] void refuse_stones(const std::string& file, const std::string& why, const std::string& advice);
+
+/// The lines of a text that hold words.
+class StoneLines {
+ public:
+  StoneLines(std::string file, const std::string& contents) : file_(std::move(file)), contents_(contents) {}
+  /// Goes to the next line with words; false at the end.
+  bool next();
+  const std::vector<std::string>& words() const { return words_; }
+  int line() const { return line_; }
+  std::size_t behind() const { return at_; }  ///< [bytes] from the beginning to the next line
+  /// "vault.obj, line 17"
+  std::string place() const;
+  /// The words behind the first `from`, with blanks between them.
+  std::string text_from(std::size_t from) const;
+  /// A finite number; refuses anything else.
+  double number(std::size_t word) const;
+  Vector<3> point(std::size_t first_word) const;
+  int whole_number(std::size_t word) const;
+  [[noreturn]] void refuse(const std::string& why, const std::string& advice) const;
+
+ private:
+  std::string file_;
+  const std::string& contents_;
+  std::size_t at_ = 0;
+  int line_ = 0;
+  std::vector<std::string> words_;
+};
+
+/// Numbers from bytes, of either order.
+class StoneBytes {
+ public:
+  StoneBytes(std::string file, const std::string& contents, std::size_t at, bool big_endian)
+      : file_(std::move(file)), contents_(contents), at_(at), swap_(big_endian) {}
+  template <class T>
+  T plain() {
+    require(sizeof(T));
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, contents_.data() + at_, sizeof(T));
+    if (swap_) std::reverse(bytes, bytes + sizeof(T));
+    at_ += sizeof(T);
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    return value;
+  }
+  void skip(std::size_t bytes) {
+    require(bytes);
+    at_ += bytes;
+  }
+  std::size_t left() const { return contents_.size() - at_; }
+
+ private:
+  void require(std::size_t bytes) const;
+
+  std::string file_;
+  const std::string& contents_;
+  std::size_t at_;
+  bool swap_;
+};
+
+/// The file name without folders and without ending.
+std::string stem(const std::string& file);
+
+}  // namespace voussoir

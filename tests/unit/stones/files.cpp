@@ -1,0 +1,168 @@
+// Files of stones hold what they say, and what is wrong in them is told by line, byte or path.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+#include "stones/stone_files.hpp"
+#include "unit/stones/drawn_stones.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+template <class T>
+std::string bytes(T value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+template <class T>
+std::string swapped(T value) {
+  const std::string b = bytes(value);
+  return {b.rbegin(), b.rend()};
+}
+
+const std::string tetrahedron_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+TEUCHOS_UNIT_TEST(Obj, ObjectsAndGroupsAreStonesWithThePointsTheyUse) {
+  const auto stones = read_obj("two.obj", tetrahedron_obj +
+                                              "# a comment\r\no west stone\nf 1 3 2\nf 1/1 2/2/5 4//1\r\nv 9 9 9\n"
+                                              "o east\ng heart\nf -1 -5 -4 -3\no west stone\nf 1 4 3\n");
+  TEST_EQUALITY(stones.size(), 2u);
+  TEST_EQUALITY(stones[0].name, "west stone");
+  TEST_EQUALITY(stones[0].origin, "two.obj, line 7");
+  TEST_EQUALITY(stones[0].points.size(), 4u);
+  TEST_EQUALITY(stones[0].faces.size(), 3u);  // the name comes again and goes on with the same stone
+  TEST_EQUALITY(stones[1].name, "heart");
+  TEST_ASSERT(stones[1].points[0] == (Vector<3>{9, 9, 9}));
+  TEST_ASSERT(stones[1].points[1] == (Vector<3>{0, 0, 0}));
+}
+
+TEUCHOS_UNIT_TEST(Obj, WhatIsWrongIsToldByLine) {
+  const auto error = [](const std::string& lines) {
+    return input_error([&] { read_obj("a.obj", tetrahedron_obj + lines); });
+  };
+  TEST_ASSERT(holds(error("f 1 2 5\n"), "Line 5 names the point \"5\", of 4"));
+  TEST_ASSERT(holds(error("f 1 2\n"), "Line 5 has a face of 2 points"));
+  TEST_ASSERT(holds(error("\nv 1 nan 2\n"), "Line 6 has \"nan\" where a number is wanted"));
+  TEST_ASSERT(holds(error("v 1 2\n"), "Line 5 ends after 3 words"));
+  TEST_ASSERT(holds(error(""), "has no faces") || holds(error(""), "Has no faces"));
+  TEST_ASSERT(holds(error("f 1 2 5\n"), "mesh > stones > file = a.obj"));
+}
+
+TEUCHOS_UNIT_TEST(Stl, SolidsOfTextAreStonesAndABinaryFileIsOne) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const auto text =
+      read_stl("a.stl", "solid one\n" + facet + facet + "endsolid\nsolid two\n" + facet + "endsolid two\n");
+  TEST_EQUALITY(text.size(), 2u);
+  TEST_EQUALITY(text[0].faces.size(), 2u);
+  TEST_EQUALITY(text[1].name, "two");
+
+  std::string binary = "solid misleading" + std::string(64, ' ') + bytes<std::uint32_t>(1);
+  for (const float x : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f, 0.f, 0.f, 3.f, 0.f}) binary += bytes(x);
+  binary += std::string(2, '\0');
+  const auto stones = read_stl("folder/stone 3.stl", binary);
+  TEST_EQUALITY(stones[0].name, "stone 3");
+  TEST_ASSERT(stones[0].points[2] == (Vector<3>{0, 3, 0}));
+  TEST_ASSERT(holds(input_error([&] { read_stl("a.stl", binary.substr(0, 100)); }),
+                    "1 triangles, which need 134 bytes, and has 100"));
+  TEST_ASSERT(
+      holds(input_error([&] { read_stl("a.stl", "solid x\nvertex 0 0 0\nendfacet\n"); }), "facet of 1 corners"));
+}
+
+TEUCHOS_UNIT_TEST(Ply, TextAndBytesOfEitherOrderHoldTheSameStone) {
+  const auto header = [](const std::string& format) {
+    return "ply\nformat " + format +
+           " 1.0\ncomment made by hand\nelement vertex 3\nproperty float x\nproperty double y\n"
+           "property float z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  };
+  std::string little, big;
+  for (int k = 0; k < 3; ++k) {
+    const auto x = static_cast<float>(k), z = static_cast<float>(k == 2);
+    const double y = 0.1 * k;
+    little += bytes(x) + bytes(y) + bytes(z) + "r";
+    big += swapped(x) + swapped(y) + swapped(z) + "r";
+  }
+  little += '\3', big += '\3';
+  for (const std::int32_t k : {0, 1, 2}) little += bytes(k), big += swapped(k);
+  const std::string text = "0 0 0 7\n1 0.1 0 7\n2 0.2 1 7\n3 0 1 2\n";
+  for (const auto& [format, body] : {std::pair<std::string, std::string>{"ascii", text},
+                                     {"binary_little_endian", little},
+                                     {"binary_big_endian", big}}) {
+    const auto stones = read_ply("s.ply", header(format) + body);
+    TEST_ASSERT(stones[0].faces == (std::vector<std::vector<int>>{{0, 1, 2}}));
+    TEST_ASSERT(stones[0].points[2] == (Vector<3>{2, 0.2, 1}));
+  }
+  TEST_ASSERT(holds(input_error([&] { read_ply("s.ply", header("binary_little_endian") + little.substr(0, 40)); }),
+                    "nds at byte"));
+  TEST_ASSERT(holds(input_error([&] { read_ply("s.ply", header("ascii") + "0 0 0 7\n1 0 0 7\n0 1 0 7\n3 0 1 3\n"); }),
+                    "ace 0 names the point 3, of 3"));
+  TEST_ASSERT(holds(input_error([&] { read_ply("s.ply", header("zip") + little); }), "format \"zip\""));
+}
+
+const std::string mesh_data = R"({"vertex": {"0": {}, "7": {"x": 1.0}, "12": {"y": 1.0}, "3": {"z": 1.0}},
+  "face": {"0": [0, 12, 7], "1": [0, 7, 3], "2": [7, 12, 3], "5": [0, 3, 12]}})";
+
+std::string mesh() { return R"({"dtype": "compas.datastructures/Mesh", "data": )" + mesh_data + "}"; }
+
+TEUCHOS_UNIT_TEST(Compas, MeshesOfListsAssembliesAndModelsAreStonesAndThoseOfInterfacesAreNot) {
+  TEST_EQUALITY(read_compas("m.json", mesh())[0].name, "m");
+  const auto list = read_compas("m.json", "[" + mesh() + ", [" + mesh() + "]]");
+  TEST_EQUALITY(list.size(), 2u);
+  TEST_EQUALITY(list[0].faces.size(), 4u);
+  TEST_ASSERT(list[0].points[1] == (Vector<3>{1, 0, 0}));
+  TEST_FLOATING_EQUALITY(volume(list[0]), 1.0 / 6, 1e-15);
+
+  const auto assembly =
+      read_compas("a.json", R"({"dtype": "compas_assembly.datastructures/Assembly", "data": {"graph": {"data": {
+    "node": {"10": {"block": )" +
+                                mesh() + R"(, "is_support": true}, "9": {"block": )" + mesh() + R"(}},
+    "edge": {"9": {"10": {"interfaces": [)" +
+                                mesh() + "]}}}}}}}");
+  TEST_EQUALITY(assembly.size(), 2u);
+  TEST_EQUALITY(assembly[0].name, "10");
+  TEST_ASSERT(assembly[0].support && !assembly[1].support);
+
+  const std::string move = R"({"dtype": "compas.geometry/Transformation", "data": {"matrix":
+    [[0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}})";
+  const auto model = read_compas(
+      "b.json", R"({"dtype": "compas_dem.models/BlockModel", "data": {"elements": {
+    "71c1eba0-3b01-4daa-a066-5b5c4074b946": {"data": {"transformation": )" +
+                    move + R"(, "geometry": )" + mesh() +
+                    R"(, "is_support": true}}}, "graph": {"edge": {"0": {"1": {"contacts": [)" + mesh() + "]}}}}}}");
+  TEST_EQUALITY(model.size(), 1u);
+  TEST_EQUALITY(model[0].name, "0");
+  TEST_ASSERT(model[0].support);
+  TEST_ASSERT(model[0].points[1] == (Vector<3>{5, 1, 0}));
+}
+
+TEUCHOS_UNIT_TEST(Compas, WhatIsWrongIsToldByPath) {
+  TEST_ASSERT(holds(input_error([] { read_compas("a.json", "{\"data\": [1, "); }), "s no JSON"));
+  TEST_ASSERT(holds(input_error([] { read_compas("a.json", "{\"data\": 3}"); }), "olds no mesh"));
+  TEST_ASSERT(
+      holds(input_error([] { read_compas("a.json", R"({"node": {"4": {"vertex": {"0": {"x": "1"}}, "face": {}}}})"); }),
+            "node > 4 > vertex > 0 a number"));
+  TEST_ASSERT(holds(input_error([] { read_compas("a.json", R"({"vertex": {"0": {}}, "face": {"2": [0, 0, 8]}})"); }),
+                    "face 2 names the vertex \"8\""));
+  TEST_ASSERT(
+      holds(input_error([] { read_compas("a.json", std::string(3000, '[') + std::string(3000, ']')); }), "nested"));
+}
+
+TEUCHOS_UNIT_TEST(StoneFiles, AFolderIsReadByNamesInTheUnitOfItsFiles) {
+  const std::string folder = "stones of a folder";
+  std::filesystem::create_directory(folder);
+  for (const std::string name : {"s10", "s9"})
+    std::ofstream(folder + "/" + name + ".OBJ") << tetrahedron_obj << "f 1 3 2\n";
+  std::ofstream(folder + "/loads.json") << "{}";
+  const auto stones = read_stones(folder, 1e-3);
+  TEST_EQUALITY(stones.size(), 2u);
+  TEST_EQUALITY(stones[0].name, "s9");
+  TEST_FLOATING_EQUALITY(extent(stones[0].points), std::sqrt(2.0) * 1e-3, 1e-15);
+  TEST_ASSERT(holds(input_error([] { read_stones("nowhere.obj", 1); }), "annot be read"));
+  std::ofstream("stone.dxf") << "0";
+  TEST_ASSERT(holds(input_error([] { read_stones("stone.dxf", 1); }), "Known are .obj"));
+}
+
+}  // namespace

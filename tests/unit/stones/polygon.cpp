@@ -1,0 +1,77 @@
+// Polygons in a plane: common parts, corners, triangles.
+#include "stones/polygon.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+
+namespace {
+
+using namespace voussoir;
+
+Polygon square(double x, double y, double side) { return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}; }
+
+TEUCHOS_UNIT_TEST(Polygon, AreaPerimeterAndWidthOfARectangle) {
+  const Polygon strip{{1, 1}, {11, 1}, {11, 1.1}, {1, 1.1}};
+  TEST_FLOATING_EQUALITY(area(strip), 1.0, 1e-14);
+  TEST_FLOATING_EQUALITY(perimeter(strip), 20.2, 1e-14);
+  TEST_FLOATING_EQUALITY(mean_width(strip), 2 / 20.2, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Polygon, CommonPartsAreThoseOfTheDrawing) {
+  TEST_FLOATING_EQUALITY(area(common_part(square(0, 0, 1), square(0.25, 0.5, 1))), 0.375, 1e-15);
+  TEST_FLOATING_EQUALITY(area(common_part(square(0, 0, 1), square(0, 0, 1))), 1.0, 1e-15);
+  TEST_FLOATING_EQUALITY(area(common_part(square(-5, -5, 10), square(0, 0, 1))), 1.0, 1e-15);
+  TEST_ASSERT(common_part(square(0, 0, 1), square(2, 0, 1)).size() < 3);
+  // Squares that only touch have no area in common.
+  TEST_COMPARE(std::abs(area(common_part(square(0, 0, 1), square(1, 0, 1)))), <=, 1e-15);
+  // A square and the same turned by 45 degrees: an octagon of 2 (sqrt 2 - 1).
+  const double r = std::sqrt(0.5);
+  const Polygon diamond{{0.5, 0.5 - r}, {0.5 + r, 0.5}, {0.5, 0.5 + r}, {0.5 - r, 0.5}};
+  TEST_EQUALITY(common_part(square(0, 0, 1), diamond).size(), 8u);
+  TEST_FLOATING_EQUALITY(area(common_part(square(0, 0, 1), diamond)), 2 * (std::sqrt(2.0) - 1), 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Polygon, CornersOnAStraightLineAreNone) {
+  const Polygon p{{0, 0}, {0.5, 1e-4}, {1, 0}, {1, 1}, {1, 1.0001}, {0, 1}, {0, 0.5}};
+  TEST_EQUALITY(corners_of(p, 1e-3).size(), 4u);
+  TEST_EQUALITY(corners_of(p, 1e-6).size(), 5u);
+}
+
+TEUCHOS_UNIT_TEST(Polygon, PointsInsideAreHeld) {
+  const Polygon bent{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  TEST_ASSERT(holds(bent, {0.5, 1.5}) && holds(bent, {1.5, 0.5}) && !holds(bent, {1.5, 1.5}));
+  TEST_ASSERT(!is_convex(bent, 1e-6) && is_convex(square(0, 0, 1), 0));
+}
+
+TEUCHOS_UNIT_TEST(Polygon, TrianglesCoverAPolygonThatIsNotConvex) {
+  const std::vector<Vector<3>> bent{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+  double sum = 0;
+  for (const auto& t : cut_into_triangles(bent)) {
+    const double part = cross(bent[t[1]] - bent[t[0]], bent[t[2]] - bent[t[0]])[2] / 2;
+    TEST_COMPARE(part, >, 0);
+    sum += part;
+  }
+  TEST_FLOATING_EQUALITY(sum, 3.0, 1e-15);
+}
+
+// Both stones of a warped joint must choose the same diagonal, from wherever they begin and whichever way they go.
+TEUCHOS_UNIT_TEST(Polygon, ASaddleIsCutAlikeFromEitherSide) {
+  const std::vector<Vector<3>> saddle{{0, 0, 0}, {1, 0, 0.1}, {1, 1, 0}, {0, 1, 0.1}};
+  const auto diagonal = [](const std::vector<Vector<3>>& p) {
+    const auto t = cut_into_triangles(p);
+    std::vector<Vector<3>> ends;
+    for (const int corner : t[0])
+      for (const int other : t[1])
+        if (corner == other) ends.push_back(p[corner]);
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  };
+  auto other = saddle;
+  for (int turns = 0; turns < 4; ++turns) {
+    std::rotate(other.begin(), other.begin() + 1, other.end());
+    TEST_ASSERT(diagonal(other) == diagonal(saddle));
+    TEST_ASSERT(diagonal({other.rbegin(), other.rend()}) == diagonal(saddle));
+  }
+}
+
+}  // namespace
