@@ -2,9 +2,9 @@
 
 usage: kernels.py PROGRAM [COUNT]
 
-Prints "run NAME" or "skip NAME: why" for each, a line for COUNT of them at most, spread from the oldest to the newest. What a
-program takes is asked of OpenBLAS itself, which says so under OPENBLAS_VERBOSE=2; it does not ask whether the processor has the
-instructions, so that is looked up in /proc/cpuinfo.
+Prints "run NAME", "own NAME" or "skip NAME: why" for each, a line for COUNT of them at most, spread from the oldest to the
+newest; own is the one that the program takes here by itself. What a program takes is asked of OpenBLAS, which says so under
+OPENBLAS_VERBOSE=2; it does not ask whether the processor has the instructions, so that is looked up in /proc/cpuinfo.
 """
 
 import os
@@ -32,9 +32,11 @@ def flags_of_processor():
     return set(found[1].split()) if found else set()
 
 
-def taken(program, kernel):
-    """The kernels that a program takes when asked for one; None where its BLAS is not OpenBLAS."""
-    env = {**os.environ, "OPENBLAS_CORETYPE": kernel, "OPENBLAS_VERBOSE": "2"}
+def taken(program, kernel=None):
+    """The kernel that a program takes when asked for one, or by itself; None where its BLAS is not OpenBLAS."""
+    env = {**os.environ, "OPENBLAS_VERBOSE": "2"}
+    if kernel:
+        env["OPENBLAS_CORETYPE"] = kernel
     said = subprocess.run([program, "--version"], env=env, capture_output=True, text=True, timeout=60, check=False)
     found = re.search(r"^Core: (\S+)", said.stdout + said.stderr, re.MULTILINE)
     return found[1] if found else None
@@ -67,5 +69,6 @@ if __name__ == "__main__":
     for name, why in known.items():
         if why:
             print(f"skip {name}: {why}")
+    own = taken(sys.argv[1])
     for name in chosen:
-        print(f"run {name}")
+        print("own" if name == own else "run", name)
