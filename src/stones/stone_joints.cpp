@@ -52,7 +52,8 @@ void add_common(Growing& growing, const StoneFacet& a, const StoneFacet& b, cons
 
 class Search {
  public:
-  Search(const std::vector<FacetedStone>& stones, double tolerance) : stones_(stones), tolerance_(tolerance) {}
+  Search(const std::vector<FacetedStone>& stones, double width, double reach)
+      : stones_(stones), width_(width), tolerance_(reach) {}
 
   StoneJoints run() {
     std::vector<Box<3>> boxes;
@@ -99,7 +100,7 @@ class Search {
     }
     StoneJoint& joint = growing.joint;
     if (joint.pieces.empty()) return;
-    if (2 * joint.area / growing.around < tolerance_) {
+    if (2 * joint.area / growing.around < width_) {
       ++found_.slivers;
       found_.sliver_area += joint.area;
       return;
@@ -111,7 +112,7 @@ class Search {
   }
 
   const std::vector<FacetedStone>& stones_;
-  double tolerance_;
+  double width_, tolerance_;
   StoneJoints found_;
 };
 
@@ -124,7 +125,11 @@ double StoneJoints::area() const {
 }
 
 StoneJoints find_joints(const std::vector<FacetedStone>& stones, double tolerance) {
-  return Search(stones, tolerance).run();
+  return find_joints(stones, tolerance, tolerance);
+}
+
+StoneJoints find_joints(const std::vector<FacetedStone>& stones, double width, double reach) {
+  return Search(stones, width, reach).run();
 }
 
 std::vector<JointCount> count_joints(const std::vector<StoneSurface>& stones, double tolerance) {

@@ -30,6 +30,8 @@ constexpr double opposed = 0.99619469809174555;
 
 /// @param tolerance  [m] largest distance of the two planes at any corner of the joint, and its least mean width
 StoneJoints find_joints(const std::vector<FacetedStone>&, double tolerance);
+/// @param width  [m] the least mean width;  @param reach  [m] the largest distance
+StoneJoints find_joints(const std::vector<FacetedStone>&, double width, double reach);
 
 /// How many joints there are at another tolerance.
 struct JointCount {

@@ -1,6 +1,7 @@
 // Stones as files would draw them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -45,6 +46,8 @@ inline StoneSurface prism(const std::string& name, const std::vector<Vector<2>>&
   }
   stone.faces.push_back(bottom);
   stone.faces.push_back(top);
+  if ((second_axis - first_axis + 3) % 3 == 2)  // the third axis points to where the outline is clockwise
+    for (auto& face : stone.faces) std::reverse(face.begin(), face.end());
   return stone;
 }
 

@@ -1,0 +1,209 @@
+#include "stones/cell_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/sort_unique.hpp"
+#include "base/text.hpp"
+
+namespace voussoir {
+namespace {
+
+double volume_of(const std::array<Vector<3>, 4>& x) { return dot(x[3] - x[0], cross(x[1] - x[0], x[2] - x[0])) / 6; }
+
+/// [degree] the smallest angle between two faces of a tetrahedron.
+double least_dihedral(const std::array<Vector<3>, 4>& x) {
+  double least = 180;
+  for (int a = 0; a < 4; ++a)
+    for (int b = a + 1; b < 4; ++b) {  // the edge a - b, and the other two corners seen along it
+      const int c = a == 0 ? (b == 1 ? 2 : 1) : 0, d = 6 - a - b - c;
+      const auto edge = (1 / norm(x[b] - x[a])) * (x[b] - x[a]);
+      const auto across = [&](int corner) {
+        const auto to = x[corner] - x[a];
+        return to - dot(to, edge) * edge;
+      };
+      const auto u = across(c), v = across(d);
+      least =
+          std::min(least, std::acos(std::clamp(dot(u, v) / (norm(u) * norm(v)), -1.0, 1.0)) * 180 / std::acos(-1.0));
+    }
+  return least;
+}
+
+/// The surface mesh of one stone, and what its nodes are among those of all.
+struct StoneSkin {
+  ClosedMesh mesh;
+  std::vector<int> nodes;
+};
+
+std::vector<StoneSkin> skins_of_stones(const StoneStructure& s, const Skins& skins) {
+  std::vector<StoneSkin> stones(s.stones.size());
+  for (std::size_t c = 0; c < s.imprint.cells.size(); ++c) {
+    auto& mesh = stones[s.imprint.cells[c].stone].mesh;
+    mesh.triangles.insert(mesh.triangles.end(), skins.triangles[c].begin(), skins.triangles[c].end());
+  }
+  for (auto& stone : stones) {
+    for (const auto& t : stone.mesh.triangles) stone.nodes.insert(stone.nodes.end(), t.begin(), t.end());
+    sort_unique(stone.nodes);
+    stone.mesh.nodes = places_of(skins.nodes, stone.nodes);
+    stone.mesh.size = s.element_size;
+    for (auto& t : stone.mesh.triangles)
+      for (int& node : t)
+        node = static_cast<int>(std::lower_bound(stone.nodes.begin(), stone.nodes.end(), node) - stone.nodes.begin());
+  }
+  return stones;
+}
+
+double volume_inside(const ClosedMesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles)
+    sum += volume_of({mesh.nodes[0], mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]]});
+  return sum;
+}
+
+/// Whether the faces of cells that no other cell has are those of the surface.
+bool keeps_surface(const FilledMesh& filled, const ClosedMesh& surface) {
+  std::map<Triangle, int> uses;
+  const auto key = [](Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  for (const auto& cell : filled.cells)
+    for (int k = 0; k < 4; ++k) ++uses[key({cell[(k + 1) % 4], cell[(k + 2) % 4], cell[(k + 3) % 4]})];
+  for (const auto& t : surface.triangles)
+    if (--uses[key(t)] != 0) return false;
+  return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0 || use.second == 2; });
+}
+
+std::array<Vector<3>, 4> corners_of(const Tetrahedron& cell, const Places& nodes) {
+  return {nodes[cell[0]], nodes[cell[1]], nodes[cell[2]], nodes[cell[3]]};
+}
+
+/// Turns cells to positive volumes, and looks whether they fill the stone. Returns what is wrong, or "".
+std::string look_at(FilledMesh& filled, const ClosedMesh& surface, StoneMeshQuality& quality) {
+  if (!filled.failure.empty()) return filled.failure;
+  if (!keeps_surface(filled, surface)) return "gmsh changed its surface";
+  auto nodes = surface.nodes;
+  nodes.insert(nodes.end(), filled.inside.begin(), filled.inside.end());
+  double sum = 0;
+  for (auto& cell : filled.cells) {
+    if (volume_of(corners_of(cell, nodes)) < 0) std::swap(cell[2], cell[3]);
+    const auto corners = corners_of(cell, nodes);
+    sum += volume_of(corners);
+    const double angle = least_dihedral(corners);
+    quality.least_dihedral = std::min(quality.least_dihedral, angle);
+    if (angle < 5) ++quality.flat;
+  }
+  quality.nodes += nodes.size();
+  quality.cells += filled.cells.size();
+  quality.volume += sum;
+  // Sums of thousands of products round to 1e-12; a cell that is missing or turned is 1e-6 of a stone and more.
+  const double inside = volume_inside(surface);
+  if (std::abs(sum - inside) > 1e-9 * inside)
+    return "its cells fill " + six_digits(sum) + " m3 of " + six_digits(inside);
+  return "";
+}
+
+/// Sets of blocks by the stones that are in them.
+void add_sets(const StoneStructure& s, BlockList<3>& list) {
+  std::map<std::string, int> number;
+  const auto add = [&](const std::string& name, std::size_t stone) {
+    const auto [known, is_new] = number.emplace(name, static_cast<int>(list.block_sets.size()));
+    if (is_new) list.block_sets.push_back(name);
+    list.blocks[stone].sets.push_back(known->second);
+  };
+  for (std::size_t k = 0; k < s.stones.size(); ++k) add(s.stones[k].name, k);
+  for (std::size_t k = 0; k < s.stones.size(); ++k)
+    if (s.stones[k].support) add("supports", k);
+  std::vector<std::set<int>> neighbours(s.stones.size());
+  for (const auto& joint : s.joints.joints)
+    for (int side = 0; side < 2; ++side) neighbours[joint.stone[side]].insert(joint.stone[1 - side]);
+  for (std::size_t k = 0; k < neighbours.size(); ++k)
+    if (neighbours[k].size() == 1) add("one neighbour", k);
+  for (auto& block : list.blocks) sort_unique(block.sets);
+}
+
+/// Free faces that look down, of the lowest stones, and those that look up, of the highest.
+class Ends {
+ public:
+  explicit Ends(const StoneStructure& s) {
+    low_ = s.faceted[0].box.low[2], high_ = s.faceted[0].box.high[2];
+    for (const auto& stone : s.faceted) {
+      low_ = std::min(low_, stone.box.low[2]);
+      high_ = std::max(high_, stone.box.high[2]);
+    }
+  }
+  /// 0 = base, 1 = top, -1 = neither.
+  int of(const ImprintedCell& cell, bool is_free, const StoneStructure& s) const {
+    const auto& stone = s.faceted[cell.stone];
+    const double steep = std::sqrt(0.5), up = stone.facets[cell.facet].normal[2], near = 0.01 * (high_ - low_);
+    if (is_free && up < -steep && stone.box.low[2] <= low_ + near) return 0;
+    if (is_free && up > steep && stone.box.high[2] >= high_ - near) return 1;
+    return -1;
+  }
+
+ private:
+  double low_, high_;
+};
+
+void add_facets(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones, BlockList<3>& list) {
+  list.facet_sets = {"base", "top"};
+  const Ends ends(s);
+  for (std::size_t c = 0; c < s.imprint.cells.size(); ++c) {
+    const auto& cell = s.imprint.cells[c];
+    const int set = ends.of(cell, s.imprint.other[c] < 0, s);
+    if (set < 0) continue;
+    const auto& nodes = stones[cell.stone].nodes;
+    for (const auto& t : skins.triangles[c]) {
+      TaggedFacet facet;
+      facet.count = 3;
+      facet.set = set;
+      for (int k = 0; k < 3; ++k)
+        facet.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), t[k]) - nodes.begin());
+      list.blocks[cell.stone].facets.push_back(facet);
+    }
+  }
+}
+
+[[noreturn]] void refuse_unfilled(const std::vector<std::string>& faults, std::size_t stones) {
+  std::string message = "mesh > stones: " + std::to_string(faults.size()) + " of " + std::to_string(stones) +
+                        " stones cannot be filled with cells:";
+  for (std::size_t k = 0; k < std::min<std::size_t>(faults.size(), 5); ++k) message += "\n    " + faults[k];
+  throw InputError(message + "\n  Try a larger weld where faces have very short edges, or a smaller element size.");
+}
+
+}  // namespace
+
+StoneMeshes mesh_stones(const StoneStructure& s) {
+  const auto skins = skins_of(s);
+  const auto stones = skins_of_stones(s, skins);
+  std::vector<ClosedMesh> surfaces;
+  for (const auto& stone : stones) surfaces.push_back(stone.mesh);
+  auto meshes = filled(surfaces);
+  StoneMeshes result;
+  std::vector<std::string> faults;
+  auto vertex = static_cast<VertexId>(skins.nodes.size());
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    const std::string fault = look_at(meshes[k], surfaces[k], result.quality);
+    if (!fault.empty()) faults.push_back(in_words(s.stones[k]) + ": " + fault);
+    Block<3> block;
+    block.id = static_cast<BlockId>(k);
+    block.name = "stone " + s.stones[k].name;
+    block.position = surfaces[k].nodes;
+    block.position.insert(block.position.end(), meshes[k].inside.begin(), meshes[k].inside.end());
+    block.vertex.assign(stones[k].nodes.begin(), stones[k].nodes.end());
+    for (std::size_t n = 0; n < meshes[k].inside.size(); ++n) block.vertex.push_back(vertex++);
+    for (const auto& cell : meshes[k].cells) block.cells.push_back({{cell[0], cell[1], cell[2], cell[3]}, 4});
+    result.list.blocks.push_back(std::move(block));
+  }
+  if (!faults.empty()) refuse_unfilled(faults, stones.size());
+  add_sets(s, result.list);
+  add_facets(s, skins, stones, result.list);
+  result.list.warnings = s.warnings;
+  return result;
+}
+
+}  // namespace voussoir

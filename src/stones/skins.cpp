@@ -1,0 +1,153 @@
+// Triangles on the cells of an imprint.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "stones/cell_mesh.hpp"
+
+namespace voussoir {
+namespace {
+
+using Loop = std::vector<int>;
+
+/// Nodes on the edges of cells, the same for all cells that have the edge.
+class EdgeNodes {
+ public:
+  EdgeNodes(Places& nodes, double size) : nodes_(nodes), size_(size) {}
+
+  /// From a to b, without b.
+  void append(int a, int b, Loop& loop) {
+    const auto [known, is_new] = between_.emplace(std::minmax(a, b), Loop{});
+    if (is_new) known->second = divided(known->first.first, known->first.second);
+    loop.push_back(a);
+    if (a < b)
+      loop.insert(loop.end(), known->second.begin(), known->second.end());
+    else
+      loop.insert(loop.end(), known->second.rbegin(), known->second.rend());
+  }
+
+ private:
+  Loop divided(int a, int b) {
+    // A length that is a whole number of sizes but for its round-off is divided into that number.
+    const int parts = std::max(1, static_cast<int>(std::ceil(norm(nodes_[b] - nodes_[a]) / size_ - 1e-9)));
+    Loop between;
+    for (int k = 1; k < parts; ++k) {
+      between.push_back(static_cast<int>(nodes_.size()));
+      nodes_.push_back(nodes_[a] + (static_cast<double>(k) / parts) * (nodes_[b] - nodes_[a]));
+    }
+    return between;
+  }
+
+  Places& nodes_;
+  double size_;
+  std::map<std::pair<int, int>, Loop> between_;
+};
+
+/// A cell as it is meshed: the nodes of its borders, and its plane.
+struct CellBorder {
+  std::vector<Loop> loops;
+  PlaneAxes axes;
+};
+
+CellBorder border_of(const ImprintedCell& cell, const Places& points, EdgeNodes& edges) {
+  std::vector<Loop> corners{cell.outer};
+  corners.insert(corners.end(), cell.holes.begin(), cell.holes.end());
+  const auto outer = places_of(points, cell.outer);
+  CellBorder border{{}, PlaneAxes(mean(outer), area_vector(outer))};
+  for (const auto& loop : corners) {
+    border.loops.emplace_back();
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      edges.append(loop[k], loop[(k + 1) % loop.size()], border.loops.back());
+  }
+  return border;
+}
+
+/// Heights over the plane, of the border as given and inside as means of their neighbours.
+///
+/// Gauss-Seidel: what is left of the error after this many rounds, a part in a thousand of a height that is itself at
+/// most the weld distance, moves nodes within their face only.
+constexpr int rounds = 100;
+
+std::vector<double> lifted(std::vector<double> height, std::size_t border, const std::vector<Triangle>& triangles) {
+  std::vector<std::set<int>> around(height.size());
+  for (const auto& t : triangles)
+    for (int k = 0; k < 3; ++k) around[t[k]].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t n = border; n < height.size(); ++n) {
+      double sum = 0;
+      for (const int other : around[n]) sum += height[other];
+      height[n] = around[n].empty() ? 0 : sum / static_cast<double>(around[n].size());
+    }
+  return height;
+}
+
+/// Puts a flat mesh of a cell into space; returns its triangles by numbers of nodes.
+std::vector<Triangle> put(const FlatMesh& flat, const CellBorder& border, Places& nodes) {
+  Loop number;
+  std::vector<double> height;
+  for (const auto& loop : border.loops)
+    for (const int node : loop) {
+      number.push_back(node);
+      height.push_back(dot(nodes[node] - border.axes.origin, border.axes.normal));
+    }
+  const std::size_t on_border = number.size();
+  height.resize(on_border + flat.inside.size(), 0.0);
+  height = lifted(std::move(height), on_border, flat.triangles);
+  Polygon place;
+  for (const int node : number) place.push_back(border.axes(nodes[node]));
+  for (std::size_t k = 0; k < flat.inside.size(); ++k) {
+    number.push_back(static_cast<int>(nodes.size()));
+    place.push_back(flat.inside[k]);
+    nodes.push_back(border.axes.place(flat.inside[k]) + height[on_border + k] * border.axes.normal);
+  }
+  std::vector<Triangle> triangles;
+  for (const auto& t : flat.triangles) {
+    const bool left = area({place[t[0]], place[t[1]], place[t[2]]}) > 0;
+    triangles.push_back({number[t[0]], number[t[left ? 1 : 2]], number[t[left ? 2 : 1]]});
+  }
+  return triangles;
+}
+
+}  // namespace
+
+Skins skins_of(const StoneStructure& s) {
+  const auto& cells = s.imprint.cells;
+  Skins skins;
+  skins.nodes = s.imprint.points;
+  skins.triangles.resize(cells.size());
+  EdgeNodes edges(skins.nodes, s.element_size);
+  std::vector<CellBorder> borders;
+  std::vector<FlatDomain> domains;
+  std::vector<std::size_t> first;  // of the one or two cells of each domain
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (s.imprint.other[c] >= 0 && s.imprint.other[c] < static_cast<int>(c)) continue;
+    borders.push_back(border_of(cells[c], s.imprint.points, edges));
+    domains.emplace_back();
+    domains.back().size = s.element_size;
+    for (const auto& loop : borders.back().loops) {
+      domains.back().loops.emplace_back();
+      for (const int node : loop) domains.back().loops.back().push_back(borders.back().axes(skins.nodes[node]));
+    }
+    first.push_back(c);
+  }
+  const auto flat = meshed(domains);
+  for (std::size_t k = 0; k < flat.size(); ++k) {
+    const auto c = first[k];
+    if (!flat[k].failure.empty())
+      throw InputError("mesh > stones: a face of " + in_words(s.stones[cells[c].stone]) + " of " +
+                       six_digits(cells[c].area) + " m2 cannot be meshed:\n    " + flat[k].failure +
+                       "\n  Its shortest edges may be too short for its cells: try a larger weld, or a smaller element "
+                       "size.");
+    skins.triangles[c] = put(flat[k], borders[k], skins.nodes);
+    if (s.imprint.other[c] < 0) continue;
+    auto& turned = skins.triangles[s.imprint.other[c]];
+    for (const auto& t : skins.triangles[c]) turned.push_back({t[0], t[2], t[1]});
+  }
+  return skins;
+}
+
+}  // namespace voussoir

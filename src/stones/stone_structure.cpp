@@ -1,0 +1,202 @@
+#include "stones/stone_structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "stones/overlaps.hpp"
+#include "stones/repair.hpp"
+#include "stones/stone_files.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr StoneDefaults defaults;
+
+std::string metres(double length) { return six_digits(length) + " m"; }
+
+std::string counted(std::size_t number, const std::string& of) { return std::to_string(number) + " " + of; }
+
+/// Axes of the file in their order from the one that becomes x; even permutations mirror nothing.
+std::array<int, 3> axes_of(UpAxis up) {
+  if (up == UpAxis::x) return {1, 2, 0};
+  if (up == UpAxis::y) return {2, 0, 1};
+  return {0, 1, 2};
+}
+
+double median_size(const std::vector<StoneSurface>& stones) {
+  std::vector<double> sizes;
+  for (const auto& stone : stones) sizes.push_back(std::cbrt(volume(stone)));
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
+  return sizes[sizes.size() / 2];
+}
+
+void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) {
+  auto found = overlaps(stones, tolerance);
+  if (found.empty()) return;
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  std::string message =
+      "mesh > stones: " + counted(found.size(), "pairs of stones lie in each other by more than the ") +
+      "joint tolerance of " + metres(tolerance) + ":";
+  for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
+    const auto& [pair, depth, place] = found[k];
+    message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +
+               " or more at (" + six_digits(place[0]) + ", " + six_digits(place[1]) + ", " + six_digits(place[2]) + ")";
+  }
+  throw InputError(message +
+                   "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise "
+                   "joint tolerance above the overlap.");
+}
+
+/// Tells what was found, in lines for the one who looks and in warnings for what may be wrong.
+class Teller {
+ public:
+  explicit Teller(StoneStructure& s) : s_(s) {}
+
+  void of_stones(const std::vector<Repair>& repairs) {
+    Repair sum;
+    for (const auto& r : repairs)
+      sum.welded += r.welded, sum.doubled += r.doubled, sum.turned += r.turned, sum.no_area += r.no_area;
+    double inside = 0, farthest = 0;
+    int warped = 0;
+    Box<3> box = s_.faceted[0].box;
+    for (const auto& stone : s_.stones) inside += volume(stone);
+    for (const auto& stone : s_.faceted) {
+      box.add(stone.box);
+      warped += stone.warped;
+      farthest = std::max(farthest, stone.farthest);
+    }
+    const auto size = box.high - box.low;
+    say(counted(s_.stones.size(), "stones, ") + six_digits(inside) + " m3, within " + six_digits(size[0]) + " x " +
+        six_digits(size[1]) + " x " + six_digits(size[2]) + " m");
+    say("mended: " + counted(sum.welded, "points on others, ") + counted(sum.doubled, "faces twice, ") +
+        counted(sum.turned, "faces turned, ") + counted(sum.no_area, "faces without area"));
+    if (warped == 0) return;
+    say(counted(warped, "faces are not plane, up to ") + metres(farthest) + "; they are cut into triangles");
+    warn("faces_not_plane", farthest,
+         counted(warped, "faces are up to ") + metres(farthest) +
+             " from plane: they are cut by their shortest diagonals, which decides the shape of these stones");
+  }
+
+  void of_tolerances() {
+    const auto counts = count_joints(s_.stones, s_.tolerance);
+    for (const auto& c : counts)
+      say("joints at a tolerance of " + metres(c.tolerance) + ": " + std::to_string(c.joints) + ", " +
+          six_digits(c.area) + " m2");
+    const double proposed = tolerance_on_plateau(counts);
+    const auto at = [&](double tolerance) {
+      return std::min_element(counts.begin(), counts.end(), [&](const auto& a, const auto& b) {
+        return std::abs(std::log(a.tolerance / tolerance)) < std::abs(std::log(b.tolerance / tolerance));
+      });
+    };
+    if (proposed == 0 || at(proposed)->joints == static_cast<int>(s_.joints.joints.size())) return;
+    warn("joint_tolerance", proposed,
+         "mesh > stones > joint tolerance = " + metres(s_.tolerance) + " finds " +
+             counted(s_.joints.joints.size(), "joints, one of ") + metres(proposed) + " " +
+             std::to_string(at(proposed)->joints) +
+             ", the number that stays the same over the widest range: look which is meant");
+  }
+
+  void of_joints() {
+    std::set<std::array<int, 2>> pairs;
+    double farthest = 0;
+    for (const auto& joint : s_.joints.joints) {
+      pairs.insert(joint.stone);
+      farthest = std::max(farthest, joint.farthest);
+    }
+    say(counted(s_.joints.joints.size(), "joints of ") + counted(pairs.size(), "pairs of stones, ") +
+        six_digits(s_.joints.area()) + " m2, faces up to " + metres(farthest) + " apart; " +
+        counted(s_.joints.slivers, "slivers narrower than the tolerance left out, ") +
+        six_digits(s_.joints.sliver_area) + " m2");
+    say("shortest edge " + metres(s_.imprint.shortest_edge) + ", cells of " + metres(s_.element_size));
+    if (s_.imprint.shortest_edge < 0.1 * s_.element_size)
+      warn("short_edges", s_.imprint.shortest_edge,
+           "cut by their joints, faces have edges down to " + metres(s_.imprint.shortest_edge) +
+               " where cells are of " + metres(s_.element_size) +
+               ": cells there are flat; a larger weld makes such corners one");
+    of_neighbours(pairs);
+  }
+
+  /// Facets that face each other just beyond the tolerance: joints whose mortar was not drawn.
+  void of_open_joints() {
+    const auto near = find_joints(s_.faceted, s_.tolerance, defaults.reach * s_.tolerance);
+    std::size_t open = 0;
+    double widest = 0, area = 0;
+    for (const auto& joint : near.joints) {
+      if (joint.farthest <= s_.tolerance || joint.opening <= 0) continue;
+      ++open;
+      widest = std::max(widest, joint.opening);
+      area += joint.area;
+    }
+    if (open == 0) return;
+    const std::string found =
+        counted(open, "pairs of faces, ") + six_digits(area) + " m2, face each other open by up to " + metres(widest);
+    say(found);
+    warn(
+        "open_joints", widest,
+        found + ": stones do not touch there; where mortar was left out of the drawing raise joint tolerance above it");
+  }
+
+ private:
+  void of_neighbours(const std::set<std::array<int, 2>>& pairs) {
+    std::vector<int> neighbours(s_.stones.size(), 0);
+    for (const auto& pair : pairs) ++neighbours[pair[0]], ++neighbours[pair[1]];
+    std::vector<std::string> alone, single;
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      if (neighbours[k] == 0) alone.push_back(s_.stones[k].name);
+      if (neighbours[k] == 1) single.push_back(s_.stones[k].name);
+    }
+    say("stones with one neighbour: " + list_of(single));
+    if (alone.empty() || s_.stones.size() == 1) return;
+    say("stones without a joint: " + list_of(alone));
+    warn("stones_without_joint", static_cast<double>(alone.size()),
+         counted(alone.size(), "stones share no joint with another (") + list_of(alone, 5) +
+             "): raise mesh > stones > joint tolerance where they are meant to touch");
+  }
+
+  void say(const std::string& line) { s_.report.push_back(line); }
+  void warn(const std::string& what, double how_much, const std::string& text) {
+    add_warning(s_.warnings, {what, "mesh > stones", "", how_much, text});
+  }
+
+  StoneStructure& s_;
+};
+
+}  // namespace
+
+StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const StonesParameters& p) {
+  StoneStructure s;
+  auto mended = closed(drawn);
+  s.stones = std::move(mended.stones);
+  s.warnings = std::move(mended.warnings);
+  const double size = median_size(s.stones);
+  s.tolerance = p.joint_tolerance > 0 ? p.joint_tolerance : defaults.tolerance * size;
+  s.weld = p.weld > 0 ? p.weld : defaults.weld * s.tolerance;
+  s.element_size = p.element_size > 0 ? p.element_size : defaults.element_size * size;
+  refuse_overlaps(s.stones, s.tolerance);
+  s.faceted = facets_of(s.stones, s.tolerance);
+  s.joints = find_joints(s.faceted, s.tolerance);
+  s.imprint = imprinted(s.faceted, s.joints, s.weld);
+  refuse_faults(s.imprint, s.faceted, s.tolerance, s.weld);
+  Teller tell(s);
+  tell.of_stones(mended.repairs);
+  tell.of_tolerances();
+  tell.of_joints();
+  tell.of_open_joints();
+  return s;
+}
+
+StoneStructure structure_of(const StonesParameters& p) {
+  auto drawn = read_stones(p.file, p.unit);
+  const auto axes = axes_of(p.up);
+  for (auto& stone : drawn)
+    for (auto& x : stone.points) x = {x[axes[0]], x[axes[1]], x[axes[2]]};
+  return structure_of(drawn, p);
+}
+
+}  // namespace voussoir

@@ -1,0 +1,48 @@
+// All that is known of the stones of a file before they are meshed, and what a user is told of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/warning.hpp"
+#include "stones/imprint.hpp"
+#include "stones/stones_parameters.hpp"
+
+namespace voussoir {
+
+struct StoneStructure {
+  std::vector<StoneSurface> stones;   ///< closed, faces outward [m], z up
+  std::vector<FacetedStone> faceted;  ///< of `stones`, by address
+  StoneJoints joints;
+  Imprint imprint;
+  double tolerance = 0, weld = 0, element_size = 0;  ///< [m]
+  std::vector<std::string> report;                   ///< lines of what was found
+  Warnings warnings;
+
+  StoneStructure() = default;
+  StoneStructure(StoneStructure&&) = default;
+  StoneStructure& operator=(StoneStructure&&) = default;
+  StoneStructure(const StoneStructure&) = delete;  // facets know their stones by address
+  StoneStructure& operator=(const StoneStructure&) = delete;
+};
+
+/// What the numbers of a file of stones rest on.
+struct StoneDefaults {
+  /// Of the median cube root of volume: joints of files that are exact, and of those rounded to millimetres.
+  double tolerance = 2e-3;
+  /// Of the tolerance: corners of the two sides of a joint lie farther apart than its planes.
+  double weld = 3;
+  /// Of the median cube root of volume: a stone has about 100 corners of cells.
+  double element_size = 0.25;
+  /// Of the tolerance: what faces each other so closely was probably meant to touch, with mortar between.
+  double reach = 30;
+};
+
+/// Reads the file and finds joints. Throws InputError for files that cannot be read, stones that cannot be mended, that
+/// overlap by more than the tolerance or do not fit together.
+StoneStructure structure_of(const StonesParameters&);
+
+/// The same of stones that are there already.
+StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const StonesParameters&);
+
+}  // namespace voussoir

@@ -1,0 +1,34 @@
+#include "stones/stones_parameters.hpp"
+
+#include "base/parameter_section.hpp"
+
+namespace voussoir {
+
+void StonesParameters::declare(ParameterSection& section) {
+  section.add(
+      "file", file,
+      "stones as closed surfaces: .obj (an object or a group is a stone), .json of COMPAS (meshes, an Assembly, "
+      "a BlockModel), .stl, .ply, or a folder of such files, one for each stone; a relative path is sought "
+      "beside the scene, then in its parent folder and the folder meshes/ of that",
+      Presence::required, "Give the path of a file of stones, such as meshes/vault.obj.");
+  section.add("unit", unit, "m", above(0.0).usually(1e-3, 1), "length that the file calls 1",
+              "a length; files of stones do not say their unit", "Give 0.001 for a file in millimetres.");
+  section.add_choice<UpAxis>("up", up, {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
+                             "axis of the file that points up; in the scene that is z");
+  section.add(
+      "joint tolerance", joint_tolerance, "m", at_least(0.0),
+      "two faces are a joint where they are nearer than this; 0 = 0.002 of the median stone (cube root of its "
+      "volume). The number of joints over the tolerance is told when the file is read: take one from the middle "
+      "of where it does not change",
+      "a length", "Give 0 to have it chosen.");
+  section.add(
+      "weld", weld, "m", at_least(0.0),
+      "corners of stones that are nearer than this become one; 0 = 3 x joint tolerance. Stones that were measured "
+      "want 2 to 10 of it",
+      "a length", "Give 0 to have it chosen.");
+  section.add("element size", element_size, "m", at_least(0.0),
+              "wanted length of cell edges; 0 = a quarter of the median stone (cube root of its volume)", "a length",
+              "Give 0 to have it chosen.");
+}
+
+}  // namespace voussoir

@@ -1,0 +1,23 @@
+// Stones in space from a file: what a scene says of it.
+#pragma once
+
+#include <string>
+
+namespace voussoir {
+
+class ParameterSection;
+
+/// The axis of the file that points up; in a scene that is z. Others are turned, never mirrored.
+enum class UpAxis { x, y, z };
+
+struct StonesParameters {
+  std::string file;   ///< or a folder; a scene that was read holds an absolute path
+  double unit = 1.0;  ///< [m] length that the file calls 1
+  UpAxis up = UpAxis::z;
+  double joint_tolerance = 0;  ///< [m] 0 = a part of the stones' size
+  double weld = 0;             ///< [m] 0 = a multiple of the tolerance
+  double element_size = 0;     ///< [m] 0 = a part of the stones' size
+  void declare(ParameterSection&);
+};
+
+}  // namespace voussoir

@@ -1,0 +1,158 @@
+// Tetrahedra in stones: they fill them, and stones have the same nodes where they touch.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "stones/cell_mesh.hpp"
+#include "unit/stones/drawn_stones.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+double volume_of(const Block<3>& block) {
+  double sum = 0;
+  for (const auto& cell : block.cells) {
+    const auto x = [&](int k) { return block.position[cell.node[k]]; };
+    sum += dot(x(3) - x(0), cross(x(1) - x(0), x(2) - x(0))) / 6;
+  }
+  return sum;
+}
+
+using Face = std::array<VertexId, 3>;
+
+/// Faces of cells that no other cell of the block has, by vertices.
+std::set<Face> border_of(const Block<3>& block) {
+  std::map<Face, int> uses;
+  for (const auto& cell : block.cells)
+    for (int k = 0; k < 4; ++k) {
+      Face face;
+      for (int i = 0; i < 3; ++i) face[i] = block.vertex[cell.node[(k + 1 + i) % 4]];
+      std::sort(face.begin(), face.end());
+      ++uses[face];
+    }
+  std::set<Face> border;
+  for (const auto& [face, number] : uses)
+    if (number == 1) border.insert(face);
+  return border;
+}
+
+/// [m2] of faces that two blocks have.
+double area_shared(const std::vector<Block<3>>& blocks) {
+  std::map<VertexId, Vector<3>> place;
+  std::map<Face, int> uses;
+  for (const auto& block : blocks) {
+    for (std::size_t n = 0; n < block.vertex.size(); ++n) place[block.vertex[n]] = block.position[n];
+    for (const auto& face : border_of(block)) ++uses[face];
+  }
+  double sum = 0;
+  for (const auto& [face, number] : uses)
+    if (number == 2) sum += norm(cross(place[face[1]] - place[face[0]], place[face[2]] - place[face[0]])) / 2;
+  return sum;
+}
+
+void check(const StoneStructure& s, const StoneMeshes& meshes, Teuchos::FancyOStream& out, bool& success) {
+  TEST_EQUALITY(meshes.list.blocks.size(), s.stones.size());
+  std::map<VertexId, Vector<3>> place;
+  std::set<Vector<3>> places;
+  for (const auto& block : meshes.list.blocks) {
+    for (const auto& cell : block.cells) TEST_EQUALITY(cell.count, 4);
+    for (std::size_t n = 0; n < block.vertex.size(); ++n) {
+      TEST_ASSERT(place.emplace(block.vertex[n], block.position[n]).first->second == block.position[n]);
+      places.insert(block.position[n]);
+    }
+  }
+  TEST_EQUALITY(place.size(), places.size());  // equal places have equal vertices
+  double cells = 0;
+  for (std::size_t c = 0; c < s.imprint.cells.size(); ++c)
+    if (s.imprint.other[c] >= 0) cells += s.imprint.cells[c].area / 2;
+  // The area of cells is that of their shadow on a facet, which is 1e-4 smaller where noise tilts them by a hundredth.
+  TEST_COMPARE(std::abs(area_shared(meshes.list.blocks) - cells), <=, 1e-3 * cells);
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, FillStonesAndMatchOnJoints) {
+  const std::vector<std::vector<StoneSurface>> cases{
+      arch(5), corner(), running_bond(), {box("slab", {0, 0, 0}, {3, 3, 1}), box("post", {1, 1, 1}, {2, 2, 2})}};
+  for (const auto& stones : cases) {
+    const auto s = structure_of(stones, {});
+    const auto meshes = mesh_stones(s);
+    check(s, meshes, out, success);
+    double sum = 0;
+    for (std::size_t k = 0; k < stones.size(); ++k) {
+      TEST_FLOATING_EQUALITY(volume_of(meshes.list.blocks[k]), volume(stones[k]), 1e-10);
+      sum += volume(stones[k]);
+    }
+    TEST_FLOATING_EQUALITY(meshes.quality.volume, sum, 1e-10);
+    TEST_COMPARE(meshes.quality.least_dihedral, >, 5);
+    TEST_COMPARE(std::abs(area_shared(meshes.list.blocks) - s.joints.area()), <=, 1e-10 * s.joints.area());
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, OfMeasuredStonesFillThemToo) {
+  for (const double noise : {1e-4, 5e-4, 2e-3}) {
+    StonesParameters p;
+    p.joint_tolerance = 4 * noise;
+    const auto s = structure_of(measured(arch(5), noise), p);
+    const auto meshes = mesh_stones(s);
+    check(s, meshes, out, success);
+    double sum = 0;
+    for (const auto& stone : s.stones) sum += volume(stone);
+    // Corners move by up to the weld distance: 12 times the noise, on faces of 16 m2 for 4.7 m3 in all.
+    TEST_COMPARE(std::abs(meshes.quality.volume - sum), <=, 12 * noise);
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, AreAsFineInOtherUnits) {
+  // gmsh sees every piece in units of its size; round-off of coordinates may still turn a choice it makes.
+  const auto here = mesh_stones(structure_of(running_bond(), {}));
+  for (const double scale : {1e3, 1e-3}) {
+    const auto there = mesh_stones(structure_of(turned(running_bond(), scale, {0, 0, 0}), {}));
+    TEST_COMPARE(std::abs(double(there.quality.cells) - double(here.quality.cells)), <=,
+                 0.1 * double(here.quality.cells));
+    TEST_FLOATING_EQUALITY(there.quality.volume, scale * scale * scale * here.quality.volume, 1e-9);
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, NameSetsOfStonesAndOfTheirEnds) {
+  auto stones = running_bond();
+  stones[1].support = true;
+  stones.push_back(box("far", {3, 0, 0.2}, {3.2, 0.2, 0.4}));
+  const auto list = mesh_stones(structure_of(stones, {})).list;
+  TEST_ASSERT((list.block_sets == std::vector<std::string>{"a", "b", "c", "d", "far", "supports"}));
+  TEST_ASSERT((list.blocks[1].sets == std::vector<int>{1, 5}));
+  TEST_ASSERT((list.facet_sets == std::vector<std::string>{"base", "top"}));
+  for (std::size_t b = 0; b < list.blocks.size(); ++b) {
+    double base = 0, top = 0;
+    for (const auto& facet : list.blocks[b].facets) {
+      const auto x = [&](int k) { return list.blocks[b].position[facet.node[k]]; };
+      (facet.set == 0 ? base : top) += norm(cross(x(1) - x(0), x(2) - x(0))) / 2;
+      TEST_EQUALITY(x(0)[2], facet.set == 0 ? 0.0 : 0.4);
+    }
+    TEST_FLOATING_EQUALITY(base, b < 2 ? 0.08 : 0.0, 1e-10);
+    TEST_FLOATING_EQUALITY(top, b == 2 ? 0.08 : b > 2 ? 0.04 : 0.0, 1e-10);
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, ASurfaceThatCannotBeFilledFailsAlone) {
+  const auto stone = box("", {0, 0, 0}, {1, 1, 1});
+  ClosedMesh good{
+      stone.points,
+      {},
+      1.0,
+  };
+  for (const auto& face : stone.faces) {
+    good.triangles.push_back({face[0], face[1], face[2]});
+    good.triangles.push_back({face[0], face[2], face[3]});
+  }
+  ClosedMesh crossed = good;
+  crossed.nodes[6] = {-1, -1, -1};  // a corner pulled through the opposite one
+  const auto meshes = filled({good, crossed, good});
+  TEST_ASSERT(meshes[0].failure.empty() && !meshes[0].cells.empty());
+  TEST_ASSERT(!meshes[1].failure.empty());
+  TEST_ASSERT(meshes[2].cells == meshes[0].cells);
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+// From drawn stones to all that is known before they are meshed, and what a user is told.
+#include "stones/stone_structure.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <fstream>
+
+#include "stones/overlaps.hpp"
+#include "unit/stones/drawn_stones.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+bool warns(const StoneStructure& s, const std::string& what) {
+  return std::any_of(s.warnings.begin(), s.warnings.end(), [&](const auto& w) { return w.what == what; });
+}
+
+bool tells(const StoneStructure& s, const std::string& part) {
+  return std::any_of(s.report.begin(), s.report.end(), [&](const auto& line) { return holds(line, part); });
+}
+
+TEUCHOS_UNIT_TEST(Overlaps, DepthIsTheDistanceToTheSurface) {
+  const auto cube = box("cube", {0, 0, 0}, {1, 1, 1});
+  TEST_FLOATING_EQUALITY(depth_inside(cube, {0.5, 0.5, 0.75}), 0.25, 1e-14);
+  TEST_FLOATING_EQUALITY(depth_inside(cube, {0.5, 0.5, 1.75}), -0.75, 1e-14);
+  TEST_FLOATING_EQUALITY(depth_inside(cube, {2, 2, 0.5}), -std::sqrt(2.0), 1e-14);
+  const auto bent = corner()[0];
+  TEST_FLOATING_EQUALITY(depth_inside(bent, {0.5, 1.5, 0.5}), 0.5, 1e-14);
+  TEST_FLOATING_EQUALITY(depth_inside(bent, {1.5, 1.5, 0.5}), -0.5, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Overlaps, OfEveryKindAreFoundAndTouchingStonesHaveNone) {
+  const auto cube = box("cube", {0, 0, 0}, {1, 1, 1});
+  const auto depth = [&](const StoneSurface& other) {
+    const auto found = overlaps({cube, other}, 1e-3);
+    return found.empty() ? 0.0 : found[0].depth;
+  };
+  TEST_FLOATING_EQUALITY(depth(box("end face inside", {0.98, 0, 0}, {2, 1, 1})), 0.02, 1e-10);
+  TEST_FLOATING_EQUALITY(depth(box("corner inside", {0.9, 0.9, 0.9}, {2, 2, 2})), 0.1, 1e-10);
+  TEST_COMPARE(depth(box("through", {0.4, 0.4, -1}, {0.6, 0.6, 2})), >, 0.05);
+  TEST_COMPARE(depth(box("crossing", {-1, 0.4, 0.4}, {2, 0.6, 1.6})), >, 0.1);
+  TEST_COMPARE(depth(cube), >, 0.4);
+  TEST_COMPARE(depth(box("within", {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3})), >, 0.1);
+  TEST_EQUALITY(depth(box("beside", {1, 0, 0}, {2, 1, 1})), 0);
+  TEST_EQUALITY(depth(box("half a millimetre", {0.9995, 0, 0}, {2, 1, 1})), 0);
+  TEST_ASSERT(overlaps(corner(), 1e-3).empty() && overlaps(running_bond(), 1e-3).empty() &&
+              overlaps(arch(9), 1e-3).empty());
+}
+
+TEUCHOS_UNIT_TEST(Structure, OverlappingStonesAreRefusedByNameAndPlace) {
+  auto stones = running_bond();
+  for (auto& x : stones[2].points) x[2] -= 0.02;
+  const auto error = input_error([&] { structure_of(stones, {}); });
+  TEST_ASSERT(holds(error, "2 pairs of stones lie in each other"));
+  TEST_ASSERT(holds(error, "stone \"a\" (drawn) and stone \"c\" (drawn) by 0.02 m"));
+  stones = running_bond();
+  stones.push_back(stones[1]);
+  TEST_ASSERT(holds(input_error([&] { structure_of(stones, {}); }), "1 pairs of stones lie in each other"));
+}
+
+TEUCHOS_UNIT_TEST(Structure, ChoosesNumbersByTheSizeOfStonesAndTellsWhatItFinds) {
+  const auto s = structure_of(arch(9), {});
+  const double size = std::cbrt(volume(s.stones[0]));
+  TEST_FLOATING_EQUALITY(s.tolerance, 2e-3 * size, 1e-12);
+  TEST_FLOATING_EQUALITY(s.weld, 6e-3 * size, 1e-12);
+  TEST_FLOATING_EQUALITY(s.element_size, 0.25 * size, 1e-12);
+  TEST_ASSERT(tells(s, "9 stones"));
+  TEST_ASSERT(tells(s, "8 joints of 8 pairs of stones, 4.8 m2"));
+  TEST_ASSERT(tells(s, "one neighbour: voussoir 0, voussoir 8"));
+  TEST_ASSERT(s.warnings.empty());
+}
+
+TEUCHOS_UNIT_TEST(Structure, JointsLeftOpenForMortarAreTold) {
+  const auto s = structure_of({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2, 1, 1})}, {});
+  TEST_ASSERT(warns(s, "open_joints") && warns(s, "stones_without_joint"));
+  StonesParameters wide;
+  wide.joint_tolerance = 0.015;
+  const auto touching = structure_of({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2, 1, 1})}, wide);
+  TEST_EQUALITY(touching.joints.joints.size(), 1u);
+  TEST_ASSERT(touching.warnings.empty());
+}
+
+TEUCHOS_UNIT_TEST(Structure, ATolerancePlainlyBelowTheNoiseOfAFileIsTold) {
+  StonesParameters fine;
+  fine.joint_tolerance = 2e-4;
+  fine.weld = 4e-3;  // corners come together all the same
+  const auto stones = measured(arch(9), 3e-4);
+  try {
+    TEST_ASSERT(warns(structure_of(stones, fine), "joint_tolerance"));
+  } catch (const InputError& error) {  // or the stones do not fit together, which says the same
+    TEST_ASSERT(holds(error.what(), "Raise joint tolerance") || holds(error.what(), "raise joint tolerance"));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Structure, AFileIsReadInItsUnitAndTurnedUpright) {
+  std::ofstream file("upright.obj");
+  const auto stone = box("tall", {0, 0, 0}, {300, 100, 200});
+  for (const auto& x : stone.points) file << "v " << x[0] << " " << x[1] << " " << x[2] << "\n";
+  for (const auto& face : stone.faces) {
+    file << "f";
+    for (const int point : face) file << " " << point + 1;
+    file << "\n";
+  }
+  file.close();
+  StonesParameters p;
+  p.file = "upright.obj";
+  p.unit = 1e-3;
+  const auto height = [&](UpAxis up) {
+    p.up = up;
+    const auto s = structure_of(p);
+    TEST_FLOATING_EQUALITY(volume(s.stones[0]), 6e-3, 1e-12);
+    return s.faceted[0].box.high[2] - s.faceted[0].box.low[2];
+  };
+  TEST_FLOATING_EQUALITY(height(UpAxis::x), 0.3, 1e-12);
+  TEST_FLOATING_EQUALITY(height(UpAxis::y), 0.1, 1e-12);
+  TEST_FLOATING_EQUALITY(height(UpAxis::z), 0.2, 1e-12);
+}
+
+}  // namespace
