@@ -31,7 +31,8 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
       proximal_(in_time() ? 0 : 1),
       patience_(patience),
       laws_(problem),
-      sliding_(std::size_t(problem.points()) * (components_ - 1)) {
+      sliding_(std::size_t(problem.points()) * (components_ - 1)),
+      across_(problem.points()) {
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
@@ -57,121 +58,9 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
 
 /// Whether all points of all ranks have the statuses that they had. Collective.
 bool ActiveSet::same_statuses(const std::vector<char>& closed, const PointField& sliding) const {
-  const bool differ = closed != closed_ || sliding != sliding_;
+  bool differ = closed != closed_;
+  for (int k = 0; k < problem_.points() && !differ; ++k) differ = turned(k, sliding);
   return !any_of_ranks(*problem_.map()->getComm(), differ);
-}
-
-void ActiveSet::set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before) {
-  const auto weakened = laws_.at(point);
-  const auto& law = weakened.law;
-  const std::size_t at = std::size_t(point) * components_;
-  const auto motion = [&](int c) { return motion_of(problem_, point, c, gap, lambda); };
-  const auto trial = [&](int c) { return lambda[at + c] - stiffness_of(problem_, point, c, 1.0) * motion(c); };
-  const double normal = trial(0);
-  double* s = &sliding_[std::size_t(point) * (components_ - 1)];
-  double shear = 0, advance = 0;
-  for (int c = 1; c < components_; ++c) {
-    s[c - 1] = trial(c);
-    shear += s[c - 1] * s[c - 1];
-    advance -= s[c - 1] * motion(c);
-  }
-  shear = std::sqrt(shear);
-  auto status = judge(law, normal, shear, friction_bound(law, normal));
-  const bool closed = status != ContactStatus::open;
-  closed_[point] = closed;
-  const double bound = friction_bound(law, closed ? normal : -law.tension);
-  // An open point that still has cohesion sticks or slips likewise.
-  if (!closed && bound > 0) status = below_bound(shear, bound) ? ContactStatus::stick : ContactStatus::slip;
-  if (status == ContactStatus::slip && turns_round(point, shear, before) && bound > 0) status = ContactStatus::stick;
-  auto& r = resistance_[point];
-  r.normal = closed ? stiffness_of(problem_, point, 0, augmentation_) : weakened.pull_per_opening;
-  if (status == ContactStatus::stick) r.hold(0, stiffness_of(problem_, point, 1, augmentation_));
-  if (status != ContactStatus::slip) std::fill(s, s + components_ - 1, 0.0);
-  if (status == ContactStatus::slip && bound > 0)
-    slide(point, weakened, stiffness_of(problem_, point, 1, 1.0) * bound / shear, advance >= 0);
-  if (!problem_.compliance().empty()) r = in_series(r, mortar_of(point), components_);
-}
-
-/// What a sliding point's forces change by along its motions.
-/// @param across    stiffness against motion across the slip [N/m]
-/// @param advances  it slips on, so that more strength is lost
-void ActiveSet::slide(int point, const WeakenedLaw& weakened, double across, bool advances) {
-  auto& r = resistance_[point];
-  const double friction = std::isfinite(weakened.law.friction) ? weakened.law.friction : 0.0;
-  const double pulls = advances && !closed_[point] ? weakened.pull_per_slip : 0.0;
-  const double along = advances ? weakened.cohesion_per_slip : 0.0;
-  r.slide(&sliding_[std::size_t(point) * (components_ - 1)], components_ - 1,
-          friction * r.normal - weakened.cohesion_per_gap, across, along - friction * pulls, -pulls);
-}
-
-/// Mortar in series with what the law gives. What resists with the local stiffness has it in series already.
-PointCompliance ActiveSet::mortar_of(int point) const {
-  if (problem_.compliance().empty()) return {};
-  auto mortar = problem_.compliance()[point];
-  if (closed_[point]) mortar.normal = 0;
-  if (!slides(point)) mortar.tangential = 0;
-  return mortar;
-}
-
-/// Makes the trial force of a slipping point its direction. No point turns round from the direction in which it slid
-/// before: between the two it sticks.
-bool ActiveSet::turns_round(int point, double shear, const PointField& before) {
-  double turn = 0;
-  const int tangents = components_ - 1;
-  double* s = &sliding_[std::size_t(point) * tangents];
-  for (int c = 0; c < tangents; ++c) {
-    // Where nothing rubs and nothing pulls either direction is as good as the other.
-    s[c] = shear > 0 ? s[c] / shear : c == 0;
-    turn += s[c] * before[std::size_t(point) * tangents + c];
-  }
-  return turn < 0;
-}
-
-/// Forces of all points at these gaps: those of the law where statuses were chosen, and their change from there.
-/// @param chosen  [m] gaps that statuses were chosen by
-void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
-  target_ = lambda;
-  std::vector<double> motion(components_);
-  for (int k = 0; k < problem_.points(); ++k) {
-    if (!problem_.selected()[k]) continue;
-    const auto& r = resistance_[k];
-    const std::size_t at = std::size_t(k) * components_;
-    double* force = &target_[at];
-    const bool follows = aim_by_law(k, lambda, chosen);
-    const auto mortar = mortar_of(k);
-    for (int c = 0; c < components_; ++c)
-      motion[c] = gap_[at + c] - chosen[at + c] + mortar.along(c) * (force[c] - lambda[at + c]);
-    r.yield(motion.data(), components_, force);
-    if (follows) continue;
-    const double bound = friction_bound(laws_[k], force[0]), size = tangential_size(target_, k, components_);
-    const double* s = &sliding_[std::size_t(k) * (components_ - 1)];
-    for (int c = 1; c < components_; ++c) {
-      if (slides(k))
-        force[c] = s[c - 1] * bound;
-      else if (size > bound)
-        force[c] *= bound / size;
-    }
-  }
-}
-
-/// Force that the law gives a point at the gaps by which its status was chosen. Whether its tangential part changes
-/// with the point's motion, or is what the bound makes of it in the end.
-bool ActiveSet::aim_by_law(int point, const PointField& lambda, const PointField& chosen) {
-  const auto& r = resistance_[point];
-  const auto law = laws_.at(point);
-  const double* s = &sliding_[std::size_t(point) * (components_ - 1)];
-  double* force = &target_[std::size_t(point) * components_];
-  const auto motion = [&](int c) { return motion_of(problem_, point, c, chosen, lambda); };
-  force[0] = closed_[point] ? force[0] - r.normal * motion(0) : -law.pull;
-  if (!slides(point)) {
-    if (!closed_[point] && !r.resists_slip()) return false;
-    for (int c = 1; c < components_; ++c) force[c] -= r.along(c - 1, c - 1) * motion(c);
-    return true;
-  }
-  if (!r.couples()) return false;
-  const double friction = std::isfinite(law.law.friction) ? law.law.friction : 0.0;
-  for (int c = 1; c < components_; ++c) force[c] = s[c - 1] * (law.law.cohesion + friction * force[0]);
-  return true;
 }
 
 /// Residuals of x with the forces that the law admits; leaves K x - f in linear_, the gaps and those forces.

@@ -2,8 +2,8 @@
 // forces follow as far as points resist.
 //
 // A point that is closed resists with R, far above the local stiffness, so what is left of its gap falls by that ratio
-// with every solve; one that slips along s has the force s mu p, and in space it resists across s, as far as its trial
-// force tells how fast the direction turns. Once statuses stay, two or three solves are left. A stone that comes loose
+// with every solve; one that slips along s has the force s mu p, and in space it resists across s with mu p over its
+// slip, as fast as the direction turns. Once statuses stay, two or three solves are left. A stone that comes loose
 // on the way would fly: then the step is made again with points that yield only slowly. It may circle: then it says so,
 // and another way is taken.
 //
@@ -71,9 +71,12 @@ class ActiveSet {
   bool in_time() const { return use_ == ActiveSetUse::in_time; }
   void choose(const PointField& lambda, const PointField& gap, bool in_balance);
   void set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before);
+  double turning(int point, double share) const;
   void slide(int point, const WeakenedLaw&, double across, bool advances);
   bool same_statuses(const std::vector<char>& closed, const PointField& sliding) const;
   bool turns_round(int point, double shear, const PointField& before);
+  double alike(int point, const PointField& before) const;
+  bool turned(int point, const PointField& before) const;
   void aim(const PointField& lambda, const PointField& chosen);
   bool aim_by_law(int point, const PointField& lambda, const PointField& chosen);
   bool slides(int point) const {
@@ -105,7 +108,8 @@ class ActiveSet {
   std::vector<PointStiffness> resistance_;
   std::vector<char> closed_;  ///< per point
   PointField sliding_;  ///< direction of friction, [points x tangential components]; 0 where a point sticks or is open
-  bool settled_ = false;  ///< statuses are those of the last solve
+  std::vector<double> across_;  ///< [N/m] of points that slip, against motion across their slip
+  bool settled_ = false;        ///< statuses are those of the last solve
   PointField target_, force_, gap_, gap_direction_, admissible_;
   PointField change_before_, change_;  ///< [N] of forces by the last two linear solves at full length; empty in patches
   double scale_ = 1;                   ///< [N]
