@@ -137,7 +137,7 @@ void ContactSolver::in_pseudo_time(TpetraVector& x, PointField& lambda, double t
 
 void ContactSolver::go_the_ways(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
                                 NewtonReport& report) {
-  const bool has_path = methods_.path.used && problem_.components() == 2;
+  const bool has_path = methods_.path.used;
   bool shortcut = methods_.solver.shortcut && fast_.offered && !parameters_.time_follows;
   for (int most = methods_.solver.closing_solves;; most *= 2) {
     if (has_path) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "base/check.hpp"
 #include "linalg/reduce.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
@@ -14,8 +13,11 @@
 namespace voussoir {
 
 InteriorPath::InteriorPath(NonlinearProblem& problem, const MethodParameters& methods)
-    : problem_(problem), numbers_(methods.path), run_away_(methods.pseudo_time.run_away), laws_(problem) {
-  VOUSSOIR_EXPECT(problem.components() == 2);
+    : problem_(problem),
+      numbers_(methods.path),
+      run_away_(methods.pseudo_time.run_away),
+      components_(problem.components()),
+      laws_(problem) {
   for (auto* v : {&linear_, &gradient_, &direction_, &work_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 
@@ -34,15 +36,22 @@ void InteriorPath::enter(const PointField& lambda, const PointField& gap, double
     auto& p = path_[k];
     p.opens = std::isfinite(law.tension);
     p.slips = std::isfinite(law.cohesion);
-    const double distance = shift / problem_.local_stiffness()[k];
-    const double slip = motion_of(problem_, k, 1, gap, lambda);
-    const double limit = bound(k, lambda[2 * k]), q = std::clamp(lambda[2 * k + 1], -limit, limit);
-    const double shifted = p.opens ? bound(k, std::max(lambda[2 * k], -law.tension) + shift) : limit;
-    p.w = {std::max(lambda[2 * k] + laws_.pull(k), 0.0) + shift, std::max(shifted - q, numbers_.start * shift),
-           std::max(shifted + q, numbers_.start * shift)};
-    p.y = {std::max(motion_of(problem_, k, 0, gap, lambda), 0.0) + distance, std::max(-slip, 0.0) + distance,
-           std::max(slip, 0.0) + distance};
+    const double distance = shift / problem_.local_stiffness()[k], normal = lambda[first_of(k)];
+    const double limit = bound(k, normal);
+    const double shifted = p.opens ? bound(k, std::max(normal, -law.tension) + shift) : limit;
+    std::array<double, 2> q{lambda[first_of(k) + 1], lambda[first_of(k + 1) - 1]};
+    hold_within(limit, q.data(), components_ - 1);
+    p.w = std::max(normal + laws_.pull(k), 0.0) + shift;
+    p.y = std::max(motion_of(problem_, k, 0, gap, lambda), 0.0) + distance;
+    p.disc.enter(components_ - 1, q.data(), slip(k, gap, lambda).data(), {shifted, numbers_.start * shift, distance});
   }
+}
+
+/// Slip of a point per tangent [m].
+std::array<double, 2> InteriorPath::slip(int point, const PointField& gap, const PointField& lambda) const {
+  std::array<double, 2> s{};
+  for (int t = 0; t + 1 < components_; ++t) s[t] = motion_of(problem_, point, t + 1, gap, lambda);
+  return s;
 }
 
 /// Change of the friction bound with the pressure [-].
@@ -59,16 +68,18 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
     auto& p = path_[k];
     const double floor[] = {1 / stiffness_of(problem_, k, 0, augmentation_),
                             1 / stiffness_of(problem_, k, 1, augmentation_)};
-    p.normal = 1 / ((p.opens ? p.y[0] / p.w[0] : 0) + floor[0]);
+    p.normal = 1 / ((p.opens ? p.y / p.w : 0) + floor[0]);
     const auto* const weakened = laws_.softened(k);
     p.pulls_back = weakened && p.opens ? std::max(0.0, weakened->pull_per_opening) : 0.0;
     const double normal = p.normal * p.share_of_opening();
-    const double tangential = 1 / ((p.slips ? p.y[1] / p.w[1] + p.y[2] / p.w[2] : 0) + floor[1]);
-    if (!predicting && p.slips) {
-      p.friction = follows_ * friction(k, lambda[2 * k]);
-      p.drag = p.friction * (p.y[2] / p.w[2] - p.y[1] / p.w[1]);
-    }
-    resistance_[k] = {normal, tangential, -tangential * p.drag * normal};
+    p.disc.scale(floor[1]);
+    p.friction = predicting || !p.slips ? 0 : follows_ * friction(k, lambda[first_of(k)]);
+    p.drag = p.disc.drag(p.friction);
+    auto& r = resistance_[k];
+    r.normal = normal;
+    r.tangential = p.disc.resistance();
+    const auto drawn = p.disc.friction(p.drag);
+    for (int t = 0; t < 2; ++t) r.coupling[t] = -drawn[t] * normal;
   }
 }
 
@@ -79,19 +90,18 @@ void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField
   resistances(lambda, true);
   problem_.evaluate(x, *gradient_, gap_);
   force_ = lambda;
-  const auto yield = [&](const PointField& gap, const PointField* from) {
-    for (int k = 0; k < problem_.points(); ++k) {
-      if (!problem_.selected()[k]) continue;
-      force_[2 * k] -= resistance_[k].normal * (gap[2 * k] - (from ? (*from)[2 * k] : 0));
-      force_[2 * k + 1] -= resistance_[k].along(0, 0) * (gap[2 * k + 1] - (from ? (*from)[2 * k + 1] : 0));
-    }
+  const auto yield = [&](const PointField& motion) {
+    for (int k = 0; k < problem_.points(); ++k)
+      if (problem_.selected()[k]) resistance_[k].yield(&motion[first_of(k)], components_, &force_[first_of(k)]);
   };
-  yield(gap_, &known_gap);
+  auto moved = gap_;
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] -= known_gap[i];
+  yield(moved);
   problem_.subtract_contact_forces(force_, *gradient_);
   solve(report);
   x.update(1.0, *direction_, 1.0);
   problem_.evaluate_direction(*direction_, *work_, gap_direction_);
-  yield(gap_direction_, nullptr);
+  yield(gap_direction_);
   lambda = force_;
 }
 
@@ -110,7 +120,7 @@ void InteriorPath::pull_back(const TpetraVector& x, PointField& lambda) {
   problem_.evaluate(x, *linear_, gap_);
   laws_.follow(lambda, gap_);
   for (int k = 0; k < problem_.points(); ++k)
-    if (laws_.softened(k) && path_[k].opens) lambda[2 * k] = path_[k].w[0] - laws_.pull(k);
+    if (laws_.softened(k) && path_[k].opens) lambda[first_of(k)] = path_[k].w - laws_.pull(k);
 }
 
 /// Residuals of x with the forces of the path, relative to the scale; leaves K x - f in linear_ and the gaps.
@@ -152,11 +162,9 @@ double InteriorPath::barrier() const {
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto& p = path_[k];
-    for (int j = 0; j < 3; ++j) {
-      if (!(j == 0 ? p.opens : p.slips)) continue;
-      mine[0] += p.w[j] * p.y[j] * problem_.local_stiffness()[k];
-      mine[1] += 1;
-    }
+    if (p.opens) mine[0] += p.w * p.y * problem_.local_stiffness()[k];
+    for (double product : p.disc.products()) mine[0] += product * problem_.local_stiffness()[k];
+    mine[1] += (p.opens ? 1 : 0) + (p.slips ? 2 : 0);
   }
   const auto all = total_of_each(*problem_.map()->getComm(), mine);
   return all[1] > 0 ? all[0] / all[1] : 0;
@@ -169,15 +177,15 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
     const double nu = target / problem_.local_stiffness()[k];
-    const double limit = bound(k, lambda[2 * k]), q = lambda[2 * k + 1];
-    p.residual = {0, limit - q - p.w[1], limit + q - p.w[2]};
-    p.gain[0] = (p.opens ? nu / p.w[0] : 0) - motion_of(problem_, k, 0, gap_, lambda);
-    p.gain[1] = -motion_of(problem_, k, 1, gap_, lambda);
-    if (p.slips) p.gain[1] += (nu - p.y[2] * p.residual[2]) / p.w[2] - (nu - p.y[1] * p.residual[1]) / p.w[1];
-    const double more = p.normal * p.gain[0];
-    force_[2 * k] += more;
-    force_[2 * k + 1] += resistance_[k].along(0, 0) * (p.gain[1] - p.drag * more);
-    for (int j = 0; j < 3; ++j) p.dy[j] = nu / p.w[j] - p.y[j];
+    const auto at = first_of(k);
+    const auto moved = slip(k, gap_, lambda);
+    p.gain = (p.opens ? nu / p.w : 0) - motion_of(problem_, k, 0, gap_, lambda);
+    p.wanted = p.disc.aim(&lambda[at + 1], moved.data(), bound(k, lambda[at]), nu);
+    const double more = p.normal * p.gain;
+    force_[at] += more;
+    const auto q = p.disc.friction(p.wanted - more * p.drag);
+    for (int t = 0; t + 1 < components_; ++t) force_[at + t + 1] += q[t];
+    p.dy = nu / p.w - p.y;
   }
 }
 
@@ -188,18 +196,20 @@ double InteriorPath::step_length() {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
-    const double dp = p.normal * (p.gain[0] - p.share_of_opening() * gap_direction_[2 * k]);
-    const double dq = resistance_[k].along(0, 0) * (p.gain[1] - p.drag * dp - gap_direction_[2 * k + 1]);
-    const double more = p.friction * dp;
-    force_[2 * k] = dp;
-    force_[2 * k + 1] = dq;
-    p.dw = {dp + p.pulls_back * gap_direction_[2 * k], p.residual[1] + more - dq, p.residual[2] + more + dq};
-    for (int j = 0; j < 3; ++j) {
-      if (!(j == 0 ? p.opens : p.slips)) continue;
-      p.dy[j] -= p.y[j] / p.w[j] * p.dw[j];
-      if (p.dw[j] < 0) mine = std::min(mine, -p.w[j] / p.dw[j]);
-      if (p.dy[j] < 0) mine = std::min(mine, -p.y[j] / p.dy[j]);
+    const auto at = first_of(k);
+    const auto* const motion = &gap_direction_[at];
+    const double dp = p.normal * (p.gain - p.share_of_opening() * motion[0]);
+    const auto dq = p.disc.friction(p.wanted - dp * p.drag - p.disc.parts(motion + 1));
+    force_[at] = dp;
+    for (int t = 0; t + 1 < components_; ++t) force_[at + t + 1] = dq[t];
+    p.dw = dp + p.pulls_back * motion[0];
+    if (p.opens) {
+      p.dy -= p.y / p.w * p.dw;
+      if (p.dw < 0) mine = std::min(mine, -p.w / p.dw);
+      if (p.dy < 0) mine = std::min(mine, -p.y / p.dy);
     }
+    p.disc.direct(dq.data(), p.friction * dp);
+    mine = std::min(mine, p.disc.way_out());
   }
   return least_over_ranks(*problem_.map()->getComm(), mine);
 }
@@ -209,11 +219,11 @@ void InteriorPath::leave(PointField& lambda) const {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto law = laws_[k];
-    const double trial = lambda[2 * k] - stiffness_of(problem_, k, 0, 1.0) * motion_of(problem_, k, 0, gap_, lambda);
+    double* const force = &lambda[first_of(k)];
+    const double trial = force[0] - stiffness_of(problem_, k, 0, 1.0) * motion_of(problem_, k, 0, gap_, lambda);
     const bool closed = judge(law, trial, 0, 0) != ContactStatus::open;
-    lambda[2 * k] = closed ? std::max(lambda[2 * k], -law.tension) : -law.tension;
-    const double limit = friction_bound(law, lambda[2 * k]);
-    lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
+    force[0] = closed ? std::max(force[0], -law.tension) : -law.tension;
+    hold_within(friction_bound(law, force[0]), force + 1, components_ - 1);
   }
 }
 
@@ -222,9 +232,8 @@ void InteriorPath::set_out(PointField& lambda, double shift) {
   enter(lambda, gap_, shift);
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
-    const double limit = bound(k, lambda[2 * k]);
-    lambda[2 * k + 1] = std::clamp(lambda[2 * k + 1], -limit, limit);
-    if (path_[k].opens) lambda[2 * k] = path_[k].w[0] - laws_.pull(k);
+    hold_within(bound(k, lambda[first_of(k)]), &lambda[first_of(k) + 1], components_ - 1);
+    if (path_[k].opens) lambda[first_of(k)] = path_[k].w - laws_.pull(k);
   }
 }
 
@@ -267,11 +276,10 @@ LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     auto& p = path_[k];
-    for (int c = 0; c < 2; ++c) lambda[2 * k + c] += length * force_[2 * k + c];
-    for (int j = 0; j < 3; ++j) {
-      p.w[j] += length * p.dw[j];
-      p.y[j] += length * p.dy[j];
-    }
+    for (auto i = first_of(k); i < first_of(k + 1); ++i) lambda[i] += length * force_[i];
+    p.w += length * p.dw;
+    p.y += length * p.dy;
+    p.disc.advance(length);
   }
   tell(report, equilibrium, contact, solved.iterations, length);
   return solved;
@@ -323,9 +331,9 @@ void InteriorPath::tell(NewtonReport& report, double equilibrium, double contact
   for (int k = 0; k < problem_.owned_points(); ++k) {
     const auto& p = path_[k];
     const double stiffness = problem_.local_stiffness()[k];
-    if (!problem_.selected()[k] || p.w[0] < stiffness * p.y[0]) continue;
+    if (!problem_.selected()[k] || p.w < stiffness * p.y) continue;
     ++mine[0];
-    mine[1] += p.w[1] < stiffness * p.y[1] || p.w[2] < stiffness * p.y[2];
+    mine[1] += p.disc.slips(stiffness);
   }
   const auto all = total_of_each(*problem_.map()->getComm(), mine);  // all ranks, listening or not
   report.tell(watch, {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,

@@ -2,13 +2,15 @@
 //
 // Each inequality of the contact law gets a slack w >= 0 for its force and y >= 0 for its motion,
 //
-//   opening    w0 = p + tensile strength    y0 = g_N
-//   slipping   w1 = b - q,  w2 = b + q      y2 - y1 = g_T - g_T0,      b = cohesion + mu p
+//   opening    w = p + tensile strength    y = g_N
+//   slipping   the disc |q| <= b and the slip g_T - g_T0, of one tangent or two: friction_disc.hpp,
+//              b = cohesion + mu p
 //
 // and Newton follows the path w y = nu as nu falls. A point resists with 1 / (y/w + 1/k), a number between nothing and
-// a multiple k of its local stiffness, so each linear system looks like those of active sets and all statuses
-// of all points move at once: no collision of points cuts a step to nothing. k rises as nu falls. The friction bound b
-// follows the pressure within a step, which makes the systems unsymmetric; past a fold of the path it follows less.
+// a multiple k of its local stiffness (along a joint a matrix of such numbers), so each linear system looks like those
+// of active sets and all statuses of all points move at once: no collision of points cuts a step to nothing. k rises as
+// nu falls. The friction bound b follows the pressure within a step, which makes the systems unsymmetric; past a fold
+// of the path it follows less.
 // Decisions: README.md of this folder.
 //
 // Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
@@ -18,6 +20,7 @@
 #include <array>
 #include <functional>
 
+#include "nonlinear/friction_disc.hpp"
 #include "nonlinear/method_parameters.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
@@ -32,7 +35,6 @@ enum class PathEnd { arrived, stuck, ran_away, stopped };
 
 class InteriorPath {
  public:
-  /// The law must have one tangential direction.
   InteriorPath(NonlinearProblem&, const MethodParameters&);
 
   /// Told and asked after each linear solve; may be empty.
@@ -51,17 +53,17 @@ class InteriorPath {
 
  private:
   struct Point {
-    std::array<double, 3> w{}, y{};  ///< [N], [m]: opening, slipping against and along the tangent
-    std::array<double, 3> dw{}, dy{};
-    std::array<double, 3> residual{};  ///< [N] of w
-    double friction = 0;               ///< [-] change of the bound with the pressure
-    double drag = 0;                   ///< [m/N] slip wanted per change of the normal force
-    double gain[2] = {};               ///< [m] right-hand side of the point's two rows
-    double normal = 0;                 ///< [N/m] resistance without what it pulls back with
-    double pulls_back = 0;             ///< [N/m] tension per opening
-    bool opens = true, slips = true;   ///< the law bounds the force in this direction
+    double w = 0, y = 0, dw = 0, dy = 0;  ///< [N], [m] of the opening
+    FrictionDisc disc;
+    double friction = 0;              ///< [-] change of the bound with the pressure
+    InDisc drag;                      ///< [m/N] slip wanted per change of the normal force
+    double gain = 0;                  ///< [m] right-hand side of the normal row
+    InDisc wanted;                    ///< [m] of the tangential ones
+    double normal = 0;                ///< [N/m] resistance without what it pulls back with
+    double pulls_back = 0;            ///< [N/m] tension per opening
+    bool opens = true, slips = true;  ///< the law bounds the force in this direction
     /// Of an opening that the force has to follow [-].
-    double share_of_opening() const { return 1 + (opens ? y[0] / w[0] * pulls_back : 0.0); }
+    double share_of_opening() const { return 1 + (opens ? y / w * pulls_back : 0.0); }
   };
 
   /// How far a path has come.
@@ -92,10 +94,13 @@ class InteriorPath {
   void tell(NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
   double friction(int point, double normal) const;
+  std::size_t first_of(int point) const { return static_cast<std::size_t>(point) * components_; }
+  std::array<double, 2> slip(int point, const PointField& gap, const PointField& lambda) const;
 
   NonlinearProblem& problem_;
   const InteriorPathParameters numbers_;
   const double run_away_;
+  const int components_;
   CurrentLaws laws_;
   std::vector<Point> path_;
   std::vector<PointStiffness> resistance_;

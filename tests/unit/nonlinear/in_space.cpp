@@ -20,7 +20,7 @@ struct Rest {
   PointField force;           ///< [N] normal, along x, along y
 };
 
-enum class Way { all, active_sets, pseudo_time };
+enum class Way { all, active_sets, path, pseudo_time };
 
 Rest solve(const std::array<BlockInSpace::Place, 4>& push, Way way) {
   BlockInSpace block(mu, push);
@@ -30,6 +30,8 @@ Rest solve(const std::array<BlockInSpace::Place, 4>& push, Way way) {
   MethodParameters methods;
   if (way != Way::all) {
     methods.solver.active_sets = way == Way::active_sets;
+    methods.path.used = way == Way::path;
+    methods.solver.shortcut = false;
     methods.pseudo_time.used = way == Way::pseudo_time;
   }
   FastWay fast;
@@ -47,7 +49,7 @@ std::array<BlockInSpace::Place, 4> along(double angle, double size) {
 }
 
 TEUCHOS_UNIT_TEST(InSpace, ABlockSlidesAlongThePushWhereverThatPoints) {
-  for (const auto way : {Way::all, Way::active_sets, Way::pseudo_time})
+  for (const auto way : {Way::all, Way::active_sets, Way::path, Way::pseudo_time})
     for (int k = 0; k < 16; ++k) {
       const double angle = 0.1 + k * full_turn / 16, push = 1.7 * limit, slip = (push - limit) / BlockInSpace::holding;
       const auto rest = solve(along(angle, push), way);
