@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "stones/box_mesh.hpp"
 
 namespace voussoir {
 namespace {
@@ -129,41 +130,44 @@ void add_sets(const StoneStructure& s, BlockList<3>& list) {
 /// Free faces that look down, of the lowest stones, and those that look up, of the highest.
 class Ends {
  public:
-  explicit Ends(const StoneStructure& s) {
+  explicit Ends(const StoneStructure& s) : s_(s) {
     low_ = s.faceted[0].box.low[2], high_ = s.faceted[0].box.high[2];
     for (const auto& stone : s.faceted) {
       low_ = std::min(low_, stone.box.low[2]);
       high_ = std::max(high_, stone.box.high[2]);
     }
   }
-  /// 0 = base, 1 = top, -1 = neither.
-  int of(const ImprintedCell& cell, bool is_free, const StoneStructure& s) const {
-    const auto& stone = s.faceted[cell.stone];
-    const double steep = std::sqrt(0.5), up = stone.facets[cell.facet].normal[2], near = 0.01 * (high_ - low_);
-    if (is_free && up < -steep && stone.box.low[2] <= low_ + near) return 0;
-    if (is_free && up > steep && stone.box.high[2] >= high_ - near) return 1;
-    return -1;
+  /// Adds a free face to the block of its stone where it is of one of them. @param face  `set` is its facet
+  void add(TaggedFacet face, int stone, BlockList<3>& list) const {
+    const auto& box = s_.faceted[stone].box;
+    const double steep = std::sqrt(0.5), up = s_.faceted[stone].facets[face.set].normal[2],
+                 near = 0.01 * (high_ - low_);
+    if (up < -steep && box.low[2] <= low_ + near)
+      face.set = 0;
+    else if (up > steep && box.high[2] >= high_ - near)
+      face.set = 1;
+    else
+      return;
+    list.blocks[stone].facets.push_back(face);
   }
 
  private:
+  const StoneStructure& s_;
   double low_, high_;
 };
 
-void add_facets(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones, BlockList<3>& list) {
-  list.facet_sets = {"base", "top"};
-  const Ends ends(s);
+void add_free_triangles(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones,
+                        const Ends& ends, BlockList<3>& list) {
   for (std::size_t c = 0; c < s.imprint.cells.size(); ++c) {
-    const auto& cell = s.imprint.cells[c];
-    const int set = ends.of(cell, s.imprint.other[c] < 0, s);
-    if (set < 0) continue;
-    const auto& nodes = stones[cell.stone].nodes;
+    if (s.imprint.other[c] >= 0) continue;
+    const auto& nodes = stones[s.imprint.cells[c].stone].nodes;
     for (const auto& t : skins.triangles[c]) {
       TaggedFacet facet;
       facet.count = 3;
-      facet.set = set;
+      facet.set = s.imprint.cells[c].facet;
       for (int k = 0; k < 3; ++k)
         facet.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), t[k]) - nodes.begin());
-      list.blocks[cell.stone].facets.push_back(facet);
+      ends.add(facet, s.imprint.cells[c].stone, list);
     }
   }
 }
@@ -175,34 +179,59 @@ void add_facets(const StoneStructure& s, const Skins& skins, const std::vector<S
   throw InputError(message + "\n  Try a larger weld where faces have very short edges, or a smaller element size.");
 }
 
+/// Fills all stones without cells with tetrahedra, and adds their free faces.
+void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, StoneMeshes& result) {
+  std::vector<char> wanted;
+  for (const auto& block : result.list.blocks) wanted.push_back(block.cells.empty());
+  const auto skins = skins_of(s, wanted);
+  const auto stones = skins_of_stones(s, skins);
+  std::vector<ClosedMesh> surfaces;
+  for (std::size_t k = 0; k < stones.size(); ++k)
+    if (wanted[k]) surfaces.push_back(stones[k].mesh);
+  auto meshes = filled(surfaces);
+  std::vector<std::string> faults;
+  VertexId inside = vertex + static_cast<VertexId>(skins.nodes.size());
+  for (std::size_t k = 0, m = 0; k < stones.size(); ++k) {
+    if (!wanted[k]) continue;
+    const auto& surface = surfaces[m];
+    auto& mesh = meshes[m++];
+    const std::string fault = look_at(mesh, surface, result.quality);
+    if (!fault.empty()) faults.push_back(in_words(s.stones[k]) + ": " + fault);
+    auto& block = result.list.blocks[k];
+    block.position = surface.nodes;
+    block.position.insert(block.position.end(), mesh.inside.begin(), mesh.inside.end());
+    for (const int node : stones[k].nodes) block.vertex.push_back(vertex + node);
+    for (std::size_t n = 0; n < mesh.inside.size(); ++n) block.vertex.push_back(inside++);
+    for (const auto& cell : mesh.cells) block.cells.push_back({{cell[0], cell[1], cell[2], cell[3]}, 4});
+  }
+  if (!faults.empty()) refuse_unfilled(faults, stones.size());
+  add_free_triangles(s, skins, stones, ends, result.list);
+}
+
 }  // namespace
 
 StoneMeshes mesh_stones(const StoneStructure& s) {
-  const auto skins = skins_of(s);
-  const auto stones = skins_of_stones(s, skins);
-  std::vector<ClosedMesh> surfaces;
-  for (const auto& stone : stones) surfaces.push_back(stone.mesh);
-  auto meshes = filled(surfaces);
   StoneMeshes result;
-  std::vector<std::string> faults;
-  auto vertex = static_cast<VertexId>(skins.nodes.size());
-  for (std::size_t k = 0; k < stones.size(); ++k) {
-    const std::string fault = look_at(meshes[k], surfaces[k], result.quality);
-    if (!fault.empty()) faults.push_back(in_words(s.stones[k]) + ": " + fault);
-    Block<3> block;
+  result.list.facet_sets = {"base", "top"};
+  result.list.warnings = s.warnings;
+  const Ends ends(s);
+  BoxMeshes boxes;
+  boxes.blocks.resize(s.stones.size());
+  if (s.cells == StoneCells::by_shape) boxes = box_meshes(s);
+  result.list.blocks = std::move(boxes.blocks);
+  for (std::size_t k = 0; k < s.stones.size(); ++k) {
+    auto& block = result.list.blocks[k];
     block.id = static_cast<BlockId>(k);
     block.name = "stone " + s.stones[k].name;
-    block.position = surfaces[k].nodes;
-    block.position.insert(block.position.end(), meshes[k].inside.begin(), meshes[k].inside.end());
-    block.vertex.assign(stones[k].nodes.begin(), stones[k].nodes.end());
-    for (std::size_t n = 0; n < meshes[k].inside.size(); ++n) block.vertex.push_back(vertex++);
-    for (const auto& cell : meshes[k].cells) block.cells.push_back({{cell[0], cell[1], cell[2], cell[3]}, 4});
-    result.list.blocks.push_back(std::move(block));
+    if (block.cells.empty()) continue;
+    ++result.quality.of_hexahedra;
+    result.quality.nodes += block.position.size();
+    result.quality.cells += block.cells.size();
+    result.quality.volume += volume_of_hexahedra(block);
+    for (const auto& face : boxes.free_faces[k]) ends.add(face, static_cast<int>(k), result.list);
   }
-  if (!faults.empty()) refuse_unfilled(faults, stones.size());
+  add_tetrahedra(s, boxes.vertices, ends, result);
   add_sets(s, result.list);
-  add_facets(s, skins, stones, result.list);
-  result.list.warnings = s.warnings;
   return result;
 }
 

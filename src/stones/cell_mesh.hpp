@@ -20,14 +20,16 @@ struct Skins {
 /// the straight edges between the points of the imprint and those inside lifted with them by a discrete harmonic
 /// function: welded points need not lie in one plane, and gmsh makes no sense of plane surfaces that are not plane.
 /// Throws InputError for a cell that cannot be meshed.
-Skins skins_of(const StoneStructure&);
+/// @param wanted  per stone, whether its cells are meshed at all
+Skins skins_of(const StoneStructure&, const std::vector<char>& wanted);
 
 /// How good the cells of the stones are, and how well they fill them.
 struct StoneMeshQuality {
   double least_dihedral = 180;  ///< [degree]
   int flat = 0;                 ///< cells with a dihedral angle below 5 degrees
   std::size_t nodes = 0, cells = 0;
-  double volume = 0;  ///< [m3] of all stones
+  int of_hexahedra = 0;  ///< stones
+  double volume = 0;     ///< [m3] of all stones
 };
 
 struct StoneMeshes {
@@ -35,10 +37,10 @@ struct StoneMeshes {
   StoneMeshQuality quality;
 };
 
-/// Every stone becomes a block of tetrahedra (cells of 4 nodes, the first three counter-clockwise seen from the
-/// fourth), in the order of the stones. Sets of blocks: the names of stones, "supports" (where the file has flags),
-/// "one neighbour". Sets of facets: "base", "top": free faces that look down (up) of stones whose lowest (highest)
-/// point is within a hundredth of the height of all from it.
+/// Every stone becomes a block, in the order of the stones: of hexahedra where box_mesh.hpp says so, else of tetrahedra
+/// (cells of 4 nodes, the first three counter-clockwise seen from the fourth). Sets of blocks: the names of stones,
+/// "supports" (where the file has flags), "one neighbour". Sets of facets: "base", "top": free faces that look down or
+/// up, of stones whose lowest or highest point is within a hundredth of the height of all from it.
 /// Throws InputError for stones that cannot be filled, naming them.
 StoneMeshes mesh_stones(const StoneStructure&);
 

@@ -159,6 +159,7 @@ class Imprinting {
       for (int side = 0; side < 2; ++side)
         joints_of_facet[{joints_.joints[j].stone[side], joints_.joints[j].facet[side]}].push_back(j);
     imprint_.points = welded_.points();
+    imprint_.number = number_;
     for (int s = 0; s < static_cast<int>(stones_.size()); ++s)
       for (int f = 0; f < static_cast<int>(stones_[s].facets.size()); ++f) cut_facet(s, f, joints_of_facet[{s, f}]);
     return std::move(imprint_);

@@ -30,8 +30,9 @@ struct ImprintFaults {
 
 struct Imprint {
   Places points;
-  std::vector<ImprintedCell> cells;  ///< in the order of stones and facets
-  std::vector<int> other;            ///< per cell the cell of another stone with the same border, or -1
+  std::vector<std::vector<int>> number;  ///< per stone and point of its surface: the point it has become
+  std::vector<ImprintedCell> cells;      ///< in the order of stones and facets
+  std::vector<int> other;                ///< per cell the cell of another stone with the same border, or -1
   ImprintFaults faults;
   double shortest_edge = 0;  ///< [m]
 };

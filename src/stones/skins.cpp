@@ -114,7 +114,7 @@ std::vector<Triangle> put(const FlatMesh& flat, const CellBorder& border, Places
 
 }  // namespace
 
-Skins skins_of(const StoneStructure& s) {
+Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted) {
   const auto& cells = s.imprint.cells;
   Skins skins;
   skins.nodes = s.imprint.points;
@@ -124,7 +124,8 @@ Skins skins_of(const StoneStructure& s) {
   std::vector<FlatDomain> domains;
   std::vector<std::size_t> first;  // of the one or two cells of each domain
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (s.imprint.other[c] >= 0 && s.imprint.other[c] < static_cast<int>(c)) continue;
+    const int other = s.imprint.other[c];
+    if (!wanted[cells[c].stone] || (other >= 0 && other < static_cast<int>(c))) continue;
     borders.push_back(border_of(cells[c], s.imprint.points, edges));
     domains.emplace_back();
     domains.back().size = s.element_size;

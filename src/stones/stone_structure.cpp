@@ -85,9 +85,11 @@ class Teller {
 
   void of_tolerances() {
     const auto counts = count_joints(s_.stones, s_.tolerance);
+    std::string line;
     for (const auto& c : counts)
-      say("joints at a tolerance of " + metres(c.tolerance) + ": " + std::to_string(c.joints) + ", " +
-          six_digits(c.area) + " m2");
+      line += (line.empty() ? "" : "; ") + std::to_string(c.joints) + " (" + six_digits(c.area) + " m2) at " +
+              metres(c.tolerance);
+    say("joints by tolerance: " + line);
     const double proposed = tolerance_on_plateau(counts);
     const auto at = [&](double tolerance) {
       return std::min_element(counts.begin(), counts.end(), [&](const auto& a, const auto& b) {
@@ -178,6 +180,7 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
   s.tolerance = p.joint_tolerance > 0 ? p.joint_tolerance : defaults.tolerance * size;
   s.weld = p.weld > 0 ? p.weld : defaults.weld * s.tolerance;
   s.element_size = p.element_size > 0 ? p.element_size : defaults.element_size * size;
+  s.cells = p.cells;
   refuse_overlaps(s.stones, s.tolerance);
   s.faceted = facets_of(s.stones, s.tolerance);
   s.joints = find_joints(s.faceted, s.tolerance);

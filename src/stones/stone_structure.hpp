@@ -16,7 +16,8 @@ struct StoneStructure {
   StoneJoints joints;
   Imprint imprint;
   double tolerance = 0, weld = 0, element_size = 0;  ///< [m]
-  std::vector<std::string> report;                   ///< lines of what was found
+  StoneCells cells = StoneCells::by_shape;
+  std::vector<std::string> report;  ///< lines of what was found
   Warnings warnings;
 
   StoneStructure() = default;

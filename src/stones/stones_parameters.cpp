@@ -29,6 +29,11 @@ void StonesParameters::declare(ParameterSection& section) {
   section.add("element size", element_size, "m", at_least(0.0),
               "wanted length of cell edges; 0 = a quarter of the median stone (cube root of its volume)", "a length",
               "Give 0 to have it chosen.");
+  section.add_choice<StoneCells>("cells", cells,
+                                 {{"by shape", StoneCells::by_shape}, {"tetrahedra", StoneCells::tetrahedra}},
+                                 "by shape: hexahedra where a stone and all it touches, directly or through others, "
+                                 "are boxes that joints cut along "
+                                 "lattice lines, else tetrahedra");
 }
 
 }  // namespace voussoir

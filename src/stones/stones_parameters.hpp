@@ -10,6 +10,9 @@ class ParameterSection;
 /// The axis of the file that points up; in a scene that is z. Others are turned, never mirrored.
 enum class UpAxis { x, y, z };
 
+/// Hexahedra where stones are boxes and joints allow it, tetrahedra elsewhere; or tetrahedra alone.
+enum class StoneCells { by_shape, tetrahedra };
+
 struct StonesParameters {
   std::string file;   ///< or a folder; a scene that was read holds an absolute path
   double unit = 1.0;  ///< [m] length that the file calls 1
@@ -17,6 +20,7 @@ struct StonesParameters {
   double joint_tolerance = 0;  ///< [m] 0 = a part of the stones' size
   double weld = 0;             ///< [m] 0 = a multiple of the tolerance
   double element_size = 0;     ///< [m] 0 = a part of the stones' size
+  StoneCells cells = StoneCells::by_shape;
   void declare(ParameterSection&);
 };
 

@@ -54,6 +54,12 @@ double area_shared(const std::vector<Block<3>>& blocks) {
   return sum;
 }
 
+StonesParameters tetrahedra() {
+  StonesParameters p;
+  p.cells = StoneCells::tetrahedra;
+  return p;
+}
+
 void check(const StoneStructure& s, const StoneMeshes& meshes, Teuchos::FancyOStream& out, bool& success) {
   TEST_EQUALITY(meshes.list.blocks.size(), s.stones.size());
   std::map<VertexId, Vector<3>> place;
@@ -77,7 +83,7 @@ TEUCHOS_UNIT_TEST(StoneMeshes, FillStonesAndMatchOnJoints) {
   const std::vector<std::vector<StoneSurface>> cases{
       arch(5), corner(), running_bond(), {box("slab", {0, 0, 0}, {3, 3, 1}), box("post", {1, 1, 1}, {2, 2, 2})}};
   for (const auto& stones : cases) {
-    const auto s = structure_of(stones, {});
+    const auto s = structure_of(stones, tetrahedra());
     const auto meshes = mesh_stones(s);
     check(s, meshes, out, success);
     double sum = 0;
@@ -93,7 +99,7 @@ TEUCHOS_UNIT_TEST(StoneMeshes, FillStonesAndMatchOnJoints) {
 
 TEUCHOS_UNIT_TEST(StoneMeshes, OfMeasuredStonesFillThemToo) {
   for (const double noise : {1e-4, 5e-4, 2e-3}) {
-    StonesParameters p;
+    StonesParameters p = tetrahedra();
     p.joint_tolerance = 4 * noise;
     const auto s = structure_of(measured(arch(5), noise), p);
     const auto meshes = mesh_stones(s);
@@ -107,9 +113,9 @@ TEUCHOS_UNIT_TEST(StoneMeshes, OfMeasuredStonesFillThemToo) {
 
 TEUCHOS_UNIT_TEST(StoneMeshes, AreAsFineInOtherUnits) {
   // gmsh sees every piece in units of its size; round-off of coordinates may still turn a choice it makes.
-  const auto here = mesh_stones(structure_of(running_bond(), {}));
+  const auto here = mesh_stones(structure_of(running_bond(), tetrahedra()));
   for (const double scale : {1e3, 1e-3}) {
-    const auto there = mesh_stones(structure_of(turned(running_bond(), scale, {0, 0, 0}), {}));
+    const auto there = mesh_stones(structure_of(turned(running_bond(), scale, {0, 0, 0}), tetrahedra()));
     TEST_COMPARE(std::abs(double(there.quality.cells) - double(here.quality.cells)), <=,
                  0.1 * double(here.quality.cells));
     TEST_FLOATING_EQUALITY(there.quality.volume, scale * scale * scale * here.quality.volume, 1e-9);
@@ -120,7 +126,7 @@ TEUCHOS_UNIT_TEST(StoneMeshes, NameSetsOfStonesAndOfTheirEnds) {
   auto stones = running_bond();
   stones[1].support = true;
   stones.push_back(box("far", {3, 0, 0.2}, {3.2, 0.2, 0.4}));
-  const auto list = mesh_stones(structure_of(stones, {})).list;
+  const auto list = mesh_stones(structure_of(stones, tetrahedra())).list;
   TEST_ASSERT((list.block_sets == std::vector<std::string>{"a", "b", "c", "d", "far", "supports"}));
   TEST_ASSERT((list.blocks[1].sets == std::vector<int>{1, 5}));
   TEST_ASSERT((list.facet_sets == std::vector<std::string>{"base", "top"}));

@@ -107,6 +107,7 @@ TEUCHOS_UNIT_TEST(Samples, AreMeshedWhole) {
         << meshes.quality.least_dihedral << ", " << meshes.quality.flat << " below 5 degrees\n";
     TEST_EQUALITY(meshes.list.blocks.size(), s.stones);
     TEST_COMPARE(meshes.quality.least_dihedral, >, 1);
+    TEST_EQUALITY(meshes.quality.of_hexahedra, s.file == "compas_dem_wall.obj" ? 38 : 0);
     // Warped faces of the dome are cut by shortest diagonals: 37.84 m3 where fans about their means hold 37.04.
     const double inside = s.warped > 0 ? 37.84 : s.volume;
     TEST_COMPARE(std::abs(meshes.quality.volume - inside), <=, 1e-3 * inside + 5e-5);
