@@ -34,10 +34,10 @@ struct LoadMoment {
   double factor = 0;  ///< [-]
 };
 
-template <int dim>
-class Load {
+/// A load as forces and displacements of nodes: what steps see of it, whatever its dimension.
+class LoadOnNodes {
  public:
-  virtual ~Load() = default;
+  virtual ~LoadOnNodes() = default;
   /// Adds what the load is at some times, each times its factor. No communication.
   /// @param force       [N, dim x local node copies]
   /// @param prescribed  [m, the same shape]
@@ -61,6 +61,9 @@ class Load {
   /// What the result will not vouch for because of this load. The same on every rank.
   virtual Warnings warnings() const { return {}; }
 };
+
+template <int dim>
+class Load : public LoadOnNodes {};
 
 /// The sum of the factors: what a load that does not move is multiplied by.
 double sum_of_factors(const std::vector<LoadMoment>&);

@@ -9,13 +9,12 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
-#include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
 
-Construction::Construction(const Scene& scene, const PlaneModel& model)
+Construction::Construction(const Scene& scene, const Model& model)
     : structure_(model.structure()),
       builds_(model.settings().builds),
       all_selected_(model.settings().selection.mode == SelectionMode::all) {
@@ -24,8 +23,9 @@ Construction::Construction(const Scene& scene, const PlaneModel& model)
   absent_.assign(structure_.local_blocks(), 0);
   for (std::size_t number = 0; number < scene.stages.size(); ++number) {
     auto& absent = absent_in_[scene.stages[number].name];
-    for (const auto& block : model.structure().blocks())
-      absent.push_back(!is_there(scene, model.source(), block.mesh, number));
+    model.in_geometry([&, stage = number](const auto& source, const auto& structure) {
+      for (const auto& block : structure.blocks()) absent.push_back(!is_there(scene, source, block.mesh, stage));
+    });
   }
 }
 

@@ -15,13 +15,12 @@
 
 namespace voussoir {
 
-class PlaneModel;
 struct Scene;
 
 class Construction {
  public:
   /// Of the scene that the model was built of.
-  Construction(const Scene&, const PlaneModel&);
+  Construction(const Scene&, const Model&);
 
   /// Whether the scene builds anything: the same on all ranks.
   bool builds() const { return builds_; }

@@ -30,7 +30,7 @@ double factor_of(const std::map<std::string, double>& factors, const std::string
 }  // namespace
 
 template <int dim>
-LoadsAtWork<dim>::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure)
+LoadsAtWork::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure)
     : blocks_(structure.blocks().size()) {
   std::vector<std::pair<std::string, SupportParameters>> supports;
   for (const auto& support : scene.supports) supports.emplace_back(support.name, support.parameters);
@@ -44,9 +44,8 @@ LoadsAtWork<dim>::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source
   }
 }
 
-template <int dim>
-void LoadsAtWork<dim>::add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
-                           std::vector<double>& prescribed) const {
+void LoadsAtWork::add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+                      std::vector<double>& prescribed) const {
   VOUSSOIR_EXPECT(force.size() == prescribed.size() && "force and prescribed displacement: of one structure");
   std::fill(force.begin(), force.end(), 0.0);
   std::fill(prescribed.begin(), prescribed.end(), 0.0);
@@ -63,9 +62,8 @@ void LoadsAtWork<dim>::add(const std::map<std::string, double>& factors, double 
 
 /// The moments whose weighted sum is the mean of a load over a step: Gauss's points between the corners of its time
 /// function and of its own motion.
-template <int dim>
-std::vector<LoadMoment> LoadsAtWork<dim>::moments_of(const Named& n, double begin, double end, double from,
-                                                     double to) const {
+std::vector<LoadMoment> LoadsAtWork::moments_of(const Named& n, double begin, double end, double from,
+                                                double to) const {
   const double middle = (from + to) / 2;
   if (n.time_function.constant() && !n.load->moves()) return {{middle, (begin + end) / 2}};
   std::vector<double> corners{from, to};
@@ -87,8 +85,7 @@ std::vector<LoadMoment> LoadsAtWork<dim>::moments_of(const Named& n, double begi
   return moments;
 }
 
-template <int dim>
-void LoadsAtWork<dim>::add_mean(const StepInTime& step, std::vector<double>& force) const {
+void LoadsAtWork::add_mean(const StepInTime& step, std::vector<double>& force) const {
   VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
   VOUSSOIR_EXPECT(std::isfinite(step.from) && std::isfinite(step.to) && "times of a step: finite");
   std::fill(force.begin(), force.end(), 0.0);
@@ -104,8 +101,7 @@ void LoadsAtWork<dim>::add_mean(const StepInTime& step, std::vector<double>& for
   }
 }
 
-template <int dim>
-std::vector<double> LoadsAtWork<dim>::free_strain(const std::map<std::string, double>& factors, double time) const {
+std::vector<double> LoadsAtWork::free_strain(const std::map<std::string, double>& factors, double time) const {
   std::vector<double> strain;
   for (const auto& n : loads_) {
     const auto it = factors.find(n.name);
@@ -116,16 +112,14 @@ std::vector<double> LoadsAtWork<dim>::free_strain(const std::map<std::string, do
   return strain;
 }
 
-template <int dim>
-double LoadsAtWork<dim>::resolution() const {
+double LoadsAtWork::resolution() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& n : loads_) shortest = std::min({shortest, n.load->resolution(), n.time_function.resolution()});
   return shortest;
 }
 
-template <int dim>
-typename LoadsAtWork<dim>::Shortest LoadsAtWork<dim>::resolution(const std::map<std::string, double>& factors,
-                                                                 double from, double to) const {
+LoadsAtWork::Shortest LoadsAtWork::resolution(const std::map<std::string, double>& factors, double from,
+                                              double to) const {
   VOUSSOIR_EXPECT(from <= to && "times: ascending");
   Shortest shortest;
   for (const auto& n : loads_) {
@@ -136,15 +130,13 @@ typename LoadsAtWork<dim>::Shortest LoadsAtWork<dim>::resolution(const std::map<
   return shortest;
 }
 
-template <int dim>
-bool LoadsAtWork<dim>::jumps(const std::string& load, double from, double to) const {
+bool LoadsAtWork::jumps(const std::string& load, double from, double to) const {
   VOUSSOIR_EXPECT(from <= to && "times: ascending");
   return std::any_of(loads_.begin(), loads_.end(),
                      [&](const Named& n) { return n.name == load && n.time_function.jumps(from, to); });
 }
 
-template <int dim>
-std::map<std::string, EffectSummary> LoadsAtWork<dim>::costs(const Teuchos::Comm<int>& comm) const {
+std::map<std::string, EffectSummary> LoadsAtWork::costs(const Teuchos::Comm<int>& comm) const {
   std::map<std::string, EffectSummary> costs;
   for (const auto& n : loads_) {
     const auto bytes = static_cast<long long>(n.load->bytes() + n.time_function.bytes());
@@ -158,22 +150,20 @@ std::map<std::string, EffectSummary> LoadsAtWork<dim>::costs(const Teuchos::Comm
   return costs;
 }
 
-template <int dim>
-std::vector<std::string> LoadsAtWork<dim>::remarks() const {
+std::vector<std::string> LoadsAtWork::remarks() const {
   std::vector<std::string> lines;
   for (const auto& n : loads_)
     if (const auto remark = n.load->remark(); !remark.empty()) lines.push_back(n.name + ": " + remark);
   return lines;
 }
 
-template <int dim>
-Warnings LoadsAtWork<dim>::warnings() const {
+Warnings LoadsAtWork::warnings() const {
   Warnings all;
   for (const auto& n : loads_)
     for (const auto& warning : n.load->warnings()) all.push_back(warning);
   return all;
 }
 
-template class LoadsAtWork<2>;
+template LoadsAtWork::LoadsAtWork(const Scene&, const BlockSource<2>&, const Structure<2>&);
 
 }  // namespace voussoir

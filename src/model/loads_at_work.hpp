@@ -18,10 +18,10 @@ namespace voussoir {
 
 struct Scene;
 
-template <int dim>
 class LoadsAtWork {
  public:
   /// Makes every load of the scene. Collective; throws InputError on every rank alike.
+  template <int dim>
   LoadsAtWork(const Scene&, const BlockSource<dim>&, const Structure<dim>&);
 
   /// Nodal forces [N] and prescribed displacements [m] under load factors by name, written over.
@@ -56,7 +56,7 @@ class LoadsAtWork {
   struct Named {
     std::string name, word;  ///< in the scene; of its type
     TimeFunction time_function;
-    std::unique_ptr<Load<dim>> load;
+    std::unique_ptr<LoadOnNodes> load;
     mutable long long calls = 0;
     mutable double seconds = 0;
   };
@@ -67,6 +67,6 @@ class LoadsAtWork {
   std::vector<Named> loads_;
 };
 
-extern template class LoadsAtWork<2>;
+extern template LoadsAtWork::LoadsAtWork(const Scene&, const BlockSource<2>&, const Structure<2>&);
 
 }  // namespace voussoir

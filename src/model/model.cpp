@@ -12,6 +12,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/partition.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
 #include "scene/scene.hpp"
@@ -33,6 +34,7 @@ Model::Model(const Model& at_rest, double inertia, double tolerance)
       families_(at_rest.families_),
       supports_(at_rest.supports_),
       points_(at_rest.points_),
+      loads_(at_rest.loads_),
       held_(at_rest.held_),
       never_tied_(at_rest.never_tied_),
       absent_(at_rest.absent_),
@@ -44,6 +46,10 @@ Model::Model(const Model& at_rest, double inertia, double tolerance)
       weakens_(at_rest.weakens_),
       inertia_(inertia) {
   VOUSSOIR_EXPECT(tolerance > 0 && tolerance < 1 && "tolerance: a share of the largest force");
+}
+
+std::string Model::block_name(BlockId block) const {
+  return in_geometry([&](const auto& source, const auto&) { return source.block(block).name; });
 }
 
 void Model::make_continuum() {
@@ -208,7 +214,7 @@ void Model::loads(const std::map<std::string, double>& factors, double time, std
   for (const auto& [load, factor] : factors) VOUSSOIR_EXPECT(std::isfinite(factor) && "factors of loads: finite");
   force.resize(static_cast<std::size_t>(dim) * structure().nodes());
   prescribed.resize(force.size());
-  add_loads(factors, time, force, prescribed);
+  loads_->add(factors, time, force, prescribed);
   check_size(force);
 }
 
@@ -216,7 +222,7 @@ void Model::mean_loads(const StepInTime& step, std::vector<double>& force) const
   const int dim = components();
   VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
   force.resize(static_cast<std::size_t>(dim) * structure().nodes());
-  add_mean_loads(step, force);
+  loads_->add_mean(step, force);
   check_size(force);
 }
 

@@ -1,5 +1,5 @@
 // Everything of a scene that stays the same through its load steps, on this rank, whatever its dimension. Where blocks
-// come from and what their geometry makes of supports, loads, mass and waves is told by model/plane.
+// come from and what their geometry makes of supports, mass and waves is told by model/plane.
 #pragma once
 
 #include <map>
@@ -13,10 +13,13 @@
 #include "joints/contact_law.hpp"
 #include "joints/joint_law_parameters.hpp"
 #include "joints/softening.hpp"
+#include "model/geometry.hpp"
 #include "model/model_settings.hpp"
 #include "model/step_in_time.hpp"
 
 namespace voussoir {
+
+class LoadsAtWork;
 
 class Model {
  public:
@@ -32,10 +35,20 @@ class Model {
   const std::vector<Named<JointLawParameters>>& families() const { return families_; }
   const std::vector<Named<SupportParameters>>& supports() const { return supports_; }
   virtual const BlockSystem& structure() const = 0;
+  /// The structure in its dimension, and the source of its blocks.
+  virtual AnyGeometry geometry() const = 0;
+  /// What a kernel that is a template of the dimension makes of them: kernel(source, structure).
+  template <class Kernel>
+  decltype(auto) in_geometry(const Kernel& kernel) const {
+    return std::visit([&](const auto& of) -> decltype(auto) { return kernel(of.source, of.structure); }, geometry());
+  }
   /// Of displacements: 2 in the plane, 3 in space.
   int components() const { return structure().components(); }
   /// Which blocks may meet.
   virtual const BlockGraph& graph() const = 0;
+  /// In the whole structure, and what messages call one of them.
+  BlockId block_count() const { return static_cast<BlockId>(structure().owner_of_block().size()); }
+  std::string block_name(BlockId) const;
   const ContactPoints& points() const { return *points_; }
   /// The bonded continuum; not there for the model at rest when a scene has no load steps.
   const Continuum& continuum() const { return *continuum_; }
@@ -86,6 +99,8 @@ class Model {
              std::vector<double>& prescribed) const;
   /// Mean nodal forces [N] over a step of time.
   void mean_loads(const StepInTime&, std::vector<double>& force) const;
+  /// The loads themselves, by name.
+  const LoadsAtWork& loads_at_work() const { return *loads_; }
   /// Factor of the mass in the matrices of a time step [1/s2]; 0 of the model at rest.
   double inertia() const { return inertia_; }
 
@@ -115,9 +130,6 @@ class Model {
   virtual void hold_supports() = 0;
   /// Stiffness of the cells beside a node, at rest [N/m].
   virtual double stiffness_beside(int node) const = 0;
-  virtual void add_loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
-                         std::vector<double>& prescribed) const = 0;
-  virtual void add_mean_loads(const StepInTime&, std::vector<double>& force) const = 0;
 
   ModelSettings settings_;
   std::string file_;
@@ -125,6 +137,7 @@ class Model {
   std::vector<Named<SupportParameters>> supports_;
   std::shared_ptr<ContactPoints> points_;
   std::unique_ptr<Continuum> continuum_;
+  std::shared_ptr<const LoadsAtWork> loads_;
   std::vector<char> held_;
   int arrangement_ = 0;
 

@@ -121,7 +121,9 @@ void check_fit(const Scene& scene, const BlockSource<dim>& source) {
     }
 }
 
-template void check_fit<2>(const Scene&, const BlockSource<2>&);
-template bool is_there<2>(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
+template void check_fit(const Scene&, const BlockSource<2>&);
+template void check_fit(const Scene&, const BlockSource<3>&);
+template bool is_there(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
+template bool is_there(const Scene&, const BlockSource<3>&, const Block<3>&, std::size_t);
 
 }  // namespace voussoir

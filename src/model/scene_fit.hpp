@@ -42,7 +42,9 @@ int family_of(const Scene& scene, const BlockSource<dim>& source, const Block<di
   return family;
 }
 
-extern template void check_fit<2>(const Scene&, const BlockSource<2>&);
-extern template bool is_there<2>(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
+extern template void check_fit(const Scene&, const BlockSource<2>&);
+extern template void check_fit(const Scene&, const BlockSource<3>&);
+extern template bool is_there(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
+extern template bool is_there(const Scene&, const BlockSource<3>&, const Block<3>&, std::size_t);
 
 }  // namespace voussoir

@@ -51,22 +51,27 @@ Json load_factor_search(const CollapseSummary& c) {
 }
 
 Json joints_and_supports(const StaticsSummary& s) {
-  Json json{{"hinges", s.hinges},
-            {"sliding_joints", s.sliding_joints},
-            {"least_edge_margin", s.least_edge_margin},
-            {"least_friction_margin", s.least_friction_margin}};
+  Json json;
   const auto places = [](const std::vector<StaticsSummary::Place>& list) {
     Json all = Json::array();
     for (const auto& p : list)
       all.push_back({{"blocks", {p.block_i, p.block_j}}, {"x_m", p.x}, {"y_m", p.y}, {"opening_m", p.opening}});
     return all;
   };
-  json["widest_hinges"] = places(s.widest_hinges);
-  json["first_sliding"] = places(s.first_sliding);
+  if (s.components == 2) {
+    json["hinges"] = s.hinges;
+    json["sliding_joints"] = s.sliding_joints;
+    json["least_edge_margin"] = s.least_edge_margin;
+    json["least_friction_margin"] = s.least_friction_margin;
+    json["widest_hinges"] = places(s.widest_hinges);
+    json["first_sliding"] = places(s.first_sliding);
+  }
   json["reactions"] = Json::object();
-  for (const auto& [support, r] : s.reactions)
-    json["reactions"][support] = {
-        {"x_N", r.x}, {"y_N", r.y}, {"through_x_m", r.through_x}, {"through_y_m", r.through_y}};
+  for (const auto& [support, r] : s.reactions) {
+    auto& reaction = json["reactions"][support];
+    for (int c = 0; c < s.components; ++c) reaction[std::string(1, "xyz"[c]) + "_N"] = r.force[c];
+    for (int c = 0; c < s.components; ++c) reaction[std::string("through_") + "xyz"[c] + "_m"] = r.through[c];
+  }
   return json;
 }
 

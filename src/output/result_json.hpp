@@ -62,8 +62,8 @@ struct RigidSummary {
 
 /// Force of a support on the structure.
 struct ReactionSummary {
-  double x = 0, y = 0;                  ///< [N]
-  double through_x = 0, through_y = 0;  ///< [m] a point on its line of action, the nearest to the support's middle
+  std::array<double, 3> force{};    ///< [N]
+  std::array<double, 3> through{};  ///< [m] a point on its line of action, the nearest to the support's middle
 };
 
 /// What joints and supports carry at the end of a run in statics; all joints are in joints.csv.
@@ -77,6 +77,7 @@ struct StaticsSummary {
   double least_edge_margin = 0, least_friction_margin = 0;  ///< [-]
   std::vector<Place> widest_hinges, first_sliding;          ///< no more than fifty of each
   std::map<std::string, ReactionSummary> reactions;         ///< by name of the support
+  int components = 2;  ///< of reactions; 3 in space, where nothing is told of joints
 };
 
 /// How evenly ranks share the work; 0 and 1 on one rank.

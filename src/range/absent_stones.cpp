@@ -91,7 +91,7 @@ void warn_of_load(const Scene& scene, const PlaneModel& model, const LoadParamet
 
 void warn_of_observations(const Scene& scene, const PlaneModel& model, const std::vector<Stage>& stages,
                           Warnings& all) {
-  const Observations<2> observations(scene, model.source(), model.structure());
+  const Observations observations(scene, model);
   const std::vector<double> ones(2 * static_cast<std::size_t>(model.structure().nodes()), 1.0);
   for (const auto& observation : scene.observations) {
     if (observation.parameters.place == ObservationParameters::Place::support) continue;  // it bears 0 then

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"

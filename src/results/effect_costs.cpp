@@ -2,7 +2,6 @@
 
 #include "joints/softening.hpp"
 #include "linalg/reduce.hpp"
-#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_effects.hpp"
 
@@ -13,26 +12,26 @@ namespace {
 constexpr long long bytes_of_number = sizeof(double);
 // How a point loses its strength, and what it has gone through.
 constexpr long long bytes_of_softening = sizeof(Softening) + 2 * sizeof(double);
-// What a state between load steps holds of a point where something rubs: its slip, as a vector.
-constexpr long long bytes_of_slip = 2 * sizeof(double);
 
 /// Of all ranks: the mass of each block and the matrix of the midpoint rule, as large as its stiffness; velocity and
 /// acceleration of each node.
-long long bytes_of_inertia(const Structure<2>& s) {
-  long long mine = 2LL * 2 * s.nodes() * static_cast<long long>(sizeof(double));
-  for (const auto& b : s.blocks()) mine += 2 * b.stiffness->bytes();
+long long bytes_of_inertia(const BlockSystem& s) {
+  long long mine = 2LL * s.components() * s.nodes() * static_cast<long long>(sizeof(double));
+  for (int b = 0; b < s.local_blocks(); ++b) mine += 2 * s.nodes_of(b).stiffness->bytes();
   return total_over_ranks(*s.comm(), mine);
 }
 
 }  // namespace
 
-std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const LoadsAtWork<2>& loads,
-                                                  const Structure<2>& structure, long long mine) {
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const LoadsAtWork& loads,
+                                                  const BlockSystem& structure, long long mine) {
   const auto& comm = *structure.comm();
   auto costs = loads.costs(comm);
   const long long points = total_over_ranks(comm, mine);
   for (const auto& effect : effects_of(scene)) costs[effect.name].in_play = effect.in_play();
   const bool friction = costs["friction"].in_play;
+  // What a state between load steps holds of a point where something rubs: its slip, as a vector.
+  const auto bytes_of_slip = static_cast<long long>(structure.components() * sizeof(double));
   costs["friction"].bytes = friction ? points * (bytes_of_number + bytes_of_slip) : 0;
   for (const auto* bond : {"cohesion", "tension strength"})
     costs[bond].bytes = costs[bond].in_play ? points * bytes_of_number : 0;
@@ -46,7 +45,7 @@ std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Load
   return costs;
 }
 
-std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const PlaneModel& model) {
+std::map<std::string, EffectSummary> effect_costs(const Scene& scene, const Model& model) {
   return effect_costs(scene, model.loads_at_work(), model.structure(), model.points().size());
 }
 

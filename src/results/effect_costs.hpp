@@ -4,14 +4,15 @@
 #include <map>
 #include <string>
 
-#include "model/plane/plane_model.hpp"
+#include "model/loads_at_work.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 
 /// Calls, seconds and bytes of every effect the program knows, in play or not. Collective.
 /// @param points  contact points of this rank, with ghosts
-std::map<std::string, EffectSummary> effect_costs(const Scene&, const LoadsAtWork<2>&, const Structure<2>&,
+std::map<std::string, EffectSummary> effect_costs(const Scene&, const LoadsAtWork&, const BlockSystem&,
                                                   long long points);
-std::map<std::string, EffectSummary> effect_costs(const Scene&, const PlaneModel&);
+std::map<std::string, EffectSummary> effect_costs(const Scene&, const Model&);
 
 }  // namespace voussoir

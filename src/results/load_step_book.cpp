@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "joints/friction_work.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
-#include "model/plane/plane_model.hpp"
-#include "results/turning_supports.hpp"
+#include "results/plane/turning_supports.hpp"
 
 namespace voussoir {
 namespace {
@@ -26,8 +26,8 @@ Tangential<dim> tangential(const PointField& field, int k) {
 }
 
 /// Largest friction [N], without cohesion.
-template <int dim>
-double rubbing(const PlaneModel& model, const ContactState& state, int k) {
+double rubbing(const Model& model, const ContactState& state, int k) {
+  const int dim = model.components();
   const double friction = model.law()[k].friction;
   return std::isfinite(friction) ? friction * std::max(0.0, state.lambda[dim * k]) : 0.0;
 }
@@ -42,9 +42,8 @@ void add_work(const WorkOfForces& forces, double beyond_mean, double overshoot, 
   energy.external_work = forces.of_mean + energy.work_within_steps;
 }
 
-template <int dim>
-LoadStepBook<dim>::LoadStepBook(const PlaneModel& model, const AdaptiveStep& step, const ContactState& before,
-                                const std::vector<double>& load_before, std::vector<double> let_go)
+LoadStepBook::LoadStepBook(const Model& model, const AdaptiveStep& step, const ContactState& before,
+                           const std::vector<double>& load_before, std::vector<double> let_go)
     : model_(model),
       step_(step),
       before_(before),
@@ -56,9 +55,8 @@ LoadStepBook<dim>::LoadStepBook(const PlaneModel& model, const AdaptiveStep& ste
 }
 
 /// What strength takes along the law's own way, and what the mean of forces leaves out of it.
-template <int dim>
-CrackWork LoadStepBook<dim>::add_fracture(const ContactState& after, const PointField& gap, int k,
-                                          OfPoints& sum) const {
+CrackWork LoadStepBook::add_fracture(const ContactState& after, const PointField& gap, int k, OfPoints& sum) const {
+  const int dim = model_.components();
   const auto& law = model_.law()[k];
   const auto& softening = model_.softening()[k];
   const auto end_of = [&](const ContactState& state, const PointField& gaps) {
@@ -80,8 +78,8 @@ CrackWork LoadStepBook<dim>::add_fracture(const ContactState& after, const Point
 
 /// Friction takes the force at the end of the step; work has that of the mean of bounds.
 template <int dim>
-void LoadStepBook<dim>::add_friction(const ContactState& after, const PointField& gap, const CrackWork& crack, int k,
-                                     OfPoints& sum) const {
+void LoadStepBook::add_friction(const ContactState& after, const PointField& gap, const CrackWork& crack, int k,
+                                OfPoints& sum) const {
   const auto force_before = tangential<dim>(before_.lambda, k), force = tangential<dim>(after.lambda, k);
   const auto slip = tangential<dim>(gap, k) - tangential<dim>(gap_before_, k);
   const auto law = law_left(model_, after, k), law_before = law_left(model_, before_, k);
@@ -90,8 +88,7 @@ void LoadStepBook<dim>::add_friction(const ContactState& after, const PointField
   if (all == 0 && crack.slipped == 0) return;
   const bool softens = !model_.softening().empty() && model_.softening()[k].any();
   const double way = norm(slip), taken = all - (softens ? std::min(all, law.cohesion * way) : 0.0);
-  const double rubbed =
-      softens ? rubbing<dim>(model_, before_, k) : friction_bound(law_before, before_.lambda[dim * k]);
+  const double rubbed = softens ? rubbing(model_, before_, k) : friction_bound(law_before, before_.lambda[dim * k]);
   sum.friction += taken;
   sum.beyond_mean += crack.cohesion + (rubbed * way + taken) / 2 + 0.5 * dot(force_before + force, slip);
   const double peak = std::max(friction_bound(law_before, std::max(0.0, before_.lambda[dim * k])),
@@ -100,31 +97,30 @@ void LoadStepBook<dim>::add_friction(const ContactState& after, const PointField
     sum.overshoot += std::max(0.0, peak - std::max(norm(force_before), norm(force))) * std::max(way, crack.slipped);
 }
 
-template <int dim>
-typename LoadStepBook<dim>::OfPoints LoadStepBook<dim>::of_points(const ContactState& after) const {
+LoadStepBook::OfPoints LoadStepBook::of_points(const ContactState& after) const {
   OfPoints sum;
   const auto gap = step_.stone_gaps(after);
   for (int k = 0; k < model_.points().owned(); ++k) {
     if (!after.selected[k] || !model_.joined(k)) continue;
     const bool softens = !model_.softening().empty() && model_.softening()[k].any();
     const auto crack = softens ? add_fracture(after, gap, k, sum) : CrackWork{};
-    add_friction(after, gap, crack, k, sum);
+    with_components(model_.components(), [&](auto dim) { add_friction<dim>(after, gap, crack, k, sum); });
   }
   return sum;
 }
 
-template <int dim>
-EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vector<double>& load, bool jumped) const {
+EnergyOfStep LoadStepBook::close(const ContactState& after, const std::vector<double>& load, bool jumped) const {
   expect_state(model_, after);
   VOUSSOIR_EXPECT(is_of_nodes(model_, load) && "load: of node copies");
   const auto& s = model_.structure();
+  const int dim = model_.components();
   const auto reaction = step_.residual(after, load);
   const auto deformation = s.deformation(after.displacement);
   std::vector<double> ku;
   s.apply_stiffness(deformation, ku);
   EnergyOfStep energy;
   WorkOfForces work;
-  work.of_mean = beyond_the_chord<dim>(model_, before_, after, reaction_before_, reaction);
+  work.of_mean = beyond_the_chord(model_, before_, after, reaction_before_, reaction);
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
     const auto& absent = model_.absent();
     if (absent.empty() || !absent[s.block_of_node()[i / dim]]) energy.elastic += deformation[i] * ku[i] / 2;
@@ -149,7 +145,5 @@ EnergyOfStep LoadStepBook<dim>::close(const ContactState& after, const std::vect
   VOUSSOIR_ENSURE(!(energy.fracture < 0) && !(energy.friction < 0) && !(energy.jump < 0));
   return energy;
 }
-
-template class LoadStepBook<2>;
 
 }  // namespace voussoir

@@ -16,12 +16,12 @@
 // Friction takes the force at the end of the step times the slip, as the return mapping of the solver has it
 // (joints/friction_work.hpp). What is left is the imbalance: slips under a pressure that changes within the step (the
 // bound at its end less the mean of bounds), pressure of joints that open or close within it, and a share
-// of t^2/12 of what reactions do that turn with a support by t (results/turning_supports.hpp). It goes with their size.
+// of t^2/12 of what reactions do that turn with a support by t (results/plane/turning_supports.hpp). It goes with their size.
 #pragma once
 
 #include "dynamics/energy_book.hpp"
 #include "joints/crack_work.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 #include "step/adaptive_step.hpp"
 
 namespace voussoir {
@@ -42,13 +42,12 @@ struct WorkOfForces {
 void add_work(const WorkOfForces&, double beyond_mean, double overshoot, bool jumped, EnergyOfStep&);
 
 /// Opened before a load step is solved, where stones stand at its start; closed after it.
-template <int dim>
 class LoadStepBook {
  public:
   /// @param before, load_before  state and nodal loads [N] at the start; both must outlive the book
   /// @param let_go  forces of stones that are gone, none at the end [N]; what they do is removed, and no work of loads
-  LoadStepBook(const PlaneModel&, const AdaptiveStep&, const ContactState& before,
-               const std::vector<double>& load_before, std::vector<double> let_go = {});
+  LoadStepBook(const Model&, const AdaptiveStep&, const ContactState& before, const std::vector<double>& load_before,
+               std::vector<double> let_go = {});
 
   /// Collective.
   /// @param after, load  state and nodal loads [N] at the end, where stones stand now
@@ -65,9 +64,10 @@ class LoadStepBook {
   };
   OfPoints of_points(const ContactState& after) const;
   CrackWork add_fracture(const ContactState& after, const PointField& gap, int k, OfPoints&) const;
+  template <int dim>
   void add_friction(const ContactState& after, const PointField& gap, const CrackWork&, int k, OfPoints&) const;
 
-  const PlaneModel& model_;
+  const Model& model_;
   const AdaptiveStep& step_;
   const ContactState& before_;
   const std::vector<double>& load_before_;
@@ -75,7 +75,5 @@ class LoadStepBook {
   std::vector<double> reaction_before_;  ///< [N]
   PointField gap_before_;                ///< [m] of stones, gap and slip along the axes of the start
 };
-
-extern template class LoadStepBook<2>;
 
 }  // namespace voussoir

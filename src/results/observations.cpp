@@ -6,7 +6,6 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "blocks/assembly.hpp"
 #include "linalg/reduce.hpp"
 #include "loads/loads.hpp"
 #include "model/scene_fit.hpp"
@@ -19,10 +18,12 @@ using Place = ObservationParameters::Place;
 
 constexpr const char* axis[] = {"x", "y", "z"};
 
-template <int dim>
-std::vector<std::pair<int, double>> node_near(const ObservationParameters& p, const std::string& where,
-                                              const Structure<dim>& s, const std::vector<char>& observed) {
-  const auto node = nearest_node(s, Vector<dim>{p.x, p.y}, observed);
+/// Nodes of this rank with their weights.
+using Weights = std::vector<std::pair<int, double>>;
+
+Weights node_near(const ObservationParameters& p, const std::string& where, const Structure<2>& s,
+                  const std::vector<char>& observed) {
+  const auto node = nearest_node(s, Vector<2>{p.x, p.y}, observed);
   if (node.distance > p.tolerance)
     throw InputError(where + " > tolerance = " + number_text(p.tolerance) +
                      " [m]\n  is exceeded: the node nearest to (" + number_text(p.x) + ", " + number_text(p.y) +
@@ -32,31 +33,24 @@ std::vector<std::pair<int, double>> node_near(const ObservationParameters& p, co
   return {{node.local, 1.0}};
 }
 
-template <int dim>
-std::vector<std::pair<int, double>> mean_of(const Structure<dim>& s, const std::vector<char>& observed) {
-  std::vector<std::pair<int, double>> weights;
-  double mine = 0;
-  for (int n = 0; n < s.owned_blocks(); ++n) {
-    const auto& b = s.blocks()[n];
-    if (!observed[b.first_local]) continue;
-    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
-    for (std::size_t i = 0; i < volume.size(); ++i) {
-      weights.emplace_back(b.first_local + static_cast<int>(i), volume[i]);
-      mine += volume[i];
-    }
-  }
-  const double all = total_over_ranks(*s.comm(), mine);
-  for (auto& [node, weight] : weights) weight /= all;
-  return weights;
+Weights node_near(const ObservationParameters&, const std::string& where, const Structure<3>&,
+                  const std::vector<char>&) {
+  throw InputError(where +
+                   " > place = nearest node\n  is sought at (x, y), which is no place in space.\n  Take place = mean "
+                   "and a set of blocks, or place = support.");
 }
 
-/// Of the edges of a support.
-std::vector<std::pair<int, double>> mean_of(const Structure<2>& s, const std::vector<HeldNode>& held) {
+/// Of some nodes by what they weigh, [local node copies].
+Weights mean_of(const BlockSystem& s, const std::vector<double>& weight) {
   double mine = 0;
-  for (const auto& h : held) mine += h.length;
+  Weights weights;
+  for (int node = 0; node < s.owned_nodes(); ++node) {
+    if (!(weight[node] > 0)) continue;
+    weights.emplace_back(node, weight[node]);
+    mine += weight[node];
+  }
   const double all = total_over_ranks(*s.comm(), mine);
-  std::vector<std::pair<int, double>> weights;
-  for (const auto& h : held) weights.emplace_back(h.node, h.length / all);
+  for (auto& [node, share] : weights) share /= all;
   return weights;
 }
 
@@ -66,33 +60,40 @@ std::size_t index_of(const Scene& scene, const std::string& support) {
   return k;
 }
 
-/// Nodes of this rank with their weights.
-template <int dim>
-std::vector<std::pair<int, double>> motion_of(const Scene& scene, const std::string& name,
-                                              const ObservationParameters& p, const BlockSource<dim>& source,
-                                              const Structure<dim>& s, const std::vector<std::vector<HeldNode>>& held) {
-  if (p.place == Place::support) return mean_of(s, held[index_of(scene, p.support)]);
-  std::vector<char> observed(s.nodes(), 0);
-  for (const auto& b : s.blocks())
-    if (in_set(source, b.mesh, p.blocks)) std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
-  if (p.place == Place::mean) return mean_of(s, observed);
-  return node_near(p, scene.file + ": scene > observations > " + name, s, observed);
+Weights motion_of(const Scene& scene, const std::string& name, const ObservationParameters& p, const Model& model,
+                  const std::vector<std::vector<HeldNode>>& held) {
+  const auto& s = model.structure();
+  if (p.place == Place::support) {
+    std::vector<double> size(s.nodes(), 0.0);
+    for (const auto& h : held[index_of(scene, p.support)]) size[h.node] = h.size;
+    return mean_of(s, size);
+  }
+  return model.in_geometry([&](const auto& source, const auto& structure) {
+    std::vector<char> observed(s.nodes(), 0);
+    for (const auto& b : structure.blocks())
+      if (in_set(source, b.mesh, p.blocks)) std::fill_n(observed.begin() + b.first_local, b.mesh.position.size(), 1);
+    if (p.place != Place::mean)
+      return node_near(p, scene.file + ": scene > observations > " + name, structure, observed);
+    auto volume = s.nodal_volumes();
+    for (std::size_t i = 0; i < volume.size(); ++i)
+      if (!observed[i]) volume[i] = 0;
+    return mean_of(s, volume);
+  });
 }
 
 }  // namespace
 
-template <int dim>
-Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& s)
-    : structure_(s), comm_(s.comm()) {
+Observations::Observations(const Scene& scene, const Model& model) : structure_(model.structure()) {
   if (scene.observations.empty()) return;
+  const int dim = model.components();
   bool in_time = false;
   for (const auto& stage : scene.stages) in_time |= stage.dynamic();
   std::vector<std::vector<HeldNode>> held;
   if (std::any_of(scene.observations.begin(), scene.observations.end(),
                   [](const auto& o) { return o.parameters.place == Place::support; }))
-    held = held_nodes(scene.supports, source, s);
+    held = held_nodes(scene.supports, model);
   for (const auto& [name, p] : scene.observations) {
-    const auto motion = motion_of(scene, name, p, source, s, held);
+    const auto motion = motion_of(scene, name, p, model, held);
     const auto add = [&, name = name](Field field, const std::string& quantity, const auto& weight) {
       for (int c = 0; c < dim; ++c) {
         std::string column = quantity;
@@ -118,17 +119,18 @@ Observations<dim>::Observations(const Scene& scene, const BlockSource<dim>& sour
   }
 }
 
-template <int dim>
-std::vector<double> Observations<dim>::values(const Observed& observed) const {
+std::vector<double> Observations::values(const Observed& observed) const {
   if (columns_.empty()) return {};
+  const int dim = structure_.components();
   const auto nodes = static_cast<std::size_t>(dim) * structure_.nodes();
   VOUSSOIR_EXPECT(observed.displacement.size() == nodes && "displacement: of node copies");
   VOUSSOIR_EXPECT((observed.velocity.empty() || observed.velocity.size() == nodes) &&
                   "velocity: of node copies, or none");
   VOUSSOIR_EXPECT((observed.reaction.empty() || observed.reaction.size() == nodes) &&
                   "reaction: of node copies, or none");
-  VOUSSOIR_EXPECT((observed.absent.empty() || observed.absent.size() == structure_.blocks().size()) &&
-                  "absent: per block, or none");
+  VOUSSOIR_EXPECT(
+      (observed.absent.empty() || observed.absent.size() == static_cast<std::size_t>(structure_.local_blocks())) &&
+      "absent: per block, or none");
   const auto of = [&](Field f) -> const std::vector<double>& {
     return f == Field::displacement ? observed.displacement
            : f == Field::velocity   ? observed.velocity
@@ -143,7 +145,7 @@ std::vector<double> Observations<dim>::values(const Observed& observed) const {
     if (const auto& field = of(sums_[k].field); !field.empty())
       for (const auto& [at, weight] : sums_[k].weights)
         (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
-  auto all = total_of_each(*comm_, mine);
+  auto all = total_of_each(*structure_.comm(), mine);
   constexpr double round_off = 1e-9;  // of weights, which add up to 1
   for (std::size_t k = 0; k < columns; ++k) {
     const bool is_mean = sums_[k].field != Field::reaction;
@@ -157,7 +159,5 @@ std::vector<double> Observations<dim>::values(const Observed& observed) const {
   all.resize(columns);
   return all;
 }
-
-template class Observations<2>;
 
 }  // namespace voussoir

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "blocks/structure.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -19,12 +19,11 @@ struct Observed {
 };
 
 /// Weights of owned nodes whose sum is the motion of each place: one node, the volumes of a set of blocks, or the edges
-/// of a support.
-template <int dim>
+/// or faces of a support.
 class Observations {
  public:
   /// Holds nothing for a scene without observations. Collective; throws InputError on every rank when no node is near.
-  Observations(const Scene&, const BlockSource<dim>&, const Structure<dim>&);
+  Observations(const Scene&, const Model&);
 
   /// "ux_m of crown", ...: displacements, and velocities when the scene has stages with a duration. Of a support also
   /// its force on the structure, "fx_N of pier", ...
@@ -46,13 +45,10 @@ class Observations {
     std::vector<Weight> weights;
   };
 
-  const Structure<dim>& structure_;
+  const BlockSystem& structure_;
   std::vector<Sum> sums_;  ///< by column
   std::vector<std::string> columns_;
   bool ask_reactions_ = false;
-  Teuchos::RCP<const Teuchos::Comm<int>> comm_;
 };
-
-extern template class Observations<2>;
 
 }  // namespace voussoir

@@ -20,14 +20,15 @@ constexpr double round_off = 1e-12;  // of a number of time steps, which is a qu
 constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
 
 /// Makes the loads and applies them once in full: bytes they hold and seconds of a load step.
-void print_effect_costs(const Scene& scene, const BlockSource<2>& source, const Structure<2>& structure,
+template <int dim>
+void print_effect_costs(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure,
                         const ContactPoints& points, std::ostream& say) {
   const auto& comm = *structure.comm();
-  const LoadsAtWork<2> loads(scene, source, structure);
+  const LoadsAtWork loads(scene, source, structure);
   const auto made = loads.costs(comm);
   std::map<std::string, double> factors;
   for (const auto& load : scene.loads) factors[load.name] = 1.0;
-  std::vector<double> force(2 * structure.nodes()), prescribed(force.size());
+  std::vector<double> force(dim * structure.nodes()), prescribed(force.size());
   loads.add(factors, 0.0, force, prescribed);
   say << "effects\n"
       << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16) << "[s] per step"
@@ -53,14 +54,15 @@ std::string steps_text(int steps, const std::string& kind, int solves) {
 
 }  // namespace
 
-void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+template <int dim>
+void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
              std::ostream& say) {
   std::vector<int> owner(source.block_count());
   for (BlockId b = 0; b < source.block_count(); ++b)  // equal shares are enough for counting
     owner[b] = static_cast<int>(static_cast<long long>(b) * comm->getSize() / source.block_count());
-  const Structure<2> structure(
+  const Structure<dim> structure(
       source, owner, scene.model,
-      [](const Block<2>&) {
+      [](const Block<dim>&) {
         return Material{1.0, 0.0, 1.0};
       },
       comm);
@@ -77,12 +79,12 @@ void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RC
       as_it_goes = true;
   }
   if (scene.load_factor.asked()) load_steps += attempts_at_load_factor;
-  const auto unknowns = static_cast<double>(2 * structure.total_nodes());
+  const auto unknowns = static_cast<double>(dim * structure.total_nodes());
   const int solves = scene.selection.mode == SelectionMode::bonded ? solves_bonded
                      : scene.selection.mode == SelectionMode::all  ? solves_all
                                                                    : solves_adaptive;
   say << source.block_count() << " blocks, " << points.total_joints() << " joints, " << structure.total_nodes()
-      << " nodes, " << 2 * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
+      << " nodes, " << dim * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
       << steps_text(load_steps, "load", solves);
   say << steps_text(time_steps, "time", solves_in_time);
   if (as_it_goes) say << "time steps of stages that leave their length to the program: as many as it finds it needs\n";
@@ -93,5 +95,8 @@ void predict(const Scene& scene, const BlockSource<2>& source, const Teuchos::RC
       << " ranks (within a factor of three)\n";
   print_effect_costs(scene, source, structure, points, say);
 }
+
+template void predict(const Scene&, const BlockSource<2>&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
+                      std::ostream&);
 
 }  // namespace voussoir

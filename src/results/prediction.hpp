@@ -11,6 +11,7 @@
 namespace voussoir {
 
 /// Builds blocks and joints (no solver), counts them and says what to expect. Collective.
-void predict(const Scene&, const BlockSource<2>&, const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream& say);
+template <int dim>
+void predict(const Scene&, const BlockSource<dim>&, const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream& say);
 
 }  // namespace voussoir

@@ -13,6 +13,7 @@
 #include "model/joint_strength.hpp"
 #include "model/phase.hpp"
 #include "model/plane/plane_model.hpp"
+#include "results/mesh_rows.hpp"
 #include "results/step_warnings.hpp"
 
 namespace voussoir {
@@ -24,8 +25,6 @@ constexpr double seen = 1e-3;
 // As the numbers of fields.h5.
 constexpr int open = static_cast<int>(PointStatus::open), stick = static_cast<int>(PointStatus::stick),
               slip = static_cast<int>(PointStatus::slip), bonded = static_cast<int>(PointStatus::bonded);
-
-constexpr int stresses_of_cell = 3;
 
 // Of stones that are not there, and of their joints.
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -39,10 +38,9 @@ double tangential(const PointField& f, int k, int dim) {
 
 }  // namespace
 
-template <int dim>
-Recorder<dim>::Recorder(const Scene& scene, const PlaneModel& model, const AdaptiveStep& step,
-                        const std::string& folder, const Record& so_far)
-    : model_(model), step_(step), observations_(scene, model.source(), model.structure()), record_(so_far) {
+Recorder::Recorder(const Scene& scene, const Model& model, const AdaptiveStep& step, const std::string& folder,
+                   const Record& so_far)
+    : model_(model), step_(step), observations_(scene, model), record_(so_far) {
   Phase phase("output");
   const auto& comm = model.structure().comm();
   history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps, observations_.columns());
@@ -51,64 +49,31 @@ Recorder<dim>::Recorder(const Scene& scene, const PlaneModel& model, const Adapt
     const bool kept = so_far.written > 0 && cut_fields(path, so_far.written, *comm);
     fields_lost_ = so_far.written > 0 && !kept;
     if (!kept) record_.written = 0;
-    fields_ = std::make_unique<FieldsFile>(path, comm, dim, record_.written);
+    fields_ = std::make_unique<FieldsFile>(path, comm, model.components(), record_.written);
     write_tables();
   }
   auto& sum = record_.summary;
   sum.scene = scene.file;
   sum.ranks = comm->getSize();
-  sum.blocks = model.source().block_count();
+  sum.blocks = model.block_count();
   sum.joints = model.points().total_joints();
   sum.nodes = model.structure().total_nodes();
-  sum.unknowns = dim * sum.nodes;
+  sum.unknowns = model.components() * sum.nodes;
   sum.candidate_points = model.points().total();
 }
 
-template <int dim>
-void Recorder<dim>::write_tables() {
+void Recorder::write_tables() {
   const auto& s = model_.structure();
-  MeshRows mesh;
-  mesh.block_set_names = model_.source().block_sets();
-  std::size_t most = 0;
-  for (int b = 0; b < s.owned_blocks(); ++b) most = std::max(most, s.blocks()[b].mesh.sets.size());
-  mesh.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<long long>(most)));
-  // Cells are numbered block by block, like nodes.
-  std::vector<long long> mine(s.owner_of_block().size(), 0);
-  for (int b = 0; b < s.owned_blocks(); ++b)
-    mine[s.blocks()[b].mesh.id] = static_cast<long long>(s.blocks()[b].mesh.cells.size());
-  const auto cells = total_of_each(*s.comm(), mine);
-  std::vector<long long> first(cells.size() + 1, 0);
-  for (std::size_t b = 0; b < cells.size(); ++b) first[b + 1] = first[b] + cells[b];
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto& block = s.blocks()[b];
-    mesh.block.push_back(block.mesh.id);
-    mesh.block_set.push_back(block.mesh.sets.empty() ? -1 : block.mesh.sets.front());
-    for (int k = 0; k < mesh.sets_of_a_block; ++k)
-      mesh.block_sets.push_back(k < static_cast<int>(block.mesh.sets.size()) ? block.mesh.sets[k] : -1);
-    for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
-      mesh.node.push_back(block.first_node + static_cast<NodeId>(i));
-      mesh.block_of_node.push_back(block.mesh.id);
-      const auto held = model_.held().begin() + dim * (block.first_local + static_cast<long>(i));
-      mesh.held.push_back(std::any_of(held, held + dim, [](char one) { return one != 0; }));
-      mesh.coordinates.insert(mesh.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
-    }
-    for (std::size_t c = 0; c < block.mesh.cells.size(); ++c) {
-      const auto& cell = block.mesh.cells[c];
-      mesh.cell.push_back(first[block.mesh.id] + static_cast<long long>(c));
-      mesh.corner_count.push_back(cell.count);
-      mesh.block_of_cell.push_back(block.mesh.id);
-      for (int i = 0; i < cell.count; ++i) mesh.corners.push_back(block.first_node + cell.node[i]);
-    }
-  }
-  fields_->write_mesh(mesh);
-
+  const int dim = model_.components();
+  fields_->write_mesh(model_.in_geometry(
+      [&](const auto& source, const auto& structure) { return mesh_rows(source, structure, model_.held()); }));
   JointRows joints;
   for (int k = 0; k < model_.points().owned(); ++k) {
     const auto& p = model_.points().points()[k];
     joints.point.push_back(p.id);
     const auto nodes = model_.points().at(k);
-    const auto x = nodes.place(Side::i, s.position());
-    joints.position.insert(joints.position.end(), x.begin(), x.end());
+    const auto x = nodes.place(Side::i, s);
+    joints.position.insert(joints.position.end(), x.begin(), x.begin() + dim);
     joints.normal.insert(joints.normal.end(), p.axis[0].begin(), p.axis[0].begin() + dim);
     joints.area.push_back(p.area);
     joints.block_i.push_back(model_.points().joints()[p.joint].block_i);
@@ -119,27 +84,34 @@ void Recorder<dim>::write_tables() {
   fields_->write_joints(joints);
 }
 
-template <int dim>
-void Recorder<dim>::write_step(const ContactState& state, const std::vector<double>& displacement,
-                               const std::vector<double>& deformation, const std::vector<int>& status,
-                               const std::string& stage, double load_factor, std::optional<double> time) {
+/// Of the cells of this rank [Pa]; stones that are not there have none.
+std::vector<double> Recorder::stresses(const std::vector<double>& deformation) const {
+  const auto& s = plane_geometry(model_).structure;
+  auto stress = cell_stresses(s, deformation, free_strain_);
+  const int dim = model_.components(), of_cell = dim * (dim + 1) / 2;
+  auto of_block = stress.begin();
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * of_cell;
+    if (!model_.absent().empty() && model_.absent()[b]) std::fill_n(of_block, values, nothing);
+    of_block += values;
+  }
+  return stress;
+}
+
+void Recorder::write_step(const ContactState& state, const std::vector<double>& displacement,
+                          const std::vector<double>& deformation, const std::vector<int>& status,
+                          const std::string& stage, double load_factor, std::optional<double> time) {
   if (!fields_) return;
   StepRows rows;
   rows.number = ++record_.written;
   rows.stage = stage;
   rows.load_factor = load_factor;
   rows.time = time;
-  const auto& s = model_.structure();
-  const auto owned = dim * s.owned_nodes();
+  const int dim = model_.components();
+  const auto owned = dim * model_.structure().owned_nodes();
   if (time) rows.velocity.assign(state.velocity.begin(), state.velocity.begin() + owned);
   rows.displacement.assign(displacement.begin(), displacement.begin() + owned);
-  rows.stress = cell_stresses(s, deformation, free_strain_);
-  auto of_cell = rows.stress.begin();
-  for (int b = 0; b < s.owned_blocks(); ++b) {  // stones that are not there have none
-    const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * stresses_of_cell;
-    if (!model_.absent().empty() && model_.absent()[b]) std::fill_n(of_cell, values, nothing);
-    of_cell += values;
-  }
+  rows.stress = stresses(deformation);
   const auto gap = step_.gaps(displacement);
   for (int k = 0; k < model_.points().owned(); ++k) {
     const bool joined = model_.joined(k);
@@ -158,10 +130,9 @@ void Recorder<dim>::write_step(const ContactState& state, const std::vector<doub
   fields_->write_step(rows);
 }
 
-template <int dim>
-void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& after, const std::vector<double>& load,
-                           const StepReport& report, const std::string& stage, double load_factor, bool write_fields,
-                           double seconds) {
+void Recorder::record(const LoadStepBook& book, const ContactState& after, const std::vector<double>& load,
+                      const StepReport& report, const std::string& stage, double load_factor, bool write_fields,
+                      double seconds) {
   Phase phase("output");
   const bool jump = report.passed_in_time || jumped(report, model_.settings().internals.step);
   record_.energy.advance(book.close(after, load, jump));
@@ -169,9 +140,8 @@ void Recorder<dim>::record(const LoadStepBook<dim>& book, const ContactState& af
   finish(after, report, stage, load_factor, {}, reaction, write_fields, seconds);
 }
 
-template <int dim>
-void Recorder<dim>::record(const ContactState& after, const TimeStepReport& report, const std::string& stage,
-                           double stage_share, double time, bool write_fields, double seconds) {
+void Recorder::record(const ContactState& after, const TimeStepReport& report, const std::string& stage,
+                      double stage_share, double time, bool write_fields, double seconds) {
   Phase phase("output");
   EnergyOfStep energy;
   energy.elastic = report.elastic;
@@ -187,8 +157,7 @@ void Recorder<dim>::record(const ContactState& after, const TimeStepReport& repo
 }
 
 /// Points by status, of all ranks.
-template <int dim>
-void Recorder<dim>::count(const std::vector<int>& status, StepNumbers& numbers) const {
+void Recorder::count(const std::vector<int>& status, StepNumbers& numbers) const {
   for (const int s : status) VOUSSOIR_EXPECT(s >= open && s <= bonded && "status: one of those of fields.h5");
   std::array<long long, 4> mine{};
   for (int s : status) ++mine[s];
@@ -200,8 +169,8 @@ void Recorder<dim>::count(const std::vector<int>& status, StepNumbers& numbers) 
 }
 
 /// Of a node [m], over all ranks.
-template <int dim>
-double Recorder<dim>::largest_displacement(const std::vector<double>& displacement) const {
+double Recorder::largest_displacement(const std::vector<double>& displacement) const {
+  const int dim = model_.components();
   double largest = 0;
   const auto& absent = model_.absent();
   for (int i = 0; i < model_.structure().owned_nodes(); ++i) {
@@ -213,16 +182,14 @@ double Recorder<dim>::largest_displacement(const std::vector<double>& displaceme
   return largest_over_ranks(*model_.structure().comm(), largest);
 }
 
-template <int dim>
-RunSummary Recorder<dim>::result() const {
+RunSummary Recorder::result() const {
   auto sum = record_.summary;
   sum.add_work(record_.in_vain);
   return sum;
 }
 
 /// The sums of the run.
-template <int dim>
-void Recorder<dim>::add_to_sums(const StepNumbers& numbers, double load_factor, double largest_displacement) {
+void Recorder::add_to_sums(const StepNumbers& numbers, double load_factor, double largest_displacement) {
   const auto& energy = record_.energy;
   auto& sum = record_.summary;
   sum.add_step(numbers);
@@ -236,10 +203,9 @@ void Recorder<dim>::add_to_sums(const StepNumbers& numbers, double load_factor, 
 }
 
 /// Counts, the row of the history, the sums of the run, and the fields.
-template <int dim>
-void Recorder<dim>::finish(const ContactState& after, const StepReport& report, const std::string& stage,
-                           double load_factor, std::optional<double> time, const std::vector<double>& reaction,
-                           bool write_fields, double seconds) {
+void Recorder::finish(const ContactState& after, const StepReport& report, const std::string& stage, double load_factor,
+                      std::optional<double> time, const std::vector<double>& reaction, bool write_fields,
+                      double seconds) {
   expect_state(model_, after);
   VOUSSOIR_EXPECT((reaction.empty() || is_of_nodes(model_, reaction)) && "reactions: of node copies, or none");
   VOUSSOIR_EXPECT(seconds >= 0 && "seconds: not negative");
@@ -269,8 +235,8 @@ void Recorder<dim>::finish(const ContactState& after, const StepReport& report, 
   if (write_fields) write_step(after, u, model_.structure().deformation(u), status, stage, load_factor, time);
 }
 
-template <int dim>
-std::vector<int> Recorder<dim>::statuses_of_motion(const PointField& opening) const {
+std::vector<int> Recorder::statuses_of_motion(const PointField& opening) const {
+  const int dim = model_.components();
   std::vector<int> status(model_.points().owned(), stick);
   for (int k = 0; k < model_.points().owned(); ++k) {
     if (std::abs(tangential(opening, k, dim)) > seen) status[k] = slip;
@@ -280,9 +246,8 @@ std::vector<int> Recorder<dim>::statuses_of_motion(const PointField& opening) co
   return status;
 }
 
-template <int dim>
-void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const ContactState& state,
-                                     const std::string& stage, double load_factor) {
+void Recorder::record_mechanism(const std::vector<double>& mechanism, const ContactState& state,
+                                const std::string& stage, double load_factor) {
   VOUSSOIR_EXPECT(is_of_nodes(model_, mechanism) && "mechanism: of node copies");
   VOUSSOIR_EXPECT(is_of_points(model_, state.lambda) && is_per_point(model_, state.selected) && "state: of the points");
   Phase phase("output");
@@ -290,8 +255,7 @@ void Recorder<dim>::record_mechanism(const std::vector<double>& mechanism, const
              {});
 }
 
-template <int dim>
-void Recorder<dim>::record_forces(const PointField& force, const std::string& stage, double load_factor) {
+void Recorder::record_forces(const PointField& force, const std::string& stage, double load_factor) {
   VOUSSOIR_EXPECT(is_of_points(model_, force) && "force: of points");
   Phase phase("output");
   auto state = step_.initial_state();
@@ -299,7 +263,5 @@ void Recorder<dim>::record_forces(const PointField& force, const std::string& st
   const std::vector<int> status(model_.points().owned(), bonded);
   write_step(state, state.displacement, state.displacement, status, stage, load_factor, {});
 }
-
-template class Recorder<2>;
 
 }  // namespace voussoir

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "dynamics/energy_book.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 #include "model/step_counts.hpp"
 #include "output/fields_file.hpp"
 #include "output/history.hpp"
@@ -30,17 +30,16 @@ struct Record {
   void keep(Archive& archive);
 };
 
-template <int dim>
 class Recorder {
  public:
   /// Writes mesh and joints to folder/fields.h5, unless the scene wants no fields. Collective, like all its functions.
   /// @param so_far  of an earlier run to go on with: its files are cut behind the steps recorded here
-  Recorder(const Scene&, const PlaneModel&, const AdaptiveStep&, const std::string& folder, const Record& so_far = {});
+  Recorder(const Scene&, const Model&, const AdaptiveStep&, const std::string& folder, const Record& so_far = {});
 
   /// Books and writes a load step that was solved.
   /// @param book  opened before it was;  @param after, load  state and nodal loads [N] at its end
-  void record(const LoadStepBook<dim>& book, const ContactState& after, const std::vector<double>& load,
-              const StepReport&, const std::string& stage, double load_factor, bool write_fields, double seconds);
+  void record(const LoadStepBook& book, const ContactState& after, const std::vector<double>& load, const StepReport&,
+              const std::string& stage, double load_factor, bool write_fields, double seconds);
   /// Strain that stresses do not see from the next step on, such as by heat [-, per local block; empty for none].
   void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
   /// Books and writes a time step that was solved.
@@ -74,6 +73,7 @@ class Recorder {
  private:
   void write_tables();
   std::vector<int> statuses_of_motion(const PointField& opening) const;
+  std::vector<double> stresses(const std::vector<double>& deformation) const;
   /// @param deformation  what of the displacement strains the stones
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
                   const std::vector<int>& status, const std::string& stage, double load_factor,
@@ -84,9 +84,9 @@ class Recorder {
   void finish(const ContactState& after, const StepReport&, const std::string& stage, double load_factor,
               std::optional<double> time, const std::vector<double>& reaction, bool write_fields, double seconds);
 
-  const PlaneModel& model_;
+  const Model& model_;
   const AdaptiveStep& step_;
-  Observations<dim> observations_;
+  Observations observations_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;
   std::vector<double> free_strain_;
@@ -134,7 +134,5 @@ void Record::keep(Archive& archive) {
   }
   summary.energy = {energy.sums(), energy.imbalance(), energy.imbalance_in_time()};
 }
-
-extern template class Recorder<2>;
 
 }  // namespace voussoir

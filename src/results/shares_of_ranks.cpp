@@ -1,20 +1,23 @@
 #include "results/shares_of_ranks.hpp"
 
-#include "model/plane/plane_model.hpp"
-
 #include <algorithm>
+
+#include "linalg/reduce.hpp"
 
 namespace voussoir {
 
-PartitionQuality partition_quality(const PlaneModel& model) {
-  const auto& source = model.source();
-  std::vector<double> work;
-  for (BlockId b = 0; b < source.block_count(); ++b) work.push_back(2 * source.node_count(b));
+PartitionQuality partition_quality(const Model& model) {
   const auto& structure = model.structure();
-  return partition_quality(source.graph(), structure.owner_of_block(), work, structure.comm()->getSize());
+  std::vector<double> work(structure.owner_of_block().size(), 0.0);
+  for (int b = 0; b < structure.owned_blocks(); ++b) {
+    const auto& block = structure.nodes_of(b);
+    work[block.id] = structure.components() * block.nodes;
+  }
+  return partition_quality(model.graph(), structure.owner_of_block(), total_of_each(*structure.comm(), work),
+                           structure.comm()->getSize());
 }
 
-double imbalance_of_selected(const PlaneModel& model, const ContactState& state) {
+double imbalance_of_selected(const Model& model, const ContactState& state) {
   const auto mine = std::count(state.selected.begin(), state.selected.begin() + model.points().owned(), 1);
   return imbalance(*model.structure().comm(), mine);
 }

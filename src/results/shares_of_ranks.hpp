@@ -3,14 +3,14 @@
 
 #include "mesh/partition_quality.hpp"
 #include "model/contact_problem.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 
-/// Of the blocks, as the partition weighs them: unknowns.
-PartitionQuality partition_quality(const PlaneModel&);
+/// Of the blocks, as the partition weighs them: unknowns. Collective.
+PartitionQuality partition_quality(const Model&);
 
 /// [-] Selected points of a rank, the most over the mean. Collective.
-double imbalance_of_selected(const PlaneModel&, const ContactState&);
+double imbalance_of_selected(const Model&, const ContactState&);
 
 }  // namespace voussoir

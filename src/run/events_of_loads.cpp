@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/plane/plane_model.hpp"
 #include "range/range_check.hpp"
 #include "scene/scene.hpp"

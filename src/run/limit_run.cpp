@@ -7,7 +7,8 @@
 #include "model/construction.hpp"
 #include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
-#include "results/mechanism_words.hpp"
+#include "results/largest_mover.hpp"
+#include "results/plane/mechanism_words.hpp"
 #include "results/recorder.hpp"
 #include "run/rigid_limits.hpp"
 #include "statics/limit_analysis_parameters.hpp"
@@ -165,7 +166,7 @@ class LimitRun {
   const Scene& scene_;
   std::ostream& say_;
   AdaptiveStep step_;
-  Recorder<2> recorder_;
+  Recorder recorder_;
 };
 
 }  // namespace

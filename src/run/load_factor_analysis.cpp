@@ -7,8 +7,10 @@
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/plane/plane_model.hpp"
-#include "results/mechanism_words.hpp"
+#include "results/largest_mover.hpp"
+#include "results/plane/mechanism_words.hpp"
 #include "results/step_warnings.hpp"
 #include "run/load_factor_analysis_parameters.hpp"
 #include "run/settling_in_time.hpp"
@@ -147,7 +149,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   run.narrator.begin(summary.steps + 1, stage, factor, 1.0);
   Teuchos::Time clock("attempt", true);
   const ContactState before = run.state;
-  const LoadStepBook<2> book(run.model, run.step, before, run.load);
+  const LoadStepBook book(run.model, run.step, before, run.load);
   const auto found = decide(run, before, {run.load, next_load, prescribed});
   const auto& report = found.report;
   if (report.newton.outcome == NewtonOutcome::stopped) return;  // the run is

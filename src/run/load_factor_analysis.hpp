@@ -30,7 +30,7 @@ struct Attempting {
   const LoadSteps& steps;     ///< all stages of which have been passed
   ContactState& state;        ///< the last equilibrium
   std::vector<double>& load;  ///< [N] its nodal loads
-  Recorder<2>& recorder;
+  Recorder& recorder;
   Narrator& narrator;
   RangeCheck& range;
 };

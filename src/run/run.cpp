@@ -6,12 +6,14 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
 #include "model/plane/plane_model.hpp"
 #include "range/coarse_joints.hpp"
 #include "range/input_warnings.hpp"
-#include "results/masonry_statics.hpp"
-#include "results/mechanism_words.hpp"
+#include "results/largest_mover.hpp"
+#include "results/plane/masonry_statics.hpp"
+#include "results/plane/mechanism_words.hpp"
 #include "results/shares_of_ranks.hpp"
 #include "results/step_warnings.hpp"
 #include "run/events_of_loads.hpp"
@@ -66,7 +68,7 @@ Run::Run(const Scene& scene, PlaneModel& model, const RunOptions& options, const
   refuse_jumps_of_supports(scene, model);
   if (branched) branched->copy_records(scene.output.fields);
   // What is looked up by place is looked up where the structure was drawn, then it goes to where it has moved to.
-  recorder_ = std::make_unique<Recorder<2>>(scene, model, step_, options.folder, so_far);
+  recorder_ = std::make_unique<Recorder>(scene, model, step_, options.folder, so_far);
   if ((options.restart || branched) && model.settings().rotations == Rotations::finite)
     model_.follow(state_.displacement);
   if (recorder_->fields_lost())
@@ -165,7 +167,7 @@ bool Run::load_step(const ContactState& before) {
   Teuchos::Time clock("step", true);
   std::optional<ContactState> changed;
   const auto& start = start_of(construction_.builds(), before, state_, changed);
-  const LoadStepBook<2> book(model_, step_, start, load_, construction_.let_go());
+  const LoadStepBook book(model_, step_, start, load_, construction_.let_go());
   theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
   if (signalled_) return false;

@@ -135,7 +135,7 @@ class Run {
   bool nothing_left_ = false;
   std::map<std::string, double> seconds_;         ///< by phase, of earlier parts of the run
   std::map<std::string, double> seconds_so_far_;  ///< the same with this part
-  std::unique_ptr<Recorder<2>> recorder_;
+  std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Narrator> narrator_;
 };
 

@@ -3,6 +3,7 @@
 #include <Teuchos_Time.hpp>
 #include <optional>
 
+#include "model/loads_at_work.hpp"
 #include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
 #include "range/input_warnings.hpp"

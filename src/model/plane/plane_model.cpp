@@ -13,6 +13,7 @@
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/partition.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
 #include "scene/scene.hpp"
@@ -54,7 +55,7 @@ PlaneModel::PlaneModel(const Scene& scene, const BlockSource<2>& source,
   }
   {
     Phase phase("loads");
-    loads_ = std::make_unique<LoadsAtWork<2>>(scene, source, *structure_);
+    loads_ = std::make_shared<const LoadsAtWork>(scene, source, *structure_);
   }
   if (!only_time(scene.stages)) make_continuum();
 }
@@ -155,15 +156,6 @@ std::vector<char> PlaneModel::between_supports() const {
 
 double PlaneModel::stiffness_beside(int node) const {
   return structure_->blocks()[structure_->block_of_node()[node]].material.young_modulus * structure_->model().thickness;
-}
-
-void PlaneModel::add_loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
-                           std::vector<double>& prescribed) const {
-  loads_->add(factors, time, force, prescribed);
-}
-
-void PlaneModel::add_mean_loads(const StepInTime& step, std::vector<double>& force) const {
-  loads_->add_mean(step, force);
 }
 
 double PlaneModel::follow(const std::vector<double>& displacement) {

@@ -1,7 +1,6 @@
-// A model of the plane: where its blocks come from, and what supports, loads, mass and waves are by their geometry.
+// A model of the plane: where its blocks come from, and what supports, mass and waves are by their geometry.
 #pragma once
 
-#include "model/loads_at_work.hpp"
 #include "model/model.hpp"
 
 namespace voussoir {
@@ -13,8 +12,8 @@ class PlaneModel : public Model {
 
   const BlockSource<2>& source() const { return source_; }
   const Structure<2>& structure() const override { return *structure_; }
+  AnyGeometry geometry() const override { return Geometry<2>{source_, *structure_}; }
   const BlockGraph& graph() const override { return source_.graph(); }
-  const LoadsAtWork<2>& loads_at_work() const { return *loads_; }
   double follow(const std::vector<double>& displacement) override;
   std::unique_ptr<const BlockSystem> mass() const override;
   std::unique_ptr<Model> of_time_step(const BlockSystem& mass, const MidpointRule&, double tolerance) const override;
@@ -28,14 +27,13 @@ class PlaneModel : public Model {
   void hold_supports() override;
   std::vector<char> between_supports() const;
   double stiffness_beside(int node) const override;
-  void add_loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
-                 std::vector<double>& prescribed) const override;
-  void add_mean_loads(const StepInTime&, std::vector<double>& force) const override;
   Vector<2> centre_of_rotation(const InitialVelocityParameters&) const;
 
   const BlockSource<2>& source_;
   std::unique_ptr<Structure<2>> structure_;
-  std::unique_ptr<LoadsAtWork<2>> loads_;
 };
+
+/// Of a model that is one of the plane.
+inline Geometry<2> plane_geometry(const Model& model) { return std::get<Geometry<2>>(model.geometry()); }
 
 }  // namespace voussoir

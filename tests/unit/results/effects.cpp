@@ -5,6 +5,7 @@
 
 #include "blocks/stresses.hpp"
 #include "linalg/reduce.hpp"
+#include "model/loads_at_work.hpp"
 #include "results/effect_costs.hpp"
 #include "scene/scene_effects.hpp"
 #include "support/scenes.hpp"

@@ -22,7 +22,7 @@ Scene observed(const std::string& name, const ObservationParameters& place) {
   return scene;
 }
 
-Observations<2> observations(const Experiment& e) { return {e.scene(), e.model().source(), e.model().structure()}; }
+Observations observations(const Experiment& e) { return {e.scene(), e.model()}; }
 
 /// u = a linear field of the place, on every local node copy.
 std::vector<double> linear_field(const Experiment& e, double a, double b, double c) {
@@ -101,7 +101,7 @@ TEUCHOS_UNIT_TEST(Observations, ASupportShowsItsMotionAndTheForceItBears) {
   const auto forces = linear_field(wall, 3.0, 0, 0);  // 3 N along x at every node copy
   const auto values = at.values({linear_field(wall, 0.25, 0, 1.0), {}, forces, {}});
   TEST_FLOATING_EQUALITY(values[0], 0.25, 1e-12);
-  const auto nodes = held_nodes(wall.scene().supports, wall.model().source(), wall.model().structure());
+  const auto nodes = held_nodes(wall.scene().supports, wall.model());
   const double mine = static_cast<double>(nodes.front().size());
   const double all = total_over_ranks(*wall.model().structure().comm(), mine);
   TEST_ASSERT(all > 0);

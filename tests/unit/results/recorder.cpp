@@ -30,10 +30,10 @@ int rows_of(const std::string& folder) {
 /// Two half stones that are free to leave the stone below them, and what is recorded of them.
 struct Recorded {
   Experiment wall;
-  std::unique_ptr<Recorder<2>> recorder;
+  std::unique_ptr<Recorder> recorder;
 
   explicit Recorded(const std::string& folder, const Record& so_far = {}) : wall(scene()) {
-    recorder = std::make_unique<Recorder<2>>(wall.scene(), wall.model(), wall.step(), folder, so_far);
+    recorder = std::make_unique<Recorder>(wall.scene(), wall.model(), wall.step(), folder, so_far);
   }
   static Scene scene() {
     Scene scene = tied_wall();
@@ -43,7 +43,7 @@ struct Recorded {
   StepReport step(double sideways) {
     const ContactState before = wall.state();
     const auto load_before = wall.load();
-    const LoadStepBook<2> book(wall.model(), wall.step(), before, load_before);
+    const LoadStepBook book(wall.model(), wall.step(), before, load_before);
     if (!wall.advance({{"weight", 1}, {"sideways", sideways}})) throw std::runtime_error("no equilibrium");
     const StepReport report = wall.solution().last;
     recorder->record(book, wall.state(), wall.load(), report, "a stage", sideways, true, 0.5);
@@ -77,7 +77,7 @@ TEUCHOS_UNIT_TEST(Recorder, StatusesAreThoseOfForcesAndGaps) {
   r.step(0);
   auto& state = r.wall.state();
   const ContactState before = state;
-  const LoadStepBook<2> book(r.wall.model(), r.wall.step(), before, r.wall.load());
+  const LoadStepBook book(r.wall.model(), r.wall.step(), before, r.wall.load());
   const auto& model = r.wall.model();
   long long by_hand[3] = {0, 0, 0};
   for (int k = 0; k < model.points().size(); ++k) {

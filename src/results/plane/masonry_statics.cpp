@@ -1,4 +1,4 @@
-#include "results/masonry_statics.hpp"
+#include "results/plane/masonry_statics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,8 @@ constexpr double beside_a_hinge = 0.05;
 constexpr std::size_t longest_list = 50;  // in result.json; all are in joints.csv
 
 /// Rows of the joints whose block i this rank owns; all points of a joint are with its owner.
-std::vector<JointRow> rows_here(const PlaneModel& model, const AdaptiveStep& step, const ContactState& state) {
+std::vector<JointRow> rows_here(const Model& model, const AdaptiveStep& step, const ContactState& state) {
+  const auto [source, structure] = plane_geometry(model);
   const auto& points = model.points();
   const auto gap = step.stone_gaps(state);
   std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
@@ -38,10 +39,10 @@ std::vector<JointRow> rows_here(const PlaneModel& model, const AdaptiveStep& ste
     area[p.joint] += p.area;
     joined[p.joint] = model.joined(k);
     lost[p.joint] += p.area * damage_of(model, state, k);
-    of_joint[p.joint].push_back({points.at(k).place(Side::i, model.structure().position()), in_plane(p.axis[0]),
+    of_joint[p.joint].push_back({points.at(k).place(Side::i, structure.position()), in_plane(p.axis[0]),
                                  state.lambda[2 * k], state.lambda[2 * k + 1], gap[2 * k], law});
   }
-  const auto facets = facets_of_joints(model.source(), model.structure(), points);
+  const auto facets = facets_of_joints(source, structure, points);
   std::vector<JointRow> rows;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {
     if (of_joint[k].empty()) continue;
@@ -58,7 +59,7 @@ std::vector<JointRow> rows_here(const PlaneModel& model, const AdaptiveStep& ste
 }
 
 /// Rows of all ranks by blocks; nothing is said of joints that carry next to nothing.
-std::vector<JointRow> all_rows(const PlaneModel& model, const AdaptiveStep& step, const ContactState& state) {
+std::vector<JointRow> all_rows(const Model& model, const AdaptiveStep& step, const ContactState& state) {
   auto rows = all_gather(rows_here(model, step, state), *model.structure().comm());
   std::sort(rows.begin(), rows.end(), [](const JointRow& a, const JointRow& b) {
     return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.block_i, b.block_j);
@@ -81,7 +82,7 @@ std::vector<JointRow> all_rows(const PlaneModel& model, const AdaptiveStep& step
 
 }  // namespace
 
-StaticsSummary write_statics(const PlaneModel& model, const AdaptiveStep& step, const ContactState& state,
+StaticsSummary write_statics(const Model& model, const AdaptiveStep& step, const ContactState& state,
                              const std::vector<double>& load, const std::string& folder) {
   expect_state(model, state);
   const auto rows = all_rows(model, step, state);

@@ -1,4 +1,4 @@
-#include "results/mechanism_words.hpp"
+#include "results/plane/mechanism_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
-#include "linalg/reduce.hpp"
 #include "model/plane/plane_model.hpp"
+#include "results/largest_mover.hpp"
 
 namespace voussoir {
 namespace {
@@ -35,7 +35,7 @@ struct BlockMotion {
   double right, up, turning;
 };
 
-std::vector<MovingJoint> moving_joints(const PlaneModel& model, const std::vector<double>& motion, double least) {
+std::vector<MovingJoint> moving_joints(const Model& model, const std::vector<double>& motion, double least) {
   struct Extremes {
     double narrowest = INFINITY, widest = -INFINITY, slip = 0;
     bool dilates = false;  ///< opens by friction times slip where it opens least, by the flow rule of limit analysis
@@ -64,8 +64,8 @@ std::vector<MovingJoint> moving_joints(const PlaneModel& model, const std::vecto
   return moving;
 }
 
-std::vector<BlockMotion> block_motions(const PlaneModel& model, const std::vector<double>& motion, double least) {
-  const auto& s = model.structure();
+std::vector<BlockMotion> block_motions(const Model& model, const std::vector<double>& motion, double least) {
+  const auto& s = plane_geometry(model).structure;
   std::vector<BlockMotion> moving;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
@@ -98,20 +98,7 @@ std::string of_slip_that_dilates(bool dilates) {
                  : "";
 }
 
-MechanismSummary largest_mover(const PlaneModel& model, const std::vector<double>& motion) {
-  const auto& s = model.structure();
-  double size = -1;
-  int block = -1;
-  for (int i = 0; i < s.owned_nodes(); ++i) {
-    const double moved = std::hypot(motion[2 * i], motion[2 * i + 1]);
-    if (moved > size) size = moved, block = s.blocks()[s.block_of_node()[i]].mesh.id;
-  }
-  const double largest = largest_over_ranks(*s.comm(), size);
-  const int found = largest_over_ranks(*s.comm(), size == largest ? block : -1);
-  return {found, model.source().block(found).name, largest, false};
-}
-
-std::string mechanism_in_words(const PlaneModel& model, const std::vector<double>& motion) {
+std::string mechanism_in_words(const Model& model, const std::vector<double>& motion) {
   const auto& comm = *model.structure().comm();
   const auto most = largest_mover(model, motion);
   const double least = noticeable * most.largest_displacement;
@@ -121,9 +108,9 @@ std::string mechanism_in_words(const PlaneModel& model, const std::vector<double
   std::sort(joints.begin(), joints.end(), [](const MovingJoint& a, const MovingJoint& b) {
     return std::make_tuple(-a.size, a.block_i, a.block_j) < std::make_tuple(-b.size, b.block_i, b.block_j);
   });
-  const auto name = [&](BlockId b) { return model.source().block(b).name; };
+  const auto name = [&](BlockId b) { return model.block_name(b); };
   const bool one = blocks.size() == 1;
-  std::string words = std::to_string(blocks.size()) + " of " + std::to_string(model.source().block_count()) +
+  std::string words = std::to_string(blocks.size()) + " of " + std::to_string(model.block_count()) +
                       (one ? " blocks moves, " : " blocks move, ") + most.name + (one ? ": " : " most, ");
   for (const auto& block : blocks)
     if (block.block == most.largest_mover) words += direction(block);

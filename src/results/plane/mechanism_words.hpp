@@ -4,13 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "model/plane/plane_model.hpp"
-#include "output/result_json.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
-
-/// The block that moves most in a motion. Collective.
-MechanismSummary largest_mover(const PlaneModel&, const std::vector<double>& motion);
 
 /// Said of a motion of limit analysis that cannot do without dilatancy; nothing of others.
 std::string of_slip_that_dilates(bool dilates);
@@ -18,6 +14,6 @@ std::string of_slip_that_dilates(bool dilates);
 /// Such as "2 of 5 blocks move, block 3 most, down and turning clockwise; joints that slide: block 1 / block 3".
 /// Collective.
 /// @param motion  displacement of all nodes of this rank [m], of any size
-std::string mechanism_in_words(const PlaneModel&, const std::vector<double>& motion);
+std::string mechanism_in_words(const Model&, const std::vector<double>& motion);
 
 }  // namespace voussoir

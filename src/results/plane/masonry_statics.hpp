@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 #include "output/result_json.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -12,7 +12,7 @@ namespace voussoir {
 
 /// Writes joints.csv into the folder and returns its summary. Collective; throws ResourceError on all ranks.
 /// @param load  [N] nodal loads of the state
-StaticsSummary write_statics(const PlaneModel&, const AdaptiveStep&, const ContactState&,
-                             const std::vector<double>& load, const std::string& folder);
+StaticsSummary write_statics(const Model&, const AdaptiveStep&, const ContactState&, const std::vector<double>& load,
+                             const std::string& folder);
 
 }  // namespace voussoir

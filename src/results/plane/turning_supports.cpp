@@ -1,4 +1,4 @@
-#include "results/turning_supports.hpp"
+#include "results/plane/turning_supports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,12 +54,11 @@ struct HeldPart {
 
 }  // namespace
 
-template <int dim>
-double beyond_the_chord(const PlaneModel& model, const ContactState& before, const ContactState& after,
+double beyond_the_chord(const Model& model, const ContactState& before, const ContactState& after,
                         const std::vector<double>& reaction_before, const std::vector<double>& reaction) {
   VOUSSOIR_EXPECT(is_of_nodes(model, reaction_before) && is_of_nodes(model, reaction) && "reactions: of node copies");
   if (model.settings().rotations == Rotations::small) return 0;
-  const auto& s = model.structure();
+  const auto& s = plane_geometry(model).structure;
   const auto& held = model.held();
   double work = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) {
@@ -78,8 +77,5 @@ double beyond_the_chord(const PlaneModel& model, const ContactState& before, con
   }
   return work;
 }
-
-template double beyond_the_chord<2>(const PlaneModel&, const ContactState&, const ContactState&,
-                                    const std::vector<double>&, const std::vector<double>&);
 
 }  // namespace voussoir

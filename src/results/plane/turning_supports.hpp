@@ -10,17 +10,14 @@
 #include <vector>
 
 #include "model/contact_state.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 
-/// [J] of what this rank owns; 0 with small rotations, along whose straight ways the chord is all.
+/// [J] of what this rank owns; 0 with small rotations, along whose straight ways the chord is all. Finite ones are of
+/// the plane.
 /// @param reaction_before, reaction  [N] on local node copies
-template <int dim>
-double beyond_the_chord(const PlaneModel&, const ContactState& before, const ContactState& after,
+double beyond_the_chord(const Model&, const ContactState& before, const ContactState& after,
                         const std::vector<double>& reaction_before, const std::vector<double>& reaction);
-
-extern template double beyond_the_chord<2>(const PlaneModel&, const ContactState&, const ContactState&,
-                                           const std::vector<double>&, const std::vector<double>&);
 
 }  // namespace voussoir

@@ -1,0 +1,63 @@
+#include "results/mesh_rows.hpp"
+
+#include <algorithm>
+
+#include "linalg/reduce.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Cells are numbered block by block, like nodes: the first of each block. Collective.
+template <int dim>
+std::vector<long long> first_cells(const Structure<dim>& s) {
+  std::vector<long long> mine(s.owner_of_block().size(), 0);
+  for (int b = 0; b < s.owned_blocks(); ++b)
+    mine[s.blocks()[b].mesh.id] = static_cast<long long>(s.blocks()[b].mesh.cells.size());
+  const auto cells = total_of_each(*s.comm(), mine);
+  std::vector<long long> first(cells.size() + 1, 0);
+  for (std::size_t b = 0; b < cells.size(); ++b) first[b + 1] = first[b] + cells[b];
+  return first;
+}
+
+template <int dim>
+void add_cells(const LocalBlock<dim>& block, long long number, MeshRows& rows) {
+  for (const auto& cell : block.mesh.cells) {
+    rows.cell.push_back(number++);
+    rows.corner_count.push_back(cell.count);
+    rows.block_of_cell.push_back(block.mesh.id);
+    for (int i = 0; i < cell.count; ++i) rows.corners.push_back(block.first_node + cell.node[i]);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, const std::vector<char>& all_held) {
+  MeshRows rows;
+  rows.block_set_names = source.block_sets();
+  std::size_t most = 0;
+  for (int b = 0; b < s.owned_blocks(); ++b) most = std::max(most, s.blocks()[b].mesh.sets.size());
+  rows.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<long long>(most)));
+  const auto first = first_cells(s);
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    const auto& block = s.blocks()[b];
+    rows.block.push_back(block.mesh.id);
+    rows.block_set.push_back(block.mesh.sets.empty() ? -1 : block.mesh.sets.front());
+    for (int k = 0; k < rows.sets_of_a_block; ++k)
+      rows.block_sets.push_back(k < static_cast<int>(block.mesh.sets.size()) ? block.mesh.sets[k] : -1);
+    for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
+      rows.node.push_back(block.first_node + static_cast<NodeId>(i));
+      rows.block_of_node.push_back(block.mesh.id);
+      const auto held = all_held.begin() + dim * (block.first_local + static_cast<long>(i));
+      rows.held.push_back(std::any_of(held, held + dim, [](char one) { return one != 0; }));
+      rows.coordinates.insert(rows.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
+    }
+    add_cells(block, first[block.mesh.id], rows);
+  }
+  return rows;
+}
+
+template MeshRows mesh_rows(const BlockSource<2>&, const Structure<2>&, const std::vector<char>&);
+template MeshRows mesh_rows(const BlockSource<3>&, const Structure<3>&, const std::vector<char>&);
+
+}  // namespace voussoir
