@@ -7,19 +7,25 @@
 namespace voussoir {
 namespace {
 
-using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+template <int n>
+using Rows = Eigen::Matrix<double, n, n, Eigen::RowMajor>;
 
-Eigen::Map<const Rows> view(const Matrix<3>& a) { return Eigen::Map<const Rows>(a[0].data()); }
-Eigen::Map<Rows> view(Matrix<3>& a) { return Eigen::Map<Rows>(a[0].data()); }
+Eigen::Map<const Rows<3>> view(const Matrix<3>& a) { return Eigen::Map<const Rows<3>>(a[0].data()); }
+Eigen::Map<Rows<3>> view(Matrix<3>& a) { return Eigen::Map<Rows<3>>(a[0].data()); }
+
+template <int n>
+Vector<n> solved(const Matrix<n>& a, const Vector<n>& b) {
+  using Column = Eigen::Matrix<double, n, 1>;
+  Vector<n> x;
+  Eigen::Map<Column>(x.data()) = Eigen::LDLT<Eigen::Matrix<double, n, n>>(Eigen::Map<const Rows<n>>(a[0].data()))
+                                     .solve(Eigen::Map<const Column>(b.data()));
+  return x;
+}
 
 }  // namespace
 
-Vector<3> solve_positive(const Matrix<3>& a, const Vector<3>& b) {
-  Vector<3> x;
-  Eigen::Map<Eigen::Vector3d>(x.data()) =
-      Eigen::LDLT<Eigen::Matrix3d>(view(a)).solve(Eigen::Map<const Eigen::Vector3d>(b.data()));
-  return x;
-}
+Vector<3> solve_positive(const Matrix<3>& a, const Vector<3>& b) { return solved<3>(a, b); }
+Vector<6> solve_positive(const Matrix<6>& a, const Vector<6>& b) { return solved<6>(a, b); }
 
 void solve_positive(std::vector<double>& a, std::vector<double>& b) {
   const auto n = static_cast<Eigen::Index>(b.size());

@@ -13,6 +13,7 @@ using Matrix = std::array<Vector<n>, static_cast<std::size_t>(n)>;
 
 /// The x of A x = b for a symmetric positive definite A. Where nothing resists (A is zero along it) x is zero.
 Vector<3> solve_positive(const Matrix<3>& a, const Vector<3>& b);
+Vector<6> solve_positive(const Matrix<6>& a, const Vector<6>& b);
 
 /// The same for as many unknowns as b has, A row by row and without a direction in which nothing resists: x takes the
 /// place of b, and A is used up. Throws std::logic_error where A is not positive definite.

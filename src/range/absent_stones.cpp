@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "base/components.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
-#include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "results/observations.hpp"
 #include "scene/scene.hpp"
@@ -29,10 +29,10 @@ struct Share {
   double gone = 0, all = 0;
 };
 
-Share share_of(const Structure<2>& s, const std::vector<double>& nodal, const std::vector<char>& absent) {
+Share share_of(const BlockSystem& s, const std::vector<double>& nodal, const std::vector<char>& absent) {
   Share share;
   for (int i = 0; i < s.owned_nodes(); ++i) {
-    const double size = std::hypot(nodal[2 * i], nodal[2 * i + 1]);
+    const double size = length_of(&nodal[s.components() * i], s.components());
     share.all += size;
     if (absent[s.block_of_node()[i]]) share.gone += size;
   }
@@ -46,14 +46,15 @@ struct Stage {
   std::vector<char> absent;  ///< per local block
 };
 
-std::vector<Stage> stages_of(const Scene& scene, const PlaneModel& model) {
+std::vector<Stage> stages_of(const Scene& scene, const Model& model) {
   std::vector<Stage> stages;
   std::map<std::string, double> factors;
   for (std::size_t k = 0; k < scene.stages.size(); ++k) {
     for (const auto& [load, end] : scene.stages[k].factors) factors[load] = end;
     std::vector<char> absent;
-    for (const auto& block : model.structure().blocks())
-      absent.push_back(!is_there(scene, model.source(), block.mesh, k));
+    model.in_geometry([&](const auto& source, const auto& structure) {
+      for (const auto& block : structure.blocks()) absent.push_back(!is_there(scene, source, block.mesh, k));
+    });
     stages.push_back({in_quotes(scene.stages[k].name), factors, absent});
   }
   auto search = stages.back();
@@ -63,8 +64,8 @@ std::vector<Stage> stages_of(const Scene& scene, const PlaneModel& model) {
   return stages;
 }
 
-void warn_of_load(const Scene& scene, const PlaneModel& model, const LoadParameters& load,
-                  const std::vector<Stage>& stages, Warnings& all) {
+void warn_of_load(const Scene& scene, const Model& model, const LoadParameters& load, const std::vector<Stage>& stages,
+                  Warnings& all) {
   constexpr double round_off = 1e-12;
   const bool moves = load_as<SettlementParameters>(load) != nullptr;
   std::vector<std::string> in;
@@ -89,10 +90,9 @@ void warn_of_load(const Scene& scene, const PlaneModel& model, const LoadParamet
                                   " N are left out; let it act in stages that have these stones")});
 }
 
-void warn_of_observations(const Scene& scene, const PlaneModel& model, const std::vector<Stage>& stages,
-                          Warnings& all) {
+void warn_of_observations(const Scene& scene, const Model& model, const std::vector<Stage>& stages, Warnings& all) {
   const Observations observations(scene, model);
-  const std::vector<double> ones(2 * static_cast<std::size_t>(model.structure().nodes()), 1.0);
+  const std::vector<double> ones(model.components() * static_cast<std::size_t>(model.structure().nodes()), 1.0);
   for (const auto& observation : scene.observations) {
     if (observation.parameters.place == ObservationParameters::Place::support) continue;  // it bears 0 then
     std::vector<std::string> in;
@@ -112,7 +112,7 @@ void warn_of_observations(const Scene& scene, const PlaneModel& model, const std
 
 }  // namespace
 
-Warnings warnings_of_absent_stones(const Scene& scene, const PlaneModel& model) {
+Warnings warnings_of_absent_stones(const Scene& scene, const Model& model) {
   Warnings all;
   if (scene.construction.empty()) return all;
   const auto stages = stages_of(scene, model);

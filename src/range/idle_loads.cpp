@@ -6,7 +6,6 @@
 
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
-#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -20,12 +19,12 @@ struct Forces {
   double held = 0, free = 0;
 };
 
-Forces forces_of(const PlaneModel& model, const std::string& load) {
+Forces forces_of(const Model& model, const std::string& load) {
   const auto& s = model.structure();
-  std::vector<double> force(2 * static_cast<std::size_t>(s.nodes())), prescribed(force.size());
+  std::vector<double> force, prescribed;
   model.loads({{load, 1.0}}, 0.0, force, prescribed);
   Forces largest;
-  for (int i = 0; i < 2 * s.owned_nodes(); ++i) {
+  for (int i = 0; i < model.components() * s.owned_nodes(); ++i) {
     double& of = model.held()[i] ? largest.held : largest.free;
     of = std::max(of, std::abs(force[i]));
   }
@@ -40,7 +39,7 @@ bool is_used(const Scene& scene, const std::string& load) {
 
 }  // namespace
 
-Warnings warnings_of_idle_loads(const Scene& scene, const PlaneModel& model) {
+Warnings warnings_of_idle_loads(const Scene& scene, const Model& model) {
   Warnings all;
   for (const auto& load : scene.loads) {
     if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "base/warning.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
+
+struct Scene;
 
 /// A warning for every load of a stage or of the pattern of a load factor whose forces all act on held components of
 /// nodes: at any factor the structure stands as without it. Of loads that move supports, or vary with time, nothing is
 /// said. Collective.
-Warnings warnings_of_idle_loads(const Scene&, const PlaneModel&);
+Warnings warnings_of_idle_loads(const Scene&, const Model&);
 
 }  // namespace voussoir

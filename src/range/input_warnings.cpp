@@ -7,11 +7,10 @@
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "model/loads_at_work.hpp"
-#include "model/plane/plane_model.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
 #include "range/idle_loads.hpp"
-#include "range/joint_sides.hpp"
+#include "range/plane/joint_sides.hpp"
 #include "range/support_warnings.hpp"
 #include "scene/scene.hpp"
 #include "scene/unusual_values.hpp"
@@ -30,16 +29,20 @@ void append(Warnings& all, Warnings more) {
 
 std::string stones_in_words(long long count) { return std::to_string(count) + (count == 1 ? " block" : " blocks"); }
 
-void warn_of_no_joints(const Scene& scene, const PlaneModel& model, Warnings& all) {
+/// How stones are drawn, and what they share where they touch.
+std::string stone_word(int components) { return components == 2 ? "surface" : "volume"; }
+std::string joint_word(int components) { return components == 2 ? "curve" : "surface"; }
+
+void warn_of_no_joints(const Scene& scene, const Model& model, Warnings& all) {
   if (model.points().total() > 0 || scene.joints.empty()) return;
-  const auto blocks = model.source().block_count();
+  const auto blocks = model.block_count();
   all.push_back({"no_joints", scene.file + ": scene > joints", "", static_cast<double>(blocks),
                  "the scene has laws for joints and the mesh has none: nothing can open or slip between its " +
-                     stones_in_words(blocks) +
-                     "; draw every stone as a surface of its own, stones that touch sharing the curve between them"});
+                     stones_in_words(blocks) + "; draw every stone as a " + stone_word(model.components()) +
+                     " of its own, stones that touch sharing the " + joint_word(model.components()) + " between them"});
 }
 
-void warn_of_bonds(const Scene& scene, const PlaneModel& model, Warnings& all) {
+void warn_of_bonds(const Scene& scene, const Model& model, Warnings& all) {
   if (scene.selection.mode != SelectionMode::bonded || model.points().total() == 0) return;
   all.push_back({"bonded", scene.file + ": scene > selection > mode = bonded", "",
                  static_cast<double>(model.points().total()),
@@ -47,10 +50,11 @@ void warn_of_bonds(const Scene& scene, const PlaneModel& model, Warnings& all) {
                  "of stones"});
 }
 
-/// The longer side of the box around a block [m].
-double extent(const Block<2>& block) {
+/// The longest side of the box around a block [m].
+template <int dim>
+double extent(const Block<dim>& block) {
   double longest = 0;
-  for (int c = 0; c < 2; ++c) {
+  for (int c = 0; c < dim; ++c) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& x : block.position) {
       low = std::min(low, x[c]);
@@ -61,7 +65,8 @@ double extent(const Block<2>& block) {
   return longest;
 }
 
-void warn_of_sizes(const Scene& scene, const BlockSource<2>& source, Warnings& all) {
+template <int dim>
+void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings& all) {
   const bool from_file = scene.mesh.type == MeshType::gmsh;
   double largest = 0;
   BlockId where = 0;
@@ -93,14 +98,15 @@ void warn_of_sizes(const Scene& scene, const BlockSource<2>& source, Warnings& a
 }
 
 /// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
-void warn_of_lone_stones(const Scene& scene, const BlockSource<2>& source, Warnings& all) {
+template <int dim>
+void warn_of_lone_stones(const Scene& scene, const BlockSource<dim>& source, Warnings& all) {
   const auto& graph = source.graph();
   const BlockId blocks = source.block_count();
   long long lone = 0;
   BlockId first = 0;
   for (BlockId b = blocks - 1; b >= 0; --b) {
     const auto begin = graph.shared_vertices.begin();
-    const bool joined = std::any_of(begin + graph.start[b], begin + graph.start[b + 1], [](int n) { return n >= 2; });
+    const bool joined = std::any_of(begin + graph.start[b], begin + graph.start[b + 1], [](int n) { return n >= dim; });
     if (joined) continue;
     ++lone;
     first = b;
@@ -110,11 +116,12 @@ void warn_of_lone_stones(const Scene& scene, const BlockSource<2>& source, Warni
                  source.block(first).name +
                      (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
                      " no joint with any other stone: nothing passes between, and nothing keeps stones from moving "
-                     "through each other; let stones that touch share the curve between them"});
+                     "through each other; let stones that touch share the " +
+                     joint_word(dim) + " between them"});
 }
 
 /// Laws that hold for no joint: for none of the mesh, or for none that later laws leave.
-void warn_of_idle_laws(const Scene& scene, const PlaneModel& model, Warnings& all) {
+void warn_of_idle_laws(const Scene& scene, const Model& model, Warnings& all) {
   const auto& s = model.structure();
   if (model.points().total() == 0) return;
   const std::size_t laws = scene.joints.size();
@@ -122,9 +129,11 @@ void warn_of_idle_laws(const Scene& scene, const PlaneModel& model, Warnings& al
   for (const Joint& joint : model.points().joints()) {
     if (s.owner_of_block()[joint.block_i] != s.comm()->getRank()) continue;
     ++mine[joint.family];
-    const auto& i = s.blocks()[s.local_block(joint.block_i)].mesh;
-    const auto& j = s.blocks()[s.local_block(joint.block_j)].mesh;
-    for (std::size_t f = 0; f < laws; ++f) mine[laws + f] += joins(model.source(), scene.joints[f].parameters, i, j);
+    model.in_geometry([&](const auto& source, const auto& structure) {
+      const auto& i = structure.blocks()[s.local_block(joint.block_i)].mesh;
+      const auto& j = structure.blocks()[s.local_block(joint.block_j)].mesh;
+      for (std::size_t f = 0; f < laws; ++f) mine[laws + f] += joins(source, scene.joints[f].parameters, i, j);
+    });
   }
   const auto total = total_of_each(*s.comm(), mine);
   for (std::size_t f = 0; f < laws; ++f) {
@@ -136,14 +145,15 @@ void warn_of_idle_laws(const Scene& scene, const PlaneModel& model, Warnings& al
     all.push_back({"law_without_joint", scene.file + ": scene > joints > " + scene.joints[f].name, "",
                    static_cast<double>(named),
                    named == 0 ? "no joint of the mesh is between " + sets +
-                                    ", so the law holds nowhere; look whether these stones share a curve"
+                                    ", so the law holds nowhere; look whether these stones share a " +
+                                    joint_word(model.components())
                               : "all " + std::to_string(named) + " joints between " + sets +
                                     " are taken by later laws, so the law holds nowhere; put it behind them"});
   }
 }
 
 /// Fracture energies below what the stones can follow (Model::set_softening): the joint takes more than it was given.
-void warn_of_raised_energies(const Scene& scene, const PlaneModel& model, Warnings& all) {
+void warn_of_raised_energies(const Scene& scene, const Model& model, Warnings& all) {
   const std::size_t laws = scene.joints.size();
   if (!model.weakens()) return;
   std::vector<double> mine(2 * laws, 0.0);  // [J/m2] the most that a point takes
@@ -189,22 +199,26 @@ void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
 
 }  // namespace
 
-Warnings mesh_warnings(const Scene& scene, const BlockSource<2>& source) {
+template <int dim>
+Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source) {
   Warnings all = source.warnings();
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
   append(all, unusual_values(scene));
   warn_of_sizes(scene, source, all);
   warn_of_lone_stones(scene, source, all);
   warn_of_strength_over_gaps(scene, all);
-  append(all, warnings_of_sides(scene, source));
+  if constexpr (dim == 2) append(all, warnings_of_sides(scene, source));
   return all;
 }
 
-Warnings input_warnings(const Scene& scene, const PlaneModel& model) {
+template Warnings mesh_warnings(const Scene&, const BlockSource<2>&);
+template Warnings mesh_warnings(const Scene&, const BlockSource<3>&);
+
+Warnings input_warnings(const Scene& scene, const Model& model) {
   Warnings all;
   warn_of_no_joints(scene, model, all);
   warn_of_bonds(scene, model, all);
-  append(all, mesh_warnings(scene, model.source()));
+  append(all, model.in_geometry([&](const auto& source, const auto&) { return mesh_warnings(scene, source); }));
   warn_of_idle_laws(scene, model, all);
   warn_of_raised_energies(scene, model, all);
   append(all, model.loads_at_work().warnings());

@@ -1,9 +1,9 @@
 // Does a step that was solved stay within what the model can tell?
 //
-// Points pair the nodes that were drawn together, turns are small ones but in load steps with finite rotations, and
-// stones that were drawn apart know nothing of each other. Three measures tell when that is no longer so: slips beyond
-// a cell (slip_range), turns that move forces off the joints that bear them (turn_range), stones that lie in each other
-// (stone_overlap). README.md of this folder, "The range of the model", gives the numbers that decide and their reasons.
+// Points pair what was drawn together, turns are small ones but in load steps with finite rotations, and stones that
+// were drawn apart know nothing of each other. Measures tell when that is no longer so. They are of the plane
+// (range/plane/measures): slips beyond a cell, turns that move forces off the joints that bear them, stones that lie in
+// each other. README.md of this folder, "The range of the model", gives the numbers that decide and their reasons.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/warning.hpp"
-#include "model/contact_problem.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/contact_state.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 
@@ -42,29 +42,24 @@ struct RangeFindings {
 std::string at_time(const std::string& stage, double seconds);
 std::string at_factor(const std::string& stage, double);
 
-/// Looks at every step; keeps what does not change from step to step.
+/// Looks at a step in one respect. Collective.
+using RangeMeasure = std::function<RangeFindings(const StepEnd&)>;
+
+/// Looks at every step.
 class RangeCheck {
  public:
-  /// @param warn  where warnings go
-  RangeCheck(const PlaneModel& model, std::function<void(const Warning&)> warn)
-      : model_(model), warn_(std::move(warn)) {}
+  /// @param measures  of the model, in the order in which they are told
+  /// @param warn      where warnings go
+  RangeCheck(const Model& model, std::vector<RangeMeasure> measures, std::function<void(const Warning&)> warn)
+      : model_(model), measures_(std::move(measures)), warn_(std::move(warn)) {}
 
   /// Warns of what a step leaves open; why it would be a mistake to carry on, empty when it is none. Collective.
   std::string beyond(const StepEnd&);
 
  private:
-  /// What is measured once, of this rank's owned blocks and joints and of the whole.
-  struct Sizes {
-    std::vector<double> shortest_side;  ///< [m] per owned block, of its cells
-    double smallest_side = 0;           ///< [m] of the structure
-    double smallest_half_joint = 0;     ///< [m] of the structure
-  };
-  void measure();
-
-  const PlaneModel& model_;
+  const Model& model_;
+  std::vector<RangeMeasure> measures_;
   std::function<void(const Warning&)> warn_;
-  Sizes sizes_;
-  bool measured_ = false;
 };
 
 }  // namespace voussoir

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "base/dense.hpp"
+#include "base/plane_and_space.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
-#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -27,52 +26,105 @@ bool moves_alike(const Scene& scene, const std::string& support, const Settlemen
 }
 
 /// Nodes of which both supports hold a component that the load moves, on blocks of all ranks.
-long long common_nodes(const PlaneModel& model, const SupportParameters& a, const SupportParameters& b,
+long long common_nodes(const Model& model, const SupportParameters& a, const SupportParameters& b,
                        const SettlementParameters& load) {
   const auto& s = model.structure();
   std::vector<char> of_a(s.nodes(), 0), of_b(s.nodes(), 0);
-  for_each_node_on(s, facet_set(model.source(), {a.on, a.blocks}), [&](int node) { of_a[node] = 1; });
-  for_each_node_on(s, facet_set(model.source(), {b.on, b.blocks}), [&](int node) { of_b[node] = 1; });
+  model.in_geometry([&](const auto& source, const auto& structure) {
+    for_each_node_on(structure, facet_set(source, {a.on, a.blocks}), [&](int node) { of_a[node] = 1; });
+    for_each_node_on(structure, facet_set(source, {b.on, b.blocks}), [&](int node) { of_b[node] = 1; });
+  });
   bool moved = false;
-  for (int c = 0; c < 2; ++c) moved |= holds(a, c) && holds(b, c) && moves(load, c);
+  for (int c = 0; c < model.components(); ++c) moved |= holds(a, c) && holds(b, c) && moves(load, c);
   long long mine = 0;
   for (int node = 0; moved && node < s.owned_nodes(); ++node) mine += of_a[node] && of_b[node];
   return total_over_ranks(*s.comm(), mine);
 }
 
-/// What supports hold of a motion of all stones as one, (along x, along y, turn by the size): sum over what is held of
-/// the squares and products, the same on every rank.
-std::array<double, 9> held_of_whole(const PlaneModel& model) {
+/// Motions of all stones as one: along each axis, then turns by the size about z, in space about x and y too.
+constexpr int most_motions = 6;
+using Motions = std::array<std::array<double, most_motions>, most_motions>;
+
+/// Where a motion takes a place [m], per m of it.
+/// @param x  [m] from the middle of what is held
+double motion_of(int motion, const Vector<3>& x, int component, int components, double size) {
+  if (motion < components) return motion == component ? 1 : 0;
+  constexpr int axes[] = {2, 0, 1};
+  Vector<3> axis{};
+  axis[axes[motion - components]] = 1;
+  return cross(axis, x)[component] / size;
+}
+
+/// What supports hold of them: sums over what is held of the squares and products, the same on every rank.
+Motions held_of_whole(const Model& model, int motions) {
   const auto& s = model.structure();
-  const auto is_held = [&](int node, int c) { return model.held()[2 * node + c] != 0; };
-  std::array<double, 3> sum{};  // [m, m, -] levers are about the middle of what is held
+  const int dim = model.components();
+  const auto places = model.in_geometry([](const auto&, const auto& structure) {
+    std::vector<Vector<3>> all;
+    for (int node = 0; node < structure.owned_nodes(); ++node)
+      all.push_back(in_space(structure.drawn_position()[node]));
+    return all;
+  });
+  const auto is_held = [&](int node, int c) { return model.held()[dim * node + c] != 0; };
+  std::array<double, 4> sum{};  // [m, m, m, -] levers are about the middle of what is held
   for (int node = 0; node < s.owned_nodes(); ++node) {
-    if (!is_held(node, 0) && !is_held(node, 1)) continue;
-    sum[2] += 1;
-    for (int c = 0; c < 2; ++c) sum[c] += s.drawn_position()[node][c];
+    bool any = false;
+    for (int c = 0; c < dim; ++c) any |= is_held(node, c);
+    if (!any) continue;
+    sum[3] += 1;
+    for (int c = 0; c < 3; ++c) sum[c] += places[node][c];
   }
   const auto total = total_of_each(*s.comm(), sum);
-  std::array<double, 9> mine{};
-  for (int node = 0; node < s.owned_nodes(); ++node) {
-    const auto& x = s.drawn_position()[node];
-    const double row[2][3] = {{1, 0, -(x[1] - total[1] / total[2]) / s.size()},
-                              {0, 1, (x[0] - total[0] / total[2]) / s.size()}};
-    for (int c = 0; c < 2; ++c)
-      for (int i = 0; is_held(node, c) && i < 9; ++i) mine[i] += row[c][i / 3] * row[c][i % 3];
+  const Vector<3> middle{total[0] / total[3], total[1] / total[3], total[2] / total[3]};
+  std::array<double, most_motions * most_motions> mine{};
+  for (int node = 0; node < s.owned_nodes(); ++node)
+    for (int c = 0; c < dim; ++c) {
+      if (!is_held(node, c)) continue;
+      const auto x = places[node] - middle;
+      for (int i = 0; i < motions; ++i)
+        for (int j = 0; j < motions; ++j)
+          mine[most_motions * i + j] += motion_of(i, x, c, dim, s.size()) * motion_of(j, x, c, dim, s.size());
+    }
+  const auto all = total_of_each(*s.comm(), mine);
+  Motions held{};
+  for (int i = 0; i < motions; ++i)
+    for (int j = 0; j < motions; ++j) held[i][j] = all[most_motions * i + j];
+  return held;
+}
+
+/// Whether every motion is held: Gauss with the largest pivot left, none of which is round-off beside the mean.
+bool all_held(Motions g, int motions) {
+  constexpr double round_off = 1e-12;  // of sums of squares of levers, which a
+                                       // lever of 1e-6 of the size is above
+  double mean = 0;
+  for (int i = 0; i < motions; ++i) mean += g[i][i] / motions;
+  std::vector<int> left;
+  for (int i = 0; i < motions; ++i) left.push_back(i);
+  while (!left.empty()) {
+    const auto most = std::max_element(left.begin(), left.end(), [&](int i, int j) { return g[i][i] < g[j][j]; });
+    const int p = *most;
+    if (!(g[p][p] > round_off * mean)) return false;
+    left.erase(most);
+    for (const int i : left)
+      for (const int j : left) g[i][j] -= g[i][p] * g[p][j] / g[p][p];
   }
-  return total_of_each(*s.comm(), mine);
+  return true;
 }
 
 /// Supports that leave the whole free to move in some way: where it ends up is then round-off, or nothing holds it.
-void warn_of_free_whole(const Scene& scene, const PlaneModel& model, Warnings& all) {
+void warn_of_free_whole(const Scene& scene, const Model& model, Warnings& all) {
   if (only_time(scene.stages)) return;  // stones may fly
-  const auto g = held_of_whole(model);
-  const bool x = g[0] > 0, y = g[4] > 0;
-  constexpr double round_off = 1e-24;  // of the square of a lever
-  const double mean = (g[0] + g[4] + g[8]) / 3;
-  if (determinant({{{g[0], g[1], g[2]}, {g[3], g[4], g[5]}, {g[6], g[7], g[8]}}}) > round_off * mean * mean * mean)
-    return;
-  const std::string way = !x && !y ? "anywhere" : !x ? "along x" : !y ? "along y" : "round";
+  const int dim = model.components(), motions = dim * (dim + 1) / 2;
+  const auto g = held_of_whole(model, motions);
+  if (all_held(g, motions)) return;
+  std::string way;
+  bool anywhere = true;
+  for (int c = 0; c < dim; ++c) {
+    anywhere &= !(g[c][c] > 0);
+    if (way.empty() && !(g[c][c] > 0)) way = std::string("along ") + "xyz"[c];
+  }
+  if (anywhere) way = "anywhere";
+  if (way.empty()) way = "round";
   all.push_back({"free_to_move", scene.file + ": scene > supports", "", 1.0,
                  "the supports leave the whole structure free to move " + way +
                      ": where it comes to rest there is not told by equilibrium; hold it at one place more"});
@@ -80,7 +132,7 @@ void warn_of_free_whole(const Scene& scene, const PlaneModel& model, Warnings& a
 
 }  // namespace
 
-Warnings support_warnings(const Scene& scene, const PlaneModel& model) {
+Warnings support_warnings(const Scene& scene, const Model& model) {
   Warnings all;
   warn_of_free_whole(scene, model, all);
   for (const auto& load : scene.loads) {

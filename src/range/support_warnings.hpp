@@ -2,12 +2,14 @@
 #pragma once
 
 #include "base/warning.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 
 namespace voussoir {
 
+struct Scene;
+
 /// Nodes of two supports of which a settlement moves one; a structure that is free to move as one. The same on every
 /// rank. Collective.
-Warnings support_warnings(const Scene&, const PlaneModel&);
+Warnings support_warnings(const Scene&, const Model&);
 
 }  // namespace voussoir

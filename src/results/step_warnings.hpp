@@ -12,7 +12,7 @@
 #include "model/model_settings.hpp"
 #include "model/step.hpp"
 #include "step/step_parameters.hpp"
-#include "ties/plane/tie_balance.hpp"
+#include "ties/tie_balance.hpp"
 
 namespace voussoir {
 

@@ -7,7 +7,6 @@
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "model/loads_at_work.hpp"
-#include "model/plane/plane_model.hpp"
 #include "range/range_check.hpp"
 #include "scene/scene.hpp"
 
@@ -15,7 +14,7 @@ namespace voussoir {
 namespace {
 
 /// The largest motion of a support between two sets of load factors at a time [m]. Collective.
-double jump_of_supports(const PlaneModel& model, const std::map<std::string, double>& from,
+double jump_of_supports(const Model& model, const std::map<std::string, double>& from,
                         const std::map<std::string, double>& to, double time) {
   std::vector<double> unused, before, after;
   model.loads(from, time, unused, before);
@@ -27,7 +26,7 @@ double jump_of_supports(const PlaneModel& model, const std::map<std::string, dou
 
 }  // namespace
 
-void look_ahead(StepControl& control, const PlaneModel& model, const LoadSteps& steps) {
+void look_ahead(StepControl& control, const Model& model, const LoadSteps& steps) {
   const auto acting = steps.acting();
   const double begun = steps.time(0), duration = steps.stage_parameters().duration;
   control.look_ahead(steps.reached() * duration, [&](double from, double to) {
@@ -35,7 +34,7 @@ void look_ahead(StepControl& control, const PlaneModel& model, const LoadSteps& 
   });
 }
 
-Warnings warnings_of_time_step(const PlaneModel& model, const LoadSteps& steps) {
+Warnings warnings_of_time_step(const Model& model, const LoadSteps& steps) {
   const auto& stage = steps.stage_parameters();
   if (stage.time_step == 0) return {};
   const auto shortest = model.loads_at_work().resolution(steps.acting(), steps.time(0), steps.time(1));
@@ -50,7 +49,7 @@ Warnings warnings_of_time_step(const PlaneModel& model, const LoadSteps& steps) 
                "let the program choose"}};
 }
 
-void refuse_jumps_of_supports(const Scene& scene, const PlaneModel& model) {
+void refuse_jumps_of_supports(const Scene& scene, const Model& model) {
   std::map<std::string, double> factors;
   double time = 0;
   for (const auto& stage : scene.stages) {

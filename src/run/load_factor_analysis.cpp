@@ -2,15 +2,14 @@
 
 #include <Teuchos_Time.hpp>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/check.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "model/loads_at_work.hpp"
-#include "model/plane/plane_model.hpp"
 #include "results/largest_mover.hpp"
-#include "results/plane/mechanism_words.hpp"
 #include "results/step_warnings.hpp"
 #include "run/load_factor_analysis_parameters.hpp"
 #include "run/settling_in_time.hpp"
@@ -23,12 +22,13 @@ namespace {
 using Numbers = LoadFactorAnalysisParameters;
 
 /// How far stones that press on each other would move into each other, relative to the largest motion of a mechanism.
-double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const PlaneModel& model) {
+double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const Model& model) {
   std::vector<double> motion;
   relative_motions(model.points(), mechanism, motion);
   double overlap = 0;
+  const int dim = model.components();
   for (int k = 0; k < model.points().owned(); ++k)
-    if (state.lambda[2 * k] > 0) overlap = std::max(overlap, -motion[2 * k]);
+    if (state.lambda[dim * k] > 0) overlap = std::max(overlap, -motion[dim * k]);
   return largest_over_ranks(*model.structure().comm(), overlap);
 }
 
@@ -43,10 +43,11 @@ void tell(const Attempting& run, const Warnings& warnings) {
 void LoadFactorAnalysis::certify(const Attempting& run) {
   asked_theorem_ = true;
   // Stones that turn far stand elsewhere when it comes to that.
-  if (!theorem_applies(run.model) || run.model.settings().rotations == Rotations::finite) return;
+  const auto* theorem = run.appraisal.theorem();
+  if (!theorem_applies(run.model, theorem) || run.model.settings().rotations == Rotations::finite) return;
   const auto raised = loads_of_pattern(run.model, run.steps.last_factors(), p_.pattern, run.steps.time());
-  const RigidLimits limits(run.model, {&run.construction.absent(), &run.state, run.load, raised});
-  const auto limit = limits.largest_factor(p_.largest);
+  const RigidTask task{&run.construction.absent(), &run.state, run.load, raised};
+  const auto limit = theorem->largest_factor(task, p_.largest, true);
   if (limit.verdict != LimitVerdict::limited && limit.verdict != LimitVerdict::refused) return;
   if (limit.verdict == LimitVerdict::refused) {
     const Warning held{"held_by_ties", "the structure", at_factor(stage, 0), 0,
@@ -55,10 +56,10 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
     if (run.recorder.warn(held)) run.narrator.warn(held);
   }
   search_.certify(limit.verdict == LimitVerdict::limited ? std::max(0.0, limit.factor) : 0.0);
-  limit_mechanism_ = limits.on_nodes(limit);
+  limit_mechanism_ = limit.mechanism;
   limit_dilates_ = limit.dilates;
-  limit_lambda_ = limits.on_points(limit);
-  if (const auto estimate = limits.without_dilatancy(p_.largest, limit)) search_.guess(*estimate);
+  limit_lambda_ = limit.lambda;
+  if (std::isfinite(limit.without_dilatancy)) search_.guess(limit.without_dilatancy);
   run.narrator.say("  Above load factor " + six_digits(search_.certified()) +
                    " no equilibrium exists, by the static theorem (rigid limit analysis).");
 }
@@ -69,7 +70,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
                                                          const LoadIncrement& increment, int most) {
   Found found;
   const SolveBudget budget(run.step, most);
-  StaticTheorem theorem(run.model);
+  StaticTheorem theorem(run.model, run.appraisal.theorem());
   theorem.begin(run.construction.absent(), before, increment.load_before, increment.load, false);
   std::optional<Progress::Question> asks;
   const bool follows = run.model.settings().rotations == Rotations::finite;
@@ -228,8 +229,7 @@ void LoadFactorAnalysis::judge(const Attempting& run) {
   run.recorder.record_mechanism(mechanism_, failed_, stage, search_.upper());
   summary.mechanism = largest_mover(run.model, mechanism_);
   summary.mechanism->dilates = theorem_alone ? limit_dilates_ : mechanism_dilates_;
-  summary.message +=
-      "; " + mechanism_in_words(run.model, mechanism_) + of_slip_that_dilates(summary.mechanism->dilates);
+  summary.message += "; " + run.appraisal.words_of(mechanism_, summary.mechanism->dilates);
 }
 
 void LoadFactorAnalysis::conclude(const Attempting& run) {

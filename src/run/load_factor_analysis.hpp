@@ -14,17 +14,18 @@
 #include "dynamics/factor_search.hpp"
 #include "dynamics/load_steps.hpp"
 #include "model/construction.hpp"
-#include "model/plane/plane_model.hpp"
 #include "range/range_check.hpp"
 #include "results/narrator.hpp"
 #include "results/recorder.hpp"
+#include "run/appraisal.hpp"
 #include "run/settling_in_time.hpp"
 
 namespace voussoir {
 
 /// The parts of a run that an attempt works with.
 struct Attempting {
-  PlaneModel& model;
+  Model& model;
+  const Appraisal& appraisal;
   AdaptiveStep& step;
   const Construction& construction;
   const LoadSteps& steps;     ///< all stages of which have been passed

@@ -8,12 +8,8 @@
 #include "base/text.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
-#include "model/plane/plane_model.hpp"
-#include "range/coarse_joints.hpp"
 #include "range/input_warnings.hpp"
 #include "results/largest_mover.hpp"
-#include "results/plane/masonry_statics.hpp"
-#include "results/plane/mechanism_words.hpp"
 #include "results/shares_of_ranks.hpp"
 #include "results/step_warnings.hpp"
 #include "run/events_of_loads.hpp"
@@ -36,9 +32,10 @@ const ContactState& start_of(bool builds, const ContactState& before, const Cont
 
 }  // namespace
 
-Run::Run(const Scene& scene, PlaneModel& model, const RunOptions& options, const BranchedFolder* branched,
-         const Teuchos::Time& clock, std::ostream& say)
+Run::Run(const Scene& scene, Model& model, const Appraisal& appraisal, const RunOptions& options,
+         const BranchedFolder* branched, const Teuchos::Time& clock, std::ostream& say)
     : model_(model),
+      appraisal_(appraisal),
       output_(scene.output),
       clock_(clock),
       say_(say),
@@ -47,14 +44,14 @@ Run::Run(const Scene& scene, PlaneModel& model, const RunOptions& options, const
       steps_(scene.stages, scene.load_steps),
       state_(step_.initial_state()),
       construction_(scene, model),
-      theorem_(model),
+      theorem_(model, appraisal.theorem()),
       refuse_(progress_, [this] { return theorem_.after_solve(); }),
       stop_(progress_,
             [this] {
               signalled_ = stop_signal_on_any_rank(*model_.structure().comm());
               return signalled_ ? GoOn::no : GoOn::yes;
             }),
-      range_(model, [this](const Warning& w) { warn(w); }),
+      range_(model, appraisal.measures(), [this](const Warning& w) { warn(w); }),
       load_(state_.displacement.size(), 0.0),
       saved_(scene, model, options.folder, options.restart_from) {
   const auto& search = scene.load_factor;
@@ -119,7 +116,8 @@ bool Run::one_step() {
   }
   if (!goes_on) return false;
   if (model_.weakens())
-    for (const auto& w : coarse_joints(model_, state_, at_factor(stage, recorder_->summary().load_factor))) warn(w);
+    for (const auto& w : appraisal_.of_weakening_joints(state_, at_factor(stage, recorder_->summary().load_factor)))
+      warn(w);
   return true;
 }
 
@@ -130,7 +128,7 @@ void Run::write_joints(const std::string& folder) {
   if (passed > 0 && (steps_.finished() || steps_.reached() == 0))
     construction_.begin(steps_.stages()[passed - 1].name, model_, state_);
   if (!in_motion(*model_.structure().comm(), state_) && summary.steps > 0)
-    summary.statics = write_statics(model_, step_, state_, load_, folder);
+    summary.statics = appraisal_.statics(step_, state_, load_, folder);
 }
 
 void Run::end() {
@@ -296,7 +294,7 @@ void Run::begin_time() {
 }
 
 Attempting Run::attempting() {
-  return {model_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
+  return {model_, appraisal_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
 }
 
 bool Run::writes() const { return steps_.finished() || (recorder_->summary().steps + 1) % output_.every == 0; }
@@ -331,7 +329,7 @@ bool Run::fail(const Failure& failure, double last) {
   recorder_->record_mechanism(failure.mechanism, failure.state, steps_.stage(), failure.target);
   summary.mechanism = largest_mover(model_, failure.mechanism);
   summary.mechanism->dilates = failure.dilates;
-  summary.message += "; " + mechanism_in_words(model_, failure.mechanism) + of_slip_that_dilates(failure.dilates);
+  summary.message += "; " + appraisal_.words_of(failure.mechanism, failure.dilates);
   return false;
 }
 

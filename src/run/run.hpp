@@ -12,11 +12,11 @@
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
 #include "model/construction.hpp"
-#include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
 #include "range/range_check.hpp"
 #include "results/narrator.hpp"
 #include "results/recorder.hpp"
+#include "run/appraisal.hpp"
 #include "run/load_factor_analysis.hpp"
 #include "run/saved_run.hpp"
 #include "run/settling_in_time.hpp"
@@ -29,10 +29,11 @@ namespace voussoir {
 /// The steps of a scene.
 class Run {
  public:
+  /// @param appraisal  of that model
   /// @param clock  of the whole run
   /// @param branched  the folder to go on from, where that is another
-  Run(const Scene& scene, PlaneModel& model, const RunOptions& options, const BranchedFolder* branched,
-      const Teuchos::Time& clock, std::ostream& say);
+  Run(const Scene& scene, Model& model, const Appraisal& appraisal, const RunOptions& options,
+      const BranchedFolder* branched, const Teuchos::Time& clock, std::ostream& say);
 
   const RunSummary& summary() const { return recorder_->summary(); }
   /// The run that was to be gone on with has come to its end, and the scene asks for no more: nothing was touched.
@@ -110,7 +111,8 @@ class Run {
 
   void restore(Record& so_far);
 
-  PlaneModel& model_;
+  Model& model_;
+  const Appraisal& appraisal_;
   const OutputParameters output_;
   const Teuchos::Time& clock_;
   std::ostream& say_;

@@ -18,7 +18,6 @@
 #include "model/carried_points.hpp"
 #include "model/handed_over.hpp"
 #include "model/phase.hpp"
-#include "model/plane/plane_model.hpp"
 #include "output/checkpoint.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
@@ -28,7 +27,6 @@
 namespace voussoir {
 namespace {
 
-constexpr int dim = 2;
 constexpr int format = 13;     // of the file; raised when a value changes its meaning
 constexpr double near = 1e-9;  // [-] of the structure's size: places of one drawing, read twice, are one
 constexpr double largest = std::numeric_limits<double>::max();
@@ -47,6 +45,7 @@ long long sum_of_digests(std::uint64_t here, const Teuchos::Comm<int>& comm) {
 }
 
 /// Of all nodes of the structure and their places.
+template <int dim>
 long long geometry_digest(const Structure<dim>& s) {
   std::uint64_t sum = 0;
   for (int i = 0; i < s.owned_nodes(); ++i) {
@@ -57,6 +56,7 @@ long long geometry_digest(const Structure<dim>& s) {
 }
 
 /// Of the cells between them: a wall of triangles has the nodes of one of quadrilaterals.
+template <int dim>
 long long cells_digest(const Structure<dim>& s) {
   std::uint64_t sum = 0;
   for (int b = 0; b < s.owned_blocks(); ++b)
@@ -66,23 +66,27 @@ long long cells_digest(const Structure<dim>& s) {
 }
 
 /// Of the stones and edges in the sets of that name.
-long long sets_digest(const PlaneModel& model, const SetsAtWork& sets) {
-  const auto& s = model.structure();
+template <int dim>
+long long sets_digest(const BlockSource<dim>& source, const Structure<dim>& s, const SetsAtWork& sets) {
   const auto add = [](const std::string& name, std::uint64_t start) { return digest(name.data(), name.size(), start); };
   std::uint64_t sum = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& mesh = s.blocks()[b].mesh;
     const auto block = digest(&mesh.id, sizeof(BlockId));
     for (const int set : mesh.sets)
-      if (const auto& name = model.source().block_sets()[set]; sets.of_blocks.count(name)) sum += add(name, block);
+      if (const auto& name = source.block_sets()[set]; sets.of_blocks.count(name)) sum += add(name, block);
     for (const auto& facet : mesh.facets)
-      if (const auto& name = model.source().facet_sets()[facet.set]; sets.of_facets.count(name))
+      if (const auto& name = source.facet_sets()[facet.set]; sets.of_facets.count(name))
         sum += add(name, digest(facet.node.data(), facet.count * sizeof(int), block));
   }
   return sum_of_digests(sum, *s.comm());
 }
 
-LocalRows node_rows(const Structure<dim>& s) {
+long long sets_digest(const Model& model, const SetsAtWork& sets) {
+  return model.in_geometry([&](const auto& source, const auto& s) { return sets_digest(source, s, sets); });
+}
+
+LocalRows node_rows(const BlockSystem& s) {
   return {{s.node_id().begin(), s.node_id().end()}, s.owned_nodes(), s.total_nodes()};
 }
 
@@ -116,7 +120,7 @@ struct PlaceRows {
 
 /// Where a checkpoint has the points. One that is restored is known by its place, and has no row if it was not there.
 /// Collective.
-LocalRows point_rows(Checkpoint& checkpoint, const PlaneModel& model) {
+LocalRows point_rows(Checkpoint& checkpoint, const Model& model) {
   const auto& points = model.points();
   LocalRows rows{{}, points.owned(), points.total()};
   for (const auto& p : points.points()) rows.ids.push_back(p.id);
@@ -135,12 +139,13 @@ LocalRows point_rows(Checkpoint& checkpoint, const PlaneModel& model) {
   return rows;
 }
 
-void keep_state(Checkpoint& checkpoint, const PlaneModel& model, const RunState& run) {
+void keep_state(Checkpoint& checkpoint, const Model& model, const RunState& run) {
   run.steps.keep(checkpoint);
   run.time_step.keep(checkpoint);
   run.record.keep(checkpoint);
   run.state.fast_way.keep(checkpoint);
   const auto nodes = node_rows(model.structure()), points = point_rows(checkpoint, model);
+  const int dim = model.components();
   auto& state = run.state;
   checkpoint.rows("displacement", nodes, dim, state.displacement);
   checkpoint.rows("velocity", nodes, dim, state.velocity);
@@ -259,17 +264,19 @@ std::string content_of(const std::string& file, const Teuchos::Comm<int>& comm) 
 }
 
 /// What must be the same before and after: the structure. Throws InputError on all ranks.
-void check_identity(Checkpoint& checkpoint, const PlaneModel& model, const std::string& path) {
+void check_identity(Checkpoint& checkpoint, const Model& model, const std::string& path) {
   const auto same = [&](const std::string& name, long long here, const std::string& what) {
     long long saved = here;
     checkpoint.value(name, saved);
     if (saved != here) throw another_structure(path, what);
   };
   same("format", format, "format and that of this program");
-  same("blocks", model.source().block_count(), "numbers of blocks");
+  same("blocks", model.block_count(), "numbers of blocks");
   same("nodes", model.structure().total_nodes(), "numbers of nodes");
-  same("geometry", geometry_digest(model.structure()), "places of nodes");
-  same("cells", cells_digest(model.structure()), "cells");
+  model.in_geometry([&](const auto&, const auto& structure) {
+    same("geometry", geometry_digest(structure), "places of nodes");
+    same("cells", cells_digest(structure), "cells");
+  });
 }
 
 }  // namespace
@@ -287,7 +294,7 @@ std::string words_of(const RunState& run, const std::vector<std::string>& change
   return text.str();
 }
 
-SavedRun::SavedRun(const Scene& scene, const PlaneModel& model, const std::string& folder, const std::string& from)
+SavedRun::SavedRun(const Scene& scene, const Model& model, const std::string& folder, const std::string& from)
     : scene_(scene),
       model_(model),
       path_(folder + "/" + checkpoint_file),

@@ -11,7 +11,7 @@
 
 #include "dynamics/load_steps.hpp"
 #include "dynamics/step_control.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 #include "results/recorder.hpp"
 #include "run/load_factor_analysis.hpp"
 #include "scene/scene_values.hpp"
@@ -37,7 +37,7 @@ class SavedRun {
   /// Collective.
   /// @param folder  where it is saved
   /// @param from    where it is taken up from, when that is another folder
-  SavedRun(const Scene&, const PlaneModel&, const std::string& folder, const std::string& from = "");
+  SavedRun(const Scene&, const Model&, const std::string& folder, const std::string& from = "");
 
   /// Saves, whatever the time. Collective.
   void save(const RunState&);
@@ -52,7 +52,7 @@ class SavedRun {
 
  private:
   const Scene& scene_;
-  const PlaneModel& model_;
+  const Model& model_;
   std::string path_, source_;
   SceneValues values_;  ///< of the scene, with the content of the files its loads have read
   Teuchos::Time clock_{"since the last checkpoint", true};

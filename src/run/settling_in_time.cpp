@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
-#include "model/plane/plane_model.hpp"
 #include "run/settling_parameters.hpp"
 #include "step/finite_rotations.hpp"
 #include "time/dynamic_step.hpp"
@@ -18,22 +18,26 @@ constexpr double pi = 3.14159265358979323846;
 using Numbers = SettlingParameters;
 
 /// Total of the sizes of nodal loads [N].
-double size_of(const Structure<2>& s, const std::vector<double>& load) {
+double size_of(const BlockSystem& s, const std::vector<double>& load) {
   double sum = 0;
-  for (int n = 0; n < s.owned_nodes(); ++n) sum += std::hypot(load[2 * n], load[2 * n + 1]);
+  const int dim = s.components();
+  for (int n = 0; n < s.owned_nodes(); ++n) sum += length_of(&load[dim * n], dim);
   return total_over_ranks(*s.comm(), sum);
 }
 
-double largest_motion(const Structure<2>& s, const std::vector<double>& a, const std::vector<double>* b = nullptr) {
+double largest_motion(const BlockSystem& s, const std::vector<double>& a, const std::vector<double>* b = nullptr) {
+  const int dim = s.components();
   double largest = 0;
-  for (int n = 0; n < s.owned_nodes(); ++n)
-    largest = std::max(largest, b ? std::hypot(a[2 * n] - (*b)[2 * n], a[2 * n + 1] - (*b)[2 * n + 1])
-                                  : std::hypot(a[2 * n], a[2 * n + 1]));
+  for (int n = 0; n < s.owned_nodes(); ++n) {
+    Vector<3> motion{};
+    for (int c = 0; c < dim; ++c) motion[c] = a[dim * n + c] - (b ? (*b)[dim * n + c] : 0.0);
+    largest = std::max(largest, length_of(motion.data(), dim));
+  }
   return largest_over_ranks(*s.comm(), largest);
 }
 
 /// A load step from where the structure has come to rest. Says whether that is an equilibrium, or all is given up.
-bool confirm(PlaneModel& model, AdaptiveStep& step, const LoadIncrement& increment, int most_solves, Settled& settled) {
+bool confirm(Model& model, AdaptiveStep& step, const LoadIncrement& increment, int most_solves, Settled& settled) {
   auto state = settled.state;
   untie_what_moved(model, state);
   state.velocity.clear();
@@ -74,15 +78,16 @@ TimeStepReport take_step(DynamicStep& dynamics, ContactState& state, const StepI
 
 }  // namespace
 
-bool can_settle_in_time(const PlaneModel& model) {
+bool can_settle_in_time(const Model& model) {
   double lightest = INFINITY;
-  for (const auto& block : model.structure().blocks()) lightest = std::min(lightest, block.material.density);
+  for (int b = 0; b < model.structure().local_blocks(); ++b)
+    lightest = std::min(lightest, model.structure().nodes_of(b).material.density);
   const bool heavy = largest_over_ranks(*model.structure().comm(), -lightest) < 0;
   return heavy && model.settings().rotations == Rotations::small &&
          model.settings().selection.mode != SelectionMode::bonded;
 }
 
-Settled settle_in_time(PlaneModel& model, AdaptiveStep& step, const ContactState& equilibrium,
+Settled settle_in_time(Model& model, AdaptiveStep& step, const ContactState& equilibrium,
                        const LoadIncrement& increment, int most_solves) {
   expect_state(model, equilibrium);
   VOUSSOIR_EXPECT(is_of_nodes(model, increment.load_before) && is_of_nodes(model, increment.load) &&

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "dynamics/factor_search.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model.hpp"
 #include "model/step_counts.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -34,12 +34,11 @@ struct Settled {
 };
 
 /// Whether a scene can be told so: stones have mass and turn by small angles.
-bool can_settle_in_time(const PlaneModel&);
+bool can_settle_in_time(const Model&);
 
 /// Collective.
 /// @param most_solves  linear solves after which it is given up
-Settled settle_in_time(PlaneModel&, AdaptiveStep&, const ContactState& equilibrium, const LoadIncrement&,
-                       int most_solves);
+Settled settle_in_time(Model&, AdaptiveStep&, const ContactState& equilibrium, const LoadIncrement&, int most_solves);
 
 /// Gives a step no more than so many linear solves while it lives, and counts them.
 class SolveBudget {

@@ -4,13 +4,11 @@
 #include <optional>
 
 #include "model/loads_at_work.hpp"
-#include "model/plane/plane_model.hpp"
 #include "output/output_folder.hpp"
 #include "range/input_warnings.hpp"
 #include "results/effect_costs.hpp"
-#include "results/prediction.hpp"
-#include "run/limit_run.hpp"
 #include "run/run.hpp"
+#include "run/scene_blocks.hpp"
 #include "run/scene_file.hpp"
 #include "scene/scene_printer.hpp"
 
@@ -20,27 +18,27 @@ namespace {
 using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 
 /// What is wanted without a run; nothing where that is not all.
-std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& options, const BlockSource<2>& source,
+std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& options, const SceneBlocks& blocks,
                                          const Comm& comm, std::ostream& say) {
   if (!options.validate && !options.dry_run) return {};
-  for (const auto& w : mesh_warnings(scene, source)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
+  for (const auto& w : blocks.warnings(scene)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
   if (options.validate)
-    say << "The scene is valid: " << source.block_count() << " blocks.\n";
+    say << "The scene is valid: " << blocks.count() << " blocks.\n";
   else
-    predict(scene, source, comm, say);
+    blocks.predict(scene, comm, say);
   return RunSummary{};
 }
 
-void say_sizes(const PlaneModel& model, std::ostream& say) {
+void say_sizes(const Model& model, std::ostream& say) {
   const int ranks = model.structure().comm()->getSize();
-  say << model.source().block_count() << " blocks, " << model.points().total_joints() << " joints, "
+  say << model.block_count() << " blocks, " << model.points().total_joints() << " joints, "
       << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on " << ranks
       << (ranks == 1 ? " rank\n" : " ranks\n");
   for (const auto& remark : model.loads_at_work().remarks()) say << remark << "\n";
 }
 
 /// All steps, then what is told at the end of a run that was not interrupted.
-RunSummary run_to_the_end(Run& run, const Scene& scene, const PlaneModel& model, const std::string& folder) {
+RunSummary run_to_the_end(Run& run, const Scene& scene, const Model& model, const std::string& folder) {
   if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
   run.write_joints(folder);
   auto summary = run.result();
@@ -59,8 +57,8 @@ RunSummary run_to_the_end(Run& run, const Scene& scene, const PlaneModel& model,
 RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, std::ostream& say) {
   Teuchos::Time clock("total", true);
   print_scene(say, scene, options.verbose);
-  const auto source = checked_blocks(scene, comm, options.trust);
-  if (const auto seen = only_looked_at(scene, options, *source, comm, say)) return *seen;
+  const auto blocks = blocks_of(scene, comm, options.trust);
+  if (const auto seen = only_looked_at(scene, options, *blocks, comm, say)) return *seen;
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
   std::optional<BranchedFolder> branched;
   if (!options.restart_from.empty()) branched.emplace(options.restart_from, options.folder, *comm);
@@ -68,10 +66,11 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
   const bool goes_on = options.restart || branched;
   if (!goes_on) write_scene_file(scene, options.folder, *comm);
-  if (options.limit_analysis) return limit_run(scene, *source, options.folder, comm, say);
-  PlaneModel model(scene, *source, comm);
+  if (options.limit_analysis) return blocks->limit_analysis(scene, options.folder, comm, say);
+  const auto modelled = blocks->modelled(scene, comm);
+  auto& model = *modelled.model;
   say_sizes(model, say);
-  Run run(scene, model, options, branched ? &*branched : nullptr, clock, say);
+  Run run(scene, model, *modelled.appraisal, options, branched ? &*branched : nullptr, clock, say);
   if (run.nothing_left()) {
     say << "Nothing is left to compute, and nothing was changed: the run in " << options.folder
         << " has come to its end.\nGive a scene with further stages to go on, or leave --restart out to compute it "

@@ -3,12 +3,10 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
-#include <memory>
 #include <ostream>
 #include <string>
 
 #include "mesh/geo_commands.hpp"
-#include "mesh/mesh.hpp"
 #include "output/result_json.hpp"
 #include "scene/scene.hpp"
 
@@ -25,10 +23,6 @@ struct RunOptions {
   bool verbose = false;         ///< a line for every linear solve
   Trust trust = Trust::no;      ///< whether a .geo may run programs, and read and write files
 };
-
-/// The mesh of the scene, checked; messages name the scene. Collective; throws InputError on every rank alike.
-std::unique_ptr<BlockSource<2>> checked_blocks(const Scene&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
-                                               Trust trust = Trust::no);
 
 /// Runs a scene. Collective; throws InputError, ConvergenceError or ResourceError on every rank alike.
 /// @param say  where rank 0 narrates; other ranks pass a stream that goes nowhere

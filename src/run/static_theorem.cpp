@@ -8,7 +8,6 @@
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
-#include "model/plane/plane_model.hpp"
 #include "run/load_factor_analysis_parameters.hpp"
 #include "run/static_theorem_parameters.hpp"
 #include "step/release.hpp"
@@ -18,20 +17,20 @@ namespace {
 
 using Numbers = StaticTheoremParameters;
 
-bool follows(const PlaneModel& model) { return model.settings().rotations == Rotations::finite; }
+bool follows(const Model& model) { return model.settings().rotations == Rotations::finite; }
 
 }  // namespace
 
-bool theorem_applies(const PlaneModel& model) {
-  return model.settings().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
-         model.source().block_count() <= Numbers::most_stones;
+bool theorem_applies(const Model& model, const LimitTheorem* theorem) {
+  return theorem && model.settings().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
+         model.block_count() <= Numbers::most_stones;
 }
 
 void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& before,
                           const std::vector<double>& load_before, const std::vector<double>& load, bool ends_stage) {
   expect_state(model_, before);
   VOUSSOIR_EXPECT(is_of_nodes(model_, load_before) && is_of_nodes(model_, load) && "loads: of node copies");
-  VOUSSOIR_EXPECT((absent.empty() || absent.size() == model_.structure().blocks().size()) &&
+  VOUSSOIR_EXPECT((absent.empty() || absent.size() == static_cast<std::size_t>(model_.structure().local_blocks())) &&
                   "absent: per block, or none");
   ends_stage_ = ends_stage;
   absent_ = &absent, state_ = &before, before_ = &load_before, load_ = &load;
@@ -49,15 +48,15 @@ GoOn StaticTheorem::after_solve() {
     if (++places_ > 1) asked_ = !applies_ || !follows(model_);
     solves_here_ = 0;
   }
-  const bool few = places_ > 1 && model_.source().block_count() <= Numbers::most_stones_at_ends;
+  const bool few = places_ > 1 && model_.block_count() <= Numbers::most_stones_at_ends;
   const int enough = few ? Numbers::solves_before_asking_few : Numbers::solves_before_asking;
   return !asked_ && ++solves_here_ >= enough && refuses() ? GoOn::no : GoOn::yes;
 }
 
-StepReport StaticTheorem::solve(AdaptiveStep& step, PlaneModel& model, ContactState& state,
+StepReport StaticTheorem::solve(AdaptiveStep& step, Model& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
   VOUSSOIR_EXPECT(state_ && load_ && "a step has begun");
-  const bool asks_first = follows(model_) && model_.source().block_count() <= Numbers::most_stones_at_ends;
+  const bool asks_first = follows(model_) && model_.block_count() <= Numbers::most_stones_at_ends;
   const bool at_once = asks_first && nothing_has_moved() && refuses();
   StepReport report;
   if (!at_once) report = solve_load_step(model, step, state, *load_, prescribed);
@@ -93,7 +92,7 @@ bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state
   if (!at_the_start()) return false;
   if (report.newton.outcome == NewtonOutcome::not_converged) return true;
   return report.newton.outcome == NewtonOutcome::converged && ends_stage_ &&
-         model_.source().block_count() <= Numbers::most_stones_at_ends &&
+         model_.block_count() <= Numbers::most_stones_at_ends &&
          count_selected(model_, state) < model_.points().total();
 }
 
@@ -101,20 +100,19 @@ bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state
 bool StaticTheorem::refuses() {
   if (std::exchange(asked_, true)) return refusal_.has_value();
   // What strength the step takes is not known: strengths count as at its beginning, which admits more.
-  const RigidLimits whole(model_, {absent_, state_, *load_, {}});
-  auto answer = whole.bears(0);
+  auto answer = theorem_->bears({absent_, state_, *load_, {}});
   if (answer.verdict != LimitVerdict::refused) return false;
-  refusal_ = Refusal{0, whole.on_nodes(answer), answer.dilates, whole.on_points(answer)};
+  refusal_ = Refusal{0, std::move(answer.mechanism), answer.dilates, std::move(answer.lambda)};
   auto more = *load_;
   for (std::size_t k = 0; k < more.size(); ++k) more[k] -= (*before_)[k];
-  const RigidLimits raised(model_, {absent_, state_, *before_, std::move(more)});
-  answer = raised.largest_factor(1);
+  answer = theorem_->largest_factor({absent_, state_, *before_, std::move(more)}, 1, false);
   if (answer.verdict == LimitVerdict::limited)
-    refusal_ = Refusal{std::max(0.0, answer.factor), raised.on_nodes(answer), answer.dilates, raised.on_points(answer)};
+    refusal_ =
+        Refusal{std::max(0.0, answer.factor), std::move(answer.mechanism), answer.dilates, std::move(answer.lambda)};
   return true;
 }
 
-std::string StaticTheorem::reason(PlaneModel& model, const ContactState& from) const {
+std::string StaticTheorem::reason(Model& model, const ContactState& from) const {
   constexpr auto theorem = " (rigid limit analysis)";
   const auto share = six_digits(100 * refusal_->share) + " % of the way here from the loads before can be borne";
   if (!follows(model_))
@@ -129,15 +127,14 @@ std::string StaticTheorem::reason(PlaneModel& model, const ContactState& from) c
 }
 
 /// Whether stones that move on come to where forces balance the loads. Leaves the model there.
-std::string StaticTheorem::along_the_mechanism(PlaneModel& model, const ContactState& from) const {
+std::string StaticTheorem::along_the_mechanism(Model& model, const ContactState& from) const {
   std::string at;
   for (const double share : LoadFactorAnalysisParameters::shares_along) {
     auto there = from.displacement;
     const double far = share * model_.structure().size();
     for (std::size_t i = 0; i < there.size(); ++i) there[i] += far * refusal_->mechanism[i];
     model.follow(there);
-    const RigidLimits limits(model_, {absent_, state_, *load_, {}});
-    if (limits.bears(0).verdict != LimitVerdict::refused)
+    if (theorem_->bears({absent_, state_, *load_, {}}).verdict != LimitVerdict::refused)
       return "moved on by " + six_digits(far) + " m they may come to rest, which load steps do not follow them to";
     at += (at.empty() ? "" : " and ") + six_digits(far) + " m";
   }

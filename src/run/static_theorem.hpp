@@ -13,14 +13,14 @@
 #include <optional>
 #include <string>
 
-#include "model/plane/plane_model.hpp"
-#include "run/rigid_limits.hpp"
+#include "run/limit_theorem.hpp"
 #include "step/finite_rotations.hpp"
 
 namespace voussoir {
 
-/// Whether the theorem can be asked of a scene, in a time that compares with its solution. The same on all ranks.
-bool theorem_applies(const PlaneModel&);
+/// Whether the theorem can be asked of a model, in a time that compares with its solution. The same on all ranks.
+/// @param theorem  none where nothing knows the structure as rigid stones
+bool theorem_applies(const Model&, const LimitTheorem* theorem);
 
 /// Loads that no admissible forces balance.
 struct Refusal {
@@ -33,7 +33,8 @@ struct Refusal {
 /// What the theorem says of one load step at a time.
 class StaticTheorem {
  public:
-  explicit StaticTheorem(const PlaneModel& model) : model_(model), applies_(theorem_applies(model)) {}
+  StaticTheorem(const Model& model, const LimitTheorem* theorem)
+      : model_(model), theorem_(theorem), applies_(theorem_applies(model, theorem)) {}
 
   /// A load step begins. What is passed must live as long as the step.
   /// @param ends_stage  whether what it finds will be told as the equilibrium of a stage
@@ -41,7 +42,7 @@ class StaticTheorem {
              const std::vector<double>& load, bool ends_stage);
   /// Solves it. Where that takes many linear solves, or leads nowhere, the theorem is asked; if it refuses, the step
   /// ends as a collapse in a state that holds forces alone. Collective.
-  StepReport solve(AdaptiveStep&, PlaneModel&, ContactState&, const std::vector<double>& prescribed);
+  StepReport solve(AdaptiveStep&, Model&, ContactState&, const std::vector<double>& prescribed);
   /// To be asked after each linear solve: counts those within solve(), and when they are many asks the theorem, which
   /// takes about as long as they did. Collective.
   GoOn after_solve();
@@ -57,10 +58,11 @@ class StaticTheorem {
   bool refuses();
   bool in_doubt(const StepReport&, const ContactState&) const;
   bool nothing_has_moved() const;
-  std::string along_the_mechanism(PlaneModel&, const ContactState& from) const;
-  std::string reason(PlaneModel&, const ContactState& from) const;
+  std::string along_the_mechanism(Model&, const ContactState& from) const;
+  std::string reason(Model&, const ContactState& from) const;
 
-  const PlaneModel& model_;
+  const Model& model_;
+  const LimitTheorem* theorem_;
   bool applies_, asked_ = false, ends_stage_ = false;
   bool solving_ = false;  ///< within a step that was begun
   int arrangement_ = -1;  ///< of the place where solves are counted

@@ -20,7 +20,7 @@
 #include "model/step.hpp"
 #include "nonlinear/contact_solver.hpp"
 #include "ties/error_estimate.hpp"
-#include "ties/plane/tie_balance.hpp"
+#include "ties/tie_balance.hpp"
 
 namespace voussoir {
 

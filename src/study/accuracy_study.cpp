@@ -14,7 +14,7 @@
 #include "linalg/reduce.hpp"
 #include "model/plane/plane_model.hpp"
 #include "output/safe_file.hpp"
-#include "run/simulation.hpp"
+#include "range/checked_blocks.hpp"
 #include "step/adaptive_step.hpp"
 #include "step/release.hpp"
 
@@ -80,7 +80,7 @@ AccuracyRow AccuracyStudy::run(const Scene& scene, Field* keep, const Field* tru
   if (scene.selection.mode == SelectionMode::adaptive) row.threshold = scene.selection.error_tolerance;
   row.element_size = element_size(scene);
   Teuchos::Time clock("run", true);
-  const auto source = checked_blocks(scene, comm_);
+  const auto source = checked_blocks<2>(scene, comm_);
   const PlaneModel model(scene, *source, comm_);
   const auto state = solve(scene, model, row, say_);
   row.seconds = largest_over_ranks(*comm_, clock.totalElapsedTime(true));

@@ -10,7 +10,7 @@
 #include "linalg/reduce.hpp"
 #include "model/plane/plane_model.hpp"
 #include "output/study_table.hpp"
-#include "run/simulation.hpp"
+#include "range/checked_blocks.hpp"
 #include "step/release.hpp"
 #include "study/processor_clock.hpp"
 #include "time/dynamic_step.hpp"
@@ -55,7 +55,7 @@ MotionStudy::MotionStudy(const std::string& folder, const Teuchos::RCP<const Teu
 }
 
 void MotionStudy::add(const std::string& family, double size, double peak, Scene scene) {
-  const auto source = checked_blocks(scene, comm_);
+  const auto source = checked_blocks<2>(scene, comm_);
   MotionRow bonded;
   for (const auto mode : {SelectionMode::bonded, SelectionMode::adaptive}) {
     scene.selection.mode = mode;

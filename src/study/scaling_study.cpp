@@ -17,8 +17,8 @@
 #include "model/step_counts.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
+#include "range/checked_blocks.hpp"
 #include "results/shares_of_ranks.hpp"
-#include "run/simulation.hpp"
 #include "step/adaptive_step.hpp"
 #include "step/release.hpp"
 #include "study/processor_clock.hpp"
@@ -156,7 +156,7 @@ ScalingStudy::ScalingStudy(const std::string& folder, const Teuchos::RCP<const T
 }
 
 void ScalingStudy::add(const std::string& family, double size, Scene scene, const std::vector<SelectionMode>& modes) {
-  const auto source = checked_blocks(scene, comm_);
+  const auto source = checked_blocks<2>(scene, comm_);
   // Nothing of the model depends on the mode: runs share it, and its price.
   PlaneModel model(scene, *source, comm_);
   std::vector<double> load, prescribed;

@@ -13,8 +13,8 @@
 #include "model/plane/plane_model.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
+#include "range/checked_blocks.hpp"
 #include "results/shares_of_ranks.hpp"
-#include "run/simulation.hpp"
 #include "step/adaptive_step.hpp"
 #include "study/processor_clock.hpp"
 
@@ -210,7 +210,7 @@ SystemStudy::SystemStudy(const std::string& folder, const Teuchos::RCP<const Teu
 
 void SystemStudy::add(const SystemCase& given, Scene scene) {
   scene.preconditioner.factored_up_to = 0;  // iterations are what is counted
-  const auto source = checked_blocks(scene, comm_);
+  const auto source = checked_blocks<2>(scene, comm_);
   const StonesByLot stones(*source);
   harden(scene, given.contrast);
   SystemRow row;

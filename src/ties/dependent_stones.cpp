@@ -13,10 +13,11 @@ class Search {
  public:
   static constexpr int root = -1;
 
-  Search(const BlockGraph& graph, const std::vector<int>& supported, const std::vector<int>& absent)
+  Search(const BlockGraph& graph, const std::vector<int>& supported, const std::vector<int>& absent, int of_facet)
       : graph_(graph),
         supported_(supported),
         absent_(absent),
+        of_facet_(of_facet),
         order_(supported.size(), 0),
         low_(supported.size(), 0),
         parent_(supported.size(), root),
@@ -48,10 +49,10 @@ class Search {
     if (parent_[b] != root) low_[parent_[b]] = std::min(low_[parent_[b]], low_[b]);
   }
 
-  /// Blocks that share no more than one vertex hold nothing of each other.
+  /// Blocks that share no facet hold nothing of each other.
   void look_along(BlockId b, int k) {
     const BlockId other = graph_.neighbour[k];
-    if (graph_.shared_vertices[k] < 2 || other == parent_[b]) return;
+    if (graph_.shared_vertices[k] < of_facet_ || other == parent_[b]) return;
     if (is_new(other))
       enter(other, b);
     else if (order_[other] > 0)
@@ -71,6 +72,7 @@ class Search {
 
   const BlockGraph& graph_;
   const std::vector<int>&supported_, &absent_;
+  const int of_facet_;
   std::vector<int> order_, low_, parent_, next_;
   std::vector<BlockId> stack_, visited_;
 };
@@ -79,10 +81,10 @@ class Search {
 
 // A block whose descendants reach no higher than its parent depends on the parent.
 DependentStones::DependentStones(const BlockGraph& graph, const std::vector<int>& supported,
-                                 const std::vector<int>& absent) {
+                                 const std::vector<int>& absent, int of_facet) {
   VOUSSOIR_EXPECT(graph.start.size() == supported.size() + 1 && "supported: per block of the structure");
   VOUSSOIR_EXPECT((absent.empty() || absent.size() == supported.size()) && "absent: per block, or none");
-  const Search search(graph, supported, absent);
+  const Search search(graph, supported, absent, of_facet);
   for (const BlockId b : search.visited()) {
     const BlockId parent = search.parent(b);
     if (parent == Search::root) continue;

@@ -12,15 +12,18 @@
 
 namespace voussoir {
 
-/// Sums over blocks: forces and moments about one point, of what they lack and of their loads.
-using BlockSums = std::array<double, 6>;
+/// Sums over blocks: forces and moments about one point, of what they lack and of their loads. In the plane the first
+/// half is enough.
+using BlockSums = std::array<double, 12>;
 
 /// The dependants of blocks, each chain of dependence as a tree.
 class DependentStones {
  public:
   /// @param supported  per block of the structure: 1 where a support holds it
   /// @param absent     per block: 1 where it is not there; empty for none
-  DependentStones(const BlockGraph&, const std::vector<int>& supported, const std::vector<int>& absent);
+  /// @param of_facet   vertices of a facet, the least that blocks share which hold anything of each other
+  DependentStones(const BlockGraph&, const std::vector<int>& supported, const std::vector<int>& absent,
+                  int of_facet = 2);
 
   /// Blocks that depend on another one, ascending.
   const std::vector<BlockId>& dependants() const { return dependants_; }

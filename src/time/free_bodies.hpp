@@ -1,9 +1,10 @@
-// Stones of the plane that move as one because ties hold them together, where no support holds any of them.
+// Stones that move as one because ties hold them together, where no support holds any of them.
 //
 // A change of velocities without resultants leaves the momentum and the moment of momentum of every such body as they
 // are: it is a vibration within them.
 #pragma once
 
+#include "base/dense.hpp"
 #include "model/contact_problem.hpp"
 #include "model/model.hpp"
 
@@ -21,11 +22,16 @@ class FreeBodies {
   Vector<3> remove_motion(std::vector<double>& velocity) const;
 
  private:
+  void find_inertia(int count);
+  Vector<3> turns_of(int body, const Vector<3>& moment) const;
+
   const BlockSystem& mass_;
-  std::vector<int> body_;        ///< per local block; -1 where a support holds it
-  std::vector<double> turn_;     ///< [m] velocity of node copies when bodies turn about their mass centres at 1 rad/s
-  std::vector<double> weight_;   ///< [kg] of bodies
-  std::vector<double> inertia_;  ///< [kg m2] of bodies, about their mass centres
+  const int turns_;        ///< ways to turn: one in the plane, three in space
+  std::vector<int> body_;  ///< per local block; -1 where a support holds it
+  /// [m] velocity of node copies when bodies turn about their mass centres at 1 rad/s, by way to turn
+  std::vector<std::vector<double>> turn_;
+  std::vector<double> weight_;      ///< [kg] of bodies
+  std::vector<Matrix<3>> inertia_;  ///< [kg m2] of bodies, about their mass centres
 };
 
 }  // namespace voussoir

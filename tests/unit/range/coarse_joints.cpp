@@ -2,7 +2,7 @@
 //
 // Set-up    Beds of two cells of 0.125 m between one stone below and two on it, bent: stress goes linearly from s in
 //           tension on the left to s in compression on the right. Points at edges bear 2/3 of what the edges do.
-#include "range/coarse_joints.hpp"
+#include "range/plane/coarse_joints.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>

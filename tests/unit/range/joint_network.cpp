@@ -1,7 +1,7 @@
 // Forces shared out among joints, against what equilibrium says where it says all.
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "range/joint_network.hpp"
+#include "range/plane/joint_network.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 //
 // Set-up    Two squares of 1 m side by side; the curve between them is the set "seam", the outside of the right one
 //           "end". The left square is of the set "stones left", both are of "stones".
-#include "range/joint_sides.hpp"
+#include "range/plane/joint_sides.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -7,10 +7,10 @@
 #include <functional>
 
 #include "model/plane/plane_model.hpp"
-#include "range/range_check.hpp"
-#include "range/slip_range.hpp"
-#include "range/stone_overlap.hpp"
-#include "range/turn_range.hpp"
+#include "range/plane/measures.hpp"
+#include "range/plane/slip_range.hpp"
+#include "range/plane/stone_overlap.hpp"
+#include "range/plane/turn_range.hpp"
 #include "support/tied_wall.hpp"
 
 namespace {
@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(RangeOfOutlines, IsLeftWhereAStoneLiesInAnotherByMoreThanAHund
 TEUCHOS_UNIT_TEST(RangeCheck, TellsItsWarningsAndWhyAStepIsOutOfRange) {
   Moved moved({10, 10, 10});
   Warnings told;
-  RangeCheck check(moved.model, [&](const Warning& w) { told.push_back(w); });
+  RangeCheck check(moved.model, measures_in_plane(moved.model), [&](const Warning& w) { told.push_back(w); });
   TEST_ASSERT(check.beyond(moved.end()).empty());
   TEST_ASSERT(told.empty());
   moved.move([](const Vector<2>&) { return Vector<2>{1.1 * cell, -0.02}; });

@@ -1,7 +1,7 @@
 // Stones between springs with a law, by hand.
 //
 // Set-up    One stone of 0.5 m on the ground, two of 0.25 m on it side by side, all 0.25 m high.
-#include "ties/plane/stone_relaxation.hpp"
+#include "ties/stone_relaxation.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
@@ -19,11 +19,11 @@ using namespace voussoir::test;
 
 constexpr double weight = 1000, spring = 1e6, ground = 1e12;  // [N], [N/m] of points and of what holds block 0
 
-std::vector<Stone> stones_of(const PlaneModel& model) {
+std::vector<Stone<2>> stones_of(const PlaneModel& model) {
   const auto& s = model.structure();
-  std::vector<Stone> stones;
+  std::vector<Stone<2>> stones;
   for (const auto& block : s.blocks()) {
-    Stone stone;
+    Stone<2> stone;
     const auto count = static_cast<int>(block.mesh.position.size());
     for (int n = 0; n < count; ++n) stone.middle = stone.middle + (1.0 / count) * s.position()[block.first_local + n];
     for (int n = 0; n < count; ++n)
@@ -39,16 +39,16 @@ std::vector<Stone> stones_of(const PlaneModel& model) {
 struct Relaxed {
   Experiment wall{tied_wall()};
   const PlaneModel& model = wall.model();
-  StoneRelaxation stones{model, stones_of(model), spring};
-  std::vector<StoneVector> lacks;
+  StoneRelaxation<2> stones{model, stones_of(model), spring};
+  std::vector<StoneVector<2>> lacks;
 
-  explicit Relaxed(const std::vector<StoneVector>& lack_of_block, double pressed = 0) {
+  explicit Relaxed(const std::vector<StoneVector<2>>& lack_of_block, double pressed = 0) {
     const auto& s = model.structure();
     for (int b = 0; b < s.owned_blocks(); ++b) lacks.push_back(lack_of_block[s.blocks()[b].mesh.id]);
     begin(pressed);
   }
   void begin(double pressed) {
-    std::vector<StonePoint> points(model.points().size());
+    std::vector<StonePoint<2>> points(model.points().size());
     for (std::size_t k = 0; k < points.size(); ++k) {
       const bool bed = joint_of(model, static_cast<int>(k)).block_i == 0;
       points[k] = {{0.6, 0, 0}, {bed ? pressed : 0.0, 0}, bed ? 0.0 : 1e3};

@@ -2,7 +2,7 @@
 // what friction does not bear.
 //
 // Set-up    One stone of 0.5 m on the ground, two of 0.25 m on it side by side, all 0.25 m high and tied.
-#include "ties/plane/tie_balance.hpp"
+#include "ties/tie_balance.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>

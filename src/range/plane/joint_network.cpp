@@ -1,4 +1,4 @@
-#include "range/joint_network.hpp"
+#include "range/plane/joint_network.hpp"
 
 #include <algorithm>
 

@@ -9,20 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "model/contact_state.hpp"
 #include "model/plane/plane_model.hpp"
-#include "nonlinear/nonlinear_problem.hpp"
+#include "run/limit_theorem.hpp"
 #include "statics/limit_analysis.hpp"
 
 namespace voussoir {
-
-/// What is there of the model, and how it is loaded.
-struct RigidTask {
-  const std::vector<char>* absent = nullptr;  ///< per local block, of what is not there; none: all is there
-  const ContactState* state = nullptr;        ///< whose joints have what is left of their strength; none: all are whole
-  std::vector<double> fixed;                  ///< [N] nodal loads that stay
-  std::vector<double> raised;                 ///< [N] nodal loads that a factor multiplies; may be empty
-};
 
 class RigidLimits {
  public:
@@ -54,8 +45,15 @@ class RigidLimits {
   std::unique_ptr<const LimitAnalysis> analysis_;  ///< on the first rank
 };
 
-/// Nodal loads by which a pattern changes per unit of the load factor [N]. Collective.
-std::vector<double> loads_of_pattern(const PlaneModel&, const std::map<std::string, double>& factors,
-                                     const std::map<std::string, double>& pattern, double time);
+/// What they say, as a run asks.
+class PlaneTheorem : public LimitTheorem {
+ public:
+  explicit PlaneTheorem(const PlaneModel& model) : model_(model) {}
+  RigidVerdict bears(const RigidTask&) const override;
+  RigidVerdict largest_factor(const RigidTask&, double largest, bool estimates) const override;
+
+ private:
+  const PlaneModel& model_;
+};
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-#include "run/rigid_limits.hpp"
+#include "run/plane/rigid_limits.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
@@ -261,15 +261,33 @@ PointField RigidLimits::on_points(const LimitAnswer& answer) const {
   return force;
 }
 
-std::vector<double> loads_of_pattern(const PlaneModel& model, const std::map<std::string, double>& factors,
-                                     const std::map<std::string, double>& pattern, double time) {
-  auto raised = factors;
-  for (const auto& [load, share] : pattern) raised[load] += share;
-  std::vector<double> without, with, prescribed;
-  model.loads(factors, time, without, prescribed);
-  model.loads(raised, time, with, prescribed);
-  for (std::size_t k = 0; k < with.size(); ++k) with[k] -= without[k];
-  return with;
+namespace {
+
+RigidVerdict verdict_of(const RigidLimits& limits, const LimitAnswer& answer) {
+  RigidVerdict told;
+  told.verdict = answer.verdict;
+  told.factor = answer.factor;
+  if (answer.verdict != LimitVerdict::refused && answer.verdict != LimitVerdict::limited) return told;
+  told.mechanism = limits.on_nodes(answer);
+  told.dilates = answer.dilates;
+  told.lambda = limits.on_points(answer);
+  return told;
+}
+
+}  // namespace
+
+RigidVerdict PlaneTheorem::bears(const RigidTask& task) const {
+  const RigidLimits limits(model_, task);
+  return verdict_of(limits, limits.bears(0));
+}
+
+RigidVerdict PlaneTheorem::largest_factor(const RigidTask& task, double largest, bool estimates) const {
+  const RigidLimits limits(model_, task);
+  const auto answer = limits.largest_factor(largest);
+  auto told = verdict_of(limits, answer);
+  if (estimates && !told.mechanism.empty())
+    told.without_dilatancy = limits.without_dilatancy(largest, answer).value_or(told.without_dilatancy);
+  return told;
 }
 
 }  // namespace voussoir

@@ -1,23 +1,24 @@
-// The mesh of a scene, made and checked before anything is computed.
+#include "range/checked_blocks.hpp"
+
 #include "base/error.hpp"
 #include "dynamics/load_steps.hpp"
 #include "mesh/block_source.hpp"
 #include "mesh/mesh_check.hpp"
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
-#include "range/joint_sides.hpp"
-#include "run/simulation.hpp"
+#include "range/plane/joint_sides.hpp"
 
 namespace voussoir {
 
-std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
-                                               Trust trust) {
+template <int dim>
+std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                                                 Trust trust) {
   Phase phase("mesh");
-  std::unique_ptr<BlockSource<2>> source;
+  std::unique_ptr<BlockSource<dim>> source;
   try {
-    source = make_block_source<2>(scene.mesh, *comm, trust);
+    source = make_block_source<dim>(scene.mesh, *comm, trust);
     check_fit(scene, *source);
-    check_sides(scene, *source);
+    if constexpr (dim == 2) check_sides(scene, *source);
     std::vector<FacetNames> supported;
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))
@@ -36,5 +37,8 @@ std::unique_ptr<BlockSource<2>> checked_blocks(const Scene& scene, const Teuchos
   }
   return source;
 }
+
+template std::unique_ptr<BlockSource<2>> checked_blocks(const Scene&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
+                                                        Trust);
 
 }  // namespace voussoir

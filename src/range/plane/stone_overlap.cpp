@@ -1,4 +1,4 @@
-#include "range/stone_overlap.hpp"
+#include "range/plane/stone_overlap.hpp"
 
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "linalg/reduce.hpp"
 #include "mesh/box_tree.hpp"
 #include "model/plane/plane_model.hpp"
-#include "range/stone_places.hpp"
+#include "range/plane/stone_places.hpp"
 
 namespace voussoir {
 namespace {

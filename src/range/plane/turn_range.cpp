@@ -1,4 +1,4 @@
-#include "range/turn_range.hpp"
+#include "range/plane/turn_range.hpp"
 
 #include <array>
 #include <cmath>
@@ -11,8 +11,8 @@
 #include "linalg/reduce.hpp"
 #include "model/joint_strength.hpp"
 #include "model/plane/plane_model.hpp"
-#include "range/joint_network.hpp"
-#include "range/stone_places.hpp"
+#include "range/plane/joint_network.hpp"
+#include "range/plane/stone_places.hpp"
 
 namespace voussoir {
 namespace {

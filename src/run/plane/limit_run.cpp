@@ -1,4 +1,4 @@
-#include "run/limit_run.hpp"
+#include "run/plane/limit_run.hpp"
 
 #include <Teuchos_Time.hpp>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "results/largest_mover.hpp"
 #include "results/plane/mechanism_words.hpp"
 #include "results/recorder.hpp"
-#include "run/rigid_limits.hpp"
+#include "run/plane/rigid_limits.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 #include "step/adaptive_step.hpp"
 

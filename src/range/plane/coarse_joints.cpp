@@ -1,4 +1,4 @@
-#include "range/coarse_joints.hpp"
+#include "range/plane/coarse_joints.hpp"
 
 #include <algorithm>
 #include <cmath>

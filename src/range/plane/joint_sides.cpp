@@ -1,4 +1,4 @@
-#include "range/joint_sides.hpp"
+#include "range/plane/joint_sides.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "range/slip_range.hpp"
+#include "range/plane/slip_range.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "mesh/box_tree.hpp"
 #include "model/handed_over.hpp"
 #include "model/plane/plane_model.hpp"
-#include "range/stone_places.hpp"
+#include "range/plane/stone_places.hpp"
 #include "ties/error_estimate.hpp"
 
 namespace voussoir {

@@ -18,14 +18,12 @@
 // (stone_relaxation.hpp)? Those that do not are loose.
 #pragma once
 
-#include <map>
 #include <memory>
+#include <vector>
 
 #include "base/warning.hpp"
 #include "model/contact_problem.hpp"
 #include "model/model.hpp"
-#include "ties/dependent_stones.hpp"
-#include "ties/plane/stone_relaxation.hpp"
 
 namespace voussoir {
 
@@ -54,20 +52,16 @@ class TieCriterion {
                    const std::vector<double>& borne, const std::vector<double>& load, double largest_normal);
 
  private:
-  struct Stones;
-  struct Demands {  ///< of owned blocks
-    std::vector<StoneVector> lacks, loads;
-    std::vector<double> own;  ///< [N] that shares refer to
+  struct Kernel {
+    virtual ~Kernel() = default;
+    virtual TieBalance judge(const PointLaws&, const ContactState&, const std::vector<int>& cluster,
+                             const std::vector<double>& borne, const std::vector<double>& load, double unknown) = 0;
   };
-  void arrange(std::vector<char> absent);
-  Demands demands_of(const std::vector<StonePoint>&, const std::vector<double>& borne,
-                     const std::vector<double>& load) const;
-  std::vector<double> measures(const Demands&, const std::vector<double>& load) const;
-  std::map<BlockId, BlockSums> of_dependants(const Demands&);
-  std::vector<double> left_alone(const Demands&, double unknown, const std::map<BlockId, BlockSums>& below);
+  template <int dim>
+  class KernelIn;
 
   const Model& model_;
-  std::unique_ptr<Stones> stones_;
+  std::unique_ptr<Kernel> kernel_;
 };
 
 /// What is said where ties may not be released (selection > largest rounds): one warning, or none.
