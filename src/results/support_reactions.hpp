@@ -21,9 +21,9 @@ struct HeldNode {
 std::vector<std::vector<HeldNode>> held_nodes(const std::vector<Named<SupportParameters>>&, const Model&);
 
 /// Force of each support on the structure, and a point on its line of action: the one nearest to the support's middle.
-/// In space the line is the one along which the moment is least. A force belongs, component by component, to the support
-/// that holds the component. Where two hold the same one of a node they bear it in the proportion of their edges or
-/// faces there, in whichever order the scene names them. Collective.
+/// In space the line is the one about which the moment is least. A force belongs, component by component, to the
+/// support that holds the component. Where two hold the same one of a node they bear it in the proportion of their
+/// edges or faces there, in whichever order the scene names them. Collective.
 /// @param residual  [N] on node copies, what is left of equilibrium without supports
 std::map<std::string, ReactionSummary> support_reactions(const Model&, const std::vector<double>& residual);
 

@@ -56,7 +56,6 @@ FreeBodies::FreeBodies(const Model& model, const BlockSystem& mass, const std::v
     : mass_(mass), turns_(mass.components() == 2 ? 1 : 3) {
   VOUSSOIR_EXPECT(is_per_point(model, selected) && "selected: per point");
   VOUSSOIR_EXPECT(mass.nodes() == model.structure().nodes() && "mass: of the structure at rest");
-  const int dim = mass.components();
   const auto first = bodies_of(model, selected);
   std::vector<int> number(first.size(), -1);  // of bodies that begin with a block
   int count = 0;
@@ -66,24 +65,30 @@ FreeBodies::FreeBodies(const Model& model, const BlockSystem& mass, const std::v
     const int body = first[mass.nodes_of(b).id];
     body_.push_back(body < 0 ? -1 : number[body]);
   }
+  find_turns(model, count);
+  find_inertia(count);
+}
 
-  const auto& of_node = mass.block_of_node();
-  std::vector<double> along(static_cast<std::size_t>(dim) * mass.nodes(), 0.0), weight;
+/// Weights of bodies, and how nodes move when they turn about their mass centres. Collective.
+void FreeBodies::find_turns(const Model& model, int count) {
+  const int dim = mass_.components();
+  const auto& of_node = mass_.block_of_node();
+  std::vector<double> along(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0), weight;
   for (std::size_t i = 0; i < along.size(); i += dim) along[i] = 1;
-  mass.apply_stiffness(along, weight);
+  mass_.apply_stiffness(along, weight);
   std::vector<double> sums(4 * count, 0.0);  // mass and its moments
   const auto arm_of = [&](int n) { return model.structure().place(n) - model.structure().centre(); };
-  for (int n = 0; n < mass.owned_nodes(); ++n) {
+  for (int n = 0; n < mass_.owned_nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
     const auto arm = arm_of(n);
     sums[4 * b] += weight[dim * n];
     for (int c = 0; c < dim; ++c) sums[4 * b + 1 + c] += weight[dim * n] * arm[c];
   }
-  sums = total_of_each(*mass.comm(), sums);
+  sums = total_of_each(*mass_.comm(), sums);
   for (int b = 0; b < count; ++b) weight_.push_back(sums[4 * b]);
   turn_.assign(turns_, std::vector<double>(along.size(), 0.0));
-  for (int n = 0; n < mass.nodes(); ++n) {
+  for (int n = 0; n < mass_.nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
     auto arm = arm_of(n);
@@ -95,7 +100,6 @@ FreeBodies::FreeBodies(const Model& model, const BlockSystem& mass, const std::v
       for (int c = 0; c < dim; ++c) turn_[r][dim * n + c] = velocity[c];
     }
   }
-  find_inertia(count);
 }
 
 /// Of bodies against turns about their mass centres. Collective.

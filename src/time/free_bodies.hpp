@@ -22,6 +22,7 @@ class FreeBodies {
   Vector<3> remove_motion(std::vector<double>& velocity) const;
 
  private:
+  void find_turns(const Model&, int count);
   void find_inertia(int count);
   Vector<3> turns_of(int body, const Vector<3>& moment) const;
 
