@@ -178,8 +178,8 @@ typename TieCriterion::KernelIn<dim>::Demands TieCriterion::KernelIn<dim>::deman
   Demands demands;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& stone = stones_->relaxation.stones()[b];
-    demands.loads.push_back(sum_over(s, s.nodes_of(b), stone.middle, load));
-    demands.lacks.push_back(sum_over(s, s.nodes_of(b), stone.middle, lacking));
+    demands.loads.push_back(sum_over<dim>(s, s.nodes_of(b), stone.middle, load));
+    demands.lacks.push_back(sum_over<dim>(s, s.nodes_of(b), stone.middle, lacking));
     for (double& l : demands.lacks[b]) l = -l;
   }
   return demands;
