@@ -7,16 +7,32 @@
 
 namespace voussoir {
 
-std::vector<PointPlace> places_of(const ContactPoints& points, const Structure<2>& structure) {
+namespace {
+
+/// The normal of a point before its blocks turned.
+Vector<3> drawn_normal(const ContactPoint& p, const Joint& joint, const Structure<2>& structure) {
+  const Rotation back(-(structure.turn(joint.local_i) + structure.turn(joint.local_j)) / 2);
+  return in_space(back(in_plane(p.axis[0])));
+}
+
+/// In space blocks are not followed.
+Vector<3> drawn_normal(const ContactPoint& p, const Joint&, const Structure<3>&) { return p.axis[0]; }
+
+}  // namespace
+
+template <int dim>
+std::vector<PointPlace> places_of(const ContactPoints& points, const Structure<dim>& structure) {
   std::vector<PointPlace> places;
   for (int k = 0; k < points.size(); ++k) {
     const auto& joint = points.joint_of(k);
     const auto& p = points.points()[k];
-    const Rotation back(-(structure.turn(joint.local_i) + structure.turn(joint.local_j)) / 2);
-    places.push_back({joint.block_i, joint.block_j, p.place, in_space(back(in_plane(p.axis[0])))});
+    places.push_back({joint.block_i, joint.block_j, p.place, drawn_normal(p, joint, structure)});
   }
   return places;
 }
+
+template std::vector<PointPlace> places_of(const ContactPoints&, const Structure<2>&);
+template std::vector<PointPlace> places_of(const ContactPoints&, const Structure<3>&);
 
 std::vector<int> same_places(const std::vector<PointPlace>& points, const std::vector<PointPlace>& others,
                              double near) {

@@ -15,7 +15,8 @@ struct PointPlace {
 };
 
 /// Of all points of this rank, wherever their blocks have turned to.
-std::vector<PointPlace> places_of(const ContactPoints&, const Structure<2>&);
+template <int dim>
+std::vector<PointPlace> places_of(const ContactPoints&, const Structure<dim>&);
 
 /// For each point the number of the one that stands at its place among others, -1 where none does. No other is taken
 /// twice.

@@ -124,7 +124,7 @@ LocalRows point_rows(Checkpoint& checkpoint, const Model& model) {
   const auto& points = model.points();
   LocalRows rows{{}, points.owned(), points.total()};
   for (const auto& p : points.points()) rows.ids.push_back(p.id);
-  const auto here = places_of(points, model.structure());
+  const auto here = model.in_geometry([&](const auto&, const auto& s) { return places_of(points, s); });
   checkpoint.value("points", rows.total);
   if (checkpoint.saving()) {
     PlaceRows(here).keep(checkpoint, rows);
