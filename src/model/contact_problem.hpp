@@ -63,6 +63,7 @@ class ContactProblem : public NonlinearProblem {
   int points() const override { return parts_.points.size(); }
   int owned_points() const override { return parts_.points.owned(); }
   long long number_of(int point) const override { return parts_.points.points()[point].id; }
+  int joint_of(int point) const override { return parts_.points.points()[point].joint; }
   /// Without points whose force nothing determines, as supports hold both sides or other joints tie them, and those not
   /// built yet.
   const std::vector<char>& selected() const override { return movable_; }

@@ -41,6 +41,8 @@ class NonlinearProblem {
   virtual int owned_points() const = 0;
   /// Number of a point, the same for any number of ranks.
   virtual long long number_of(int point) const { return point; }
+  /// Number of its joint on this rank, where all points of a joint are, or none.
+  virtual int joint_of(int point) const { return point; }
   /// 1 where the point is resolved as contact; the others are tied and skipped.
   virtual const std::vector<char>& selected() const = 0;
   /// At the start of the step; of points that soften CurrentLaws tells more.

@@ -108,6 +108,16 @@ class Share {
       }
     return rooted(y);
   }
+  /// A field of the points that soften beside one in its joint, and 0 elsewhere.
+  PointField in_joint_of(long long number, const PointField& all) const {
+    int joint = -1;
+    for (int k = 0; k < problem_.points(); ++k)
+      if (problem_.number_of(k) == number) joint = problem_.joint_of(k);
+    PointField some(all.size(), 0.0);
+    for (int k = 0; k < problem_.points(); ++k)
+      if (tangents_[k].softens && problem_.joint_of(k) == joint) std::copy_n(&all[2 * k], 2, &some[2 * k]);
+    return some;
+  }
   double dot(const PointField& a, const PointField& b) const {
     double mine = 0;
     for (int i = 0; i < 2 * problem_.owned_points(); ++i) mine += a[i] * b[i];
@@ -197,12 +207,14 @@ double largest_share(Share& share, PointField& combination) {
   return mu;
 }
 
-/// The lowest number of a point that softens as fast as any, and its largest motion. Collective.
-std::pair<long long, double> leader_of(const NonlinearProblem& problem, const Share& share, const PointField& gaps) {
+/// The lowest number of a point of which a field is as large as anywhere, but for a share, and the largest value of the
+/// field with the sign that it has there. Collective.
+std::pair<long long, double> leader_of(const NonlinearProblem& problem, const Share& share, const PointField& field,
+                                       double as_large) {
   double largest = 0;
   const auto visit = [&](const auto& see) {
     for (int k = 0; k < problem.owned_points(); ++k)
-      for (int c = 0; share.softens(k) && c < 2; ++c) see(k, share.onward(k, c) * gaps[2 * k + c]);
+      for (int c = 0; share.softens(k) && c < 2; ++c) see(k, share.onward(k, c) * field[2 * k + c]);
   };
   visit([&](int, double g) { largest = std::max(largest, std::abs(g)); });
   largest = largest_over_ranks(problem, largest);
@@ -210,13 +222,32 @@ std::pair<long long, double> leader_of(const NonlinearProblem& problem, const Sh
   double lowest = none, value = 0;
   visit([&](int k, double g) {
     const auto number = static_cast<double>(problem.number_of(k));
-    if (std::abs(g) < Numbers::leads * largest || !(number < lowest)) return;
+    if (std::abs(g) < as_large * largest || !(number < lowest)) return;
     lowest = number;
     value = g;
   });
   const double first = -largest_over_ranks(problem, -lowest);
   const double sum = total_over_ranks(*problem.map()->getComm(), lowest == first ? value : 0.0);
   return {static_cast<long long>(first), sum < 0 ? -largest : largest};
+}
+
+PointField motions(const NonlinearProblem& problem, const PointField& gap, const PointField& lambda) {
+  PointField all(gap.size(), 0.0);
+  for (int k = 0; k < problem.points(); ++k)
+    for (int c = 0; problem.selected()[k] && c < 2; ++c) all[2 * k + c] = motion_of(problem, k, c, gap, lambda);
+  return all;
+}
+
+/// How the structure moves when the joint that has softened furthest, the first of those that are alike, runs on and
+/// all others follow. Whether it gives way along that; false where a library refused the system. Collective.
+bool run_on(const NonlinearProblem& problem, Share& share, const PointField& moved) {
+  const auto leader = leader_of(problem, share, share.rooted(moved), Numbers::alike).first;
+  const PointField y = share.rooted(share.in_joint_of(leader, moved));
+  PointField image;
+  if (!share.apply(y, image)) return false;
+  // v = A^-1 B^T h e takes v.K v = v.A v - S, where v.A v = image.y and S = image.image.
+  const double softened = share.dot(image, image), both = share.dot(image, y);
+  return 2 * softened - both > Numbers::neutral * both;
 }
 
 }  // namespace
@@ -232,9 +263,10 @@ Instability find_instability(NonlinearProblem& problem, const TpetraVector& x, c
   if (share.size() == 0) return found;
   PointField combination, image;
   found.excess = 2 * largest_share(share, combination) - 1;
-  found.any = found.excess > Numbers::neutral && share.apply(combination, image);
+  found.any = found.excess > Numbers::neutral &&
+              (run_on(problem, share, motions(problem, gap, lambda)) || share.apply(combination, image));
   if (!found.any) return found;
-  const auto [leader, size] = leader_of(problem, share, share.gaps());
+  const auto [leader, size] = leader_of(problem, share, share.gaps(), Numbers::leads);
   found.leader = leader;
   found.motion = share.motion();
   found.motion->scale(1 / size);

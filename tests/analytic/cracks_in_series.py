@@ -37,17 +37,17 @@ def glued(energy):
 
 
 class Bar(program.SceneTest):
-    def pulled(self, joints, length, energy, way, increments, ranks=1):
+    def pulled(self, joints, length, energy, way, increments, ranks=1, cell=CELL):
         """The last row of history.csv, and the run."""
         piece = length / (joints + 1)
         bar = {f"s{i}": stones.rectangle(i * piece, 0, (i + 1) * piece, DEPTH) for i in range(joints + 1)}
-        drawing = stones.geo(bar, CELL, {"left": ("s0", 3), "right": (f"s{joints}", 1)})
+        drawing = stones.geo(bar, cell, {"left": ("s0", 3), "right": (f"s{joints}", 1)})
         scene = stones.scene("stones.geo", ["left", "right"],
                              {"pull": {"type": "settlement", "support": "right", "ux": way}},
                              {"pulled": {"increments": increments, "loads": {"pull": 1.0}}}, joints=glued(energy),
                              materials={"stone": {"Young modulus": YOUNG, "Poisson ratio": 0.0}},
                              observations={"end": {"place": "support", "support": "right"}})
-        run = self.run_scene(scene, drawing=drawing, out=f"{increments}_{ranks}", ranks=ranks)
+        run = self.run_scene(scene, drawing=drawing, out=f"{joints}_{increments}_{ranks}", ranks=ranks)
         self.assertEqual(run.outcome, "equilibrium", run.said)
         return run.history[-1], run
 
@@ -64,13 +64,16 @@ class Bar(program.SceneTest):
                 self.assertEqual(end["open_points"], 2, run.said)  # those of one joint
                 self.assertNotIn("unstable", run.warnings)
 
-    def test_so_does_one_of_five(self):
+    def test_so_does_one_of_many(self):
         length, energy, way = 3.0, 10.0, 4e-5
         k, h = YOUNG / length, STRENGTH**2 / (2 * energy)
-        end, run = self.pulled(5, length, energy, way, 3)
         force = (STRENGTH - h * (k * way - STRENGTH) / (k - h)) * DEPTH
-        self.assertLess(abs(end["fx_N of end"] - force), 1e-6 * force, run.said)
-        self.assertEqual(end["open_points"], 2, run.said)
+        for joints, increments, cell in (5, 1, CELL), (5, 3, CELL), (5, 8, CELL), (9, 2, CELL), (3, 2, CELL / 3):
+            with self.subTest(joints=joints, increments=increments, cell=cell):
+                end, run = self.pulled(joints, length, energy, way, increments, cell=cell)
+                self.assertLess(abs(end["fx_N of end"] - force), 1e-6 * force, run.said)
+                self.assertEqual(end["open_points"], 1 + round(DEPTH / cell), run.said)
+                self.assertNotIn("unstable", run.warnings)
 
     def test_a_bar_too_long_for_its_joints_breaks_at_once(self):
         length, energy = 30.0, 10.0
