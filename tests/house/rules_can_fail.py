@@ -5,6 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
+import deciding
 import doors
 import format as format_rule
 import headers
@@ -41,6 +42,44 @@ class SettingsInWords(unittest.TestCase):
     def test_a_setting_exists(self):
         self.assertEqual(len(self.problems("as `active sets > patience` says")), 1)
         self.assertEqual(self.problems("`collapse > lower` of result.json"), [])
+
+
+class NumbersHaveReasons(unittest.TestCase):
+    SOURCES = {("nonlinear/patch_parameters.hpp", "trigger"): "0.05", ("ties/tie_parameters.hpp", "patience"): "50"}
+
+    def problems(self, *rows, moves=None):
+        table = [dict(zip(("file", "name", "value", "kind", "kept_by", "fails_with"), row)) for row in rows]
+        return deciding.problems_of(self.SOURCES, table, moves or {}, most=1, most_open=0)
+
+    def test_numbers_are_found_as_they_are_written(self):
+        text = "struct A {\n  double a = 1e-2;  // = 7\n  static constexpr int b = 2 * c, d = 3;\n  bool e = true;\n};\n"
+        self.assertEqual(list(deciding.numbers_of("a_parameters.hpp", text)), [("a", "1e-2"), ("b", "2 * c"), ("d", "3")])
+        self.assertEqual(list(deciding.numbers_of("a.cpp", "constexpr double pi = 3.14159, x = f(1, 2);\nint k = 3;\n")),
+                         [("x", "f(1, 2)")])
+
+    def test_each_is_listed_with_its_value_and_a_reason_that_holds(self):
+        trigger = ("nonlinear/patch_parameters.hpp", "trigger", "0.05", "row", "ablation.csv", "")
+        patience = ("ties/tie_parameters.hpp", "patience", "50", "bound", "it ends", "")
+        moved = {"patches/trigger": 0.2}
+        self.assertEqual(self.problems(trigger, patience, moves=moved), [])
+        self.assertEqual(len(self.problems(trigger, moves=moved)), 1)  # one is not listed
+        self.assertEqual(len(self.problems(trigger, patience)), 1)  # no row moves anything
+        for k, other in ((1, "triggers"), (2, "0.5"), (3, "whim"), (4, "")):
+            wrong = trigger[:k] + (other,) + trigger[k + 1:]
+            self.assertNotEqual(self.problems(wrong, patience, moves=moved), [], other)
+
+    def test_they_do_not_become_more(self):
+        principle = ("nonlinear/patch_parameters.hpp", "trigger", "0.05", "principle", "physics", "")
+        also = ("ties/tie_parameters.hpp", "patience", "50", "principle", "cost", "")
+        self.assertEqual(len(self.problems(principle, also)), 1)
+        self.assertEqual(len(self.problems(principle[:3] + ("open", "none", ""), also[:3] + ("bound", "it ends", ""))), 1)
+
+    def test_a_test_that_keeps_one_exists(self):
+        bound = ("ties/tie_parameters.hpp", "patience", "50", "bound", "it ends", "")
+        named = ("nonlinear/patch_parameters.hpp", "trigger", "0.05", "test")
+        here = "tests/house/rules_can_fail.py NumbersHaveReasons.test_a_test_that_keeps_one_exists"
+        self.assertEqual(self.problems((*named, here, "1"), bound), [])
+        self.assertEqual(len(self.problems((*named, "tests/house/no.py A.test_b", "1"), bound)), 1)
 
 
 class IncludesPointDown(unittest.TestCase):
