@@ -238,10 +238,11 @@ PointField motions(const NonlinearProblem& problem, const PointField& gap, const
   return all;
 }
 
-/// How the structure moves when the joint that has softened furthest, the first of those that are alike, runs on and
-/// all others follow. Whether it gives way along that; false where a library refused the system. Collective.
+/// How the structure moves when the joint that has softened furthest, the first of those that are alike as far as
+/// shares are told, runs on and all others follow. Whether it gives way along that; false where a library refused the
+/// system. Collective.
 bool run_on(const NonlinearProblem& problem, Share& share, const PointField& moved) {
-  const auto leader = leader_of(problem, share, share.rooted(moved), Numbers::alike).first;
+  const auto leader = leader_of(problem, share, share.rooted(moved), 1 - Numbers::share_error).first;
   const PointField y = share.rooted(share.in_joint_of(leader, moved));
   PointField image;
   if (!share.apply(y, image)) return false;

@@ -18,9 +18,6 @@ struct StabilityParameters {
   static constexpr int most_motions = 60;
   /// [-] of these solves: motions, and with them the branch that is taken, do not depend on what one leaves.
   static constexpr double solve_accuracy = 1e-10;
-  /// Share of the furthest from which joints have softened alike: states of which solves leave 1e-8 are alike to far
-  /// more, and which of two that differ by less runs on is for nothing else to tell.
-  static constexpr double alike = 0.99;
   /// Share of the largest motion from which on a point counts where the direction of one that has two is chosen:
   /// motions of equal cracks are equal but for round-off.
   static constexpr double leads = 0.5;
