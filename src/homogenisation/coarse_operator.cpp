@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -104,21 +105,42 @@ bool CoarseOperator::may_factor_whole() const {
          space_.map()->getGlobalNumElements() <= static_cast<Tpetra::global_size_t>(factored_up_to_);
 }
 
+/// Whether H can be factored whole, as its order tells.
+bool CoarseOperator::order_whole() {
+  if (ordered_) return true;
+  bool fits = false;
+  try {
+    auto whole = std::make_unique<DistributedLu>(space_.map(), factors_are_);
+    const auto expected = whole->expected(*h_);
+    fits = expected.bytes <= numbers_.bytes_of_factors * factored_up_to_;
+    if (fits) ordered_ = std::move(whole);
+  } catch (const SolverFailure&) {  // the parts are another way
+  }
+  whole_fails_ = !fits;
+  return fits;
+}
+
+int CoarseOperator::iterations_of_factoring() {
+  if (!order_whole()) return std::numeric_limits<int>::max();
+  const double iteration = numbers_.work_per_entry * static_cast<double>(h_->getGlobalNumEntries());
+  const double iterations = ordered_->expected(*h_).operations / iteration;
+  return static_cast<int>(std::clamp(iterations, double(numbers_.krylov_to_factor), 1e6));
+}
+
 bool CoarseOperator::factor_whole() {
-  std::unique_ptr<DistributedLu> whole;
   bool factored = false;
   try {
-    whole = std::make_unique<DistributedLu>(space_.map(), factors_are_);
-    factored = whole->factor(*h_);
+    factored = order_whole() && ordered_->factor(*h_);
   } catch (const SolverFailure&) {  // the parts are another way
   }
   if (!factored) {
     whole_fails_ = true;
+    ordered_.reset();
     return false;
   }
   cost_ = cost();
   ++cost_.whole;
-  whole_ = std::move(whole);
+  whole_ = std::move(ordered_);
   motions_.reset();
   blocks_.reset();
   region_.reset();

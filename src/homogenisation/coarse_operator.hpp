@@ -39,6 +39,9 @@ class CoarseOperator : public Preconditioner {
   void couple(const SystemMatrix& h, Symmetry);
   /// Whether H could be factored whole and is not yet: few enough unknowns, some of which a selection has parted.
   bool may_factor_whole() const;
+  /// Krylov iterations that take as long as factoring H, at least those of the settings. Without end where its factors
+  /// would be too large, or MUMPS failed: the parts then stay. Collective.
+  int iterations_of_factoring();
   /// Factors H, and every H that update takes over from here on, instead of all parts. Returns false where there was
   /// no room, or MUMPS failed: the parts then stay, and H is not factored whole any more. Collective.
   bool factor_whole();
@@ -52,6 +55,7 @@ class CoarseOperator : public Preconditioner {
 
  private:
   bool parted() const;
+  bool order_whole();
   bool changed(const std::vector<PointStiffness>&, const std::vector<double>& proximal) const;
   bool differ(double a, double b) const;
   void leave(const TpetraVector& r, const TpetraVector& z, TpetraVector& left) const;
@@ -69,6 +73,7 @@ class CoarseOperator : public Preconditioner {
   std::unique_ptr<ContinuumCorrection> continuum_;
   std::unique_ptr<ReleasedRegion> region_;  ///< instead of motions and blocks
   std::unique_ptr<DistributedLu> whole_;    ///< instead of all of them
+  std::unique_ptr<DistributedLu> ordered_;  ///< which that may come to be
   bool factored_ = false;                   ///< motions and blocks are, as the members below say
   bool stale_ = true;                       ///< statuses have changed since region or whole were factored
   bool begins_ = false;                     ///< the step has solved no system yet

@@ -8,11 +8,13 @@ namespace voussoir {
 class ParameterSection;
 
 struct CoarseOperatorParameters {
-  double same = 0.1;             ///< change of a resistance up to which factors stay
-  int krylov_to_factor = 20;     ///< Krylov iterations after which a system is factored whole
-  double largest_region = 0.25;  ///< largest share of all unknowns in them
-  double even = 10;              ///< ratio of the stiffest stone to the softest up to which multigrid will do
-  int largest_factor = 300000;   ///< unknowns of the continuum up to which it is factored where stones are uneven
+  double same = 0.1;               ///< change of a resistance up to which factors stay
+  int krylov_to_factor = 20;       ///< Krylov iterations after which a system is factored whole, at least
+  double bytes_of_factors = 1500;  ///< of a system that is factored whole, per unknown of the most that may be
+  double work_per_entry = 100;     ///< operations of factoring that take as long as an iteration, per entry of H
+  double largest_region = 0.25;    ///< largest share of all unknowns in them
+  double even = 10;                ///< ratio of the stiffest stone to the softest up to which multigrid will do
+  int largest_factor = 300000;     ///< unknowns of the continuum up to which it is factored where stones are uneven
   /// w of the block solves: every contact couples two blocks, so no eigenvalue of S H exceeds 2
   static constexpr double block_weight = 0.5;
   /// layers of cells around nodes that have parted: one to six differ by a tenth of the iterations

@@ -12,7 +12,8 @@ void PreconditionerParameters::declare(ParameterSection& section) {
               "where few nodes have parted, direct solution around them instead of the two before");
   section.add("factored up to", factored_up_to, "-", between(0, 1e8),
               "unknowns of a system that is factored whole once it has taken 20 Krylov iterations, 0: none is",
-              "factors take 1.5 kB of memory per unknown of a million");
+              "factors take 1.5 kB of memory per unknown of a million in the plane; in space they fill in more, and "
+              "none are made that would take more than so many of the plane");
 }
 
 }  // namespace voussoir

@@ -5,6 +5,9 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -104,6 +107,7 @@ struct DistributedLu::Data {
     return alone ? all_gather(mine, *map->getComm()) : std::move(mine);
   }
   void set_pattern(const TpetraMatrix& a);
+  int order(const TpetraMatrix& a);
 };
 
 void DistributedLu::Data::set_pattern(const TpetraMatrix& a) {
@@ -137,19 +141,25 @@ void DistributedLu::Data::set_pattern(const TpetraMatrix& a) {
   known = true;
 }
 
+/// Of the first matrix; returns what MUMPS says.
+int DistributedLu::Data::order(const TpetraMatrix& a) {
+  if (!known) set_pattern(a);
+  const int status = ordered ? 0 : run(analyse);
+  ordered = status >= 0;
+  return status;
+}
+
 DistributedLu::DistributedLu(const Teuchos::RCP<const TpetraMap>& map, FactorsAre factors)
     : data_(std::make_unique<Data>(map, factors)) {}
 DistributedLu::~DistributedLu() = default;
 
 bool DistributedLu::factor(const TpetraMatrix& a) {
   auto& d = *data_;
-  if (!d.known) d.set_pattern(a);
+  int status = d.order(a);
   const auto local = a.getLocalMatrixHost();
   auto value = d.entries(std::vector<double>(local.values.data(), local.values.data() + local.values.extent(0)));
   VOUSSOIR_EXPECT(value.size() == d.row.size());
   d.mumps.a = d.mumps.a_loc = value.data();
-  int status = d.ordered ? 0 : d.run(analyse);
-  d.ordered = status >= 0;
   while (status >= 0) {
     status = d.run(factorise);
     int& guess = control(d.mumps, more_room_in_percent);
@@ -159,6 +169,18 @@ bool DistributedLu::factor(const TpetraMatrix& a) {
   }
   if (status < 0 && !lacks_memory(status)) throw solver_failure("MUMPS", "factor a matrix", status);
   return status >= 0;
+}
+
+DistributedLu::Expected DistributedLu::expected(const TpetraMatrix& a) {
+  constexpr int entries = 20, operations = 1, in_millions = -1000000;
+  auto& d = *data_;
+  const int status = d.order(a);
+  if (status < 0 && !lacks_memory(status)) throw solver_failure("MUMPS", "order a matrix", status);
+  if (status < 0) return {std::numeric_limits<double>::infinity(), 0};
+  const double held = d.mumps.infog[entries - 1];
+  std::array<double, 2> all{(held < 0 ? in_millions * held : held) * sizeof(double), d.mumps.rinfog[operations - 1]};
+  if (d.alone) Teuchos::broadcast(*d.map->getComm(), 0, 2, all.data());
+  return {all[0], all[1]};
 }
 
 void DistributedLu::apply(const TpetraVector& r, TpetraVector& z) const {

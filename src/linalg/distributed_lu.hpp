@@ -23,6 +23,13 @@ class DistributedLu : public Preconditioner {
   /// Whatever else MUMPS objects to is a SolverFailure on all ranks.
   /// @return false on all ranks where one has no room
   [[nodiscard]] bool factor(const TpetraMatrix& a);
+  /// What factors of a matrix will be, of all ranks, as the order of its pattern tells.
+  struct Expected {
+    double bytes;       ///< infinite where there is no room to order it
+    double operations;  ///< additions and multiplications
+  };
+  /// Of a matrix of the pattern of the first one given. Collective, and fails likewise.
+  [[nodiscard]] Expected expected(const TpetraMatrix& a);
   /// z = A^-1 r, exact but for round-off. There must have been room for what was factored last. Fails likewise.
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Of this rank, the room MUMPS worked in included.

@@ -277,12 +277,18 @@ LinearSolveResult ContactProblem::solve(const std::vector<PointStiffness>& stiff
   const bool otherwise = parts_.structure.model().rotations == Rotations::small && coarse_->may_factor_whole() &&
                          (most == 0 || most > too_many);
   auto result = krylov(otherwise ? too_many : most);
-  if (otherwise && !result.converged) {
-    coarse_->factor_whole();  // where that does not go its parts go on
+  if (!otherwise || result.converged) return result;
+  const auto go_on = [&](int iterations) {
     const int before = result.iterations;
-    result = krylov(most);
+    result = krylov(iterations);
     result.iterations += before;
-  }
+  };
+  const int worth = coarse_->iterations_of_factoring();
+  const bool pays = most == 0 ? coarse_->may_factor_whole() : worth < most;
+  if (pays && worth > too_many) go_on(worth - too_many);
+  if (result.converged) return result;
+  if (pays) coarse_->factor_whole();  // where that does not go its parts go on
+  go_on(most);
   return result;
 }
 

@@ -208,7 +208,7 @@ std::optional<ActiveSetEnd> ActiveSet::judge_solve(TpetraVector& x, PointField& 
     return ActiveSetEnd::arrived;
   }
   const bool gained = std::isfinite(search.best) && search.size <= numbers_.gained * search.best;
-  if (!in_time() && krylov >= numbers_.many_krylov && !gained) return ActiveSetEnd::loose_stones;
+  if (!in_time() && krylov >= many_krylov() && !gained) return ActiveSetEnd::loose_stones;
   return {};
 }
 
@@ -223,7 +223,7 @@ std::optional<ActiveSetEnd> ActiveSet::solve_once(TpetraVector& x, PointField& l
     problem_.subtract_contact_forces(target_, *gradient_);
     gradient_->scale(-1.0);
     const auto solved = step(x, lambda, std::max(search.damping, least_damping), accuracy_of_next(search, report),
-                             in_time() ? 0 : numbers_.many_krylov);
+                             in_time() ? 0 : many_krylov());
     report.count(solved);
     ++search.solves;
     search.size = std::numeric_limits<double>::infinity();

@@ -91,6 +91,7 @@ class ActiveSet {
   std::optional<ActiveSetEnd> judge_solve(TpetraVector& x, PointField& lambda, const TpetraVector& start, int krylov,
                                           Search&, NewtonReport&);
   bool lost_a_stone(const Search&) const;
+  int many_krylov() const { return components_ == 2 ? numbers_.many_krylov : numbers_.many_krylov_in_space; }
   void correct_locally(TpetraVector& x, PointField& lambda, const TpetraVector& start, Search&, NewtonReport&);
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
   void tell(NewtonReport&, int krylov, int local_solves = 0) const;

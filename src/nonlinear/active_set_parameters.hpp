@@ -18,8 +18,9 @@ struct ActiveSetParameters {
   double gained = 0.5;                     ///< share of the best residual below which a solve has gained
   int many_krylov =
       50;  ///< Krylov iterations of a solve at rest, at most; such a one without a gain means loose stones
-  double shortest = 1.0 / 64;  ///< shortest step in time
-  double lost = 10;            ///< growth of the residual that means a lost stone
+  int many_krylov_in_space = 500;  ///< the same of stones in space
+  double shortest = 1.0 / 64;      ///< shortest step in time; against a drag steps are full
+  double lost = 10;                ///< growth of the residual that means a lost stone
   /// resistance of points that give way once a stone is lost, relative to their local stiffness, less by `lost` in
   /// patches; 0: none
   double damping = 5e-3;

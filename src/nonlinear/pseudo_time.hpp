@@ -44,7 +44,7 @@ class PseudoTime {
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
-  const MethodParameters methods_;
+  const MethodParameters methods_, full_steps_;
   Teuchos::RCP<TpetraVector> mechanism_, imbalance_;
   PointField gap_;
   double scale_ = 1;  ///< [N]

@@ -1,5 +1,6 @@
 // Systems on which Krylov's method labours are factored whole: solved exactly, whatever statuses they come to.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <limits>
 
 #include "homogenisation/coarse_operator.hpp"
 #include "unit/homogenisation/selected_wall.hpp"
@@ -16,8 +17,9 @@ struct Problem {
   SystemMatrix h{wall.structure, wall.points, wall.selected, wall.space};
   CoarseOperator m;
 
-  explicit Problem(Selected what, const PreconditionerParameters& parameters = {})
-      : wall(what), m(wall.structure, wall.points, wall.selected, wall.space, continuum, parameters) {}
+  explicit Problem(Selected what, const PreconditionerParameters& parameters = {},
+                   const CoarseOperatorParameters& numbers = {})
+      : wall(what), m(wall.structure, wall.points, wall.selected, wall.space, continuum, parameters, numbers) {}
 
   void slip(double direction) {
     const auto stiffness = direction == 0 ? wall.statuses() : slipping(wall, direction);
@@ -51,6 +53,43 @@ TEUCHOS_UNIT_TEST(FactoredWhole, IsExactForAllStatusesThatFollow) {
     TEST_COMPARE(p.m.cost().whole_bytes, >, 0);
     TEST_EQUALITY(p.m.motions(), 0);
   }
+}
+
+// A system fills in the more the more neighbours its unknowns have: what its factors take tells, not unknowns alone.
+TEUCHOS_UNIT_TEST(FactoredWhole, IsForSystemsWhoseFactorsAreExpectedToFit) {
+  PreconditionerParameters parameters;
+  CoarseOperatorParameters numbers;
+  DistributedLu::Expected expected;
+  {
+    Problem p(Selected::all);
+    p.slip(1);
+    expected = DistributedLu(p.wall.space.map()).expected(*p.h.matrix());
+    const auto entries = static_cast<double>(p.h.matrix()->getGlobalNumEntries());
+    const auto unknowns = static_cast<double>(p.wall.space.map()->getGlobalNumElements());
+    TEST_COMPARE(expected.bytes, >, 8 * entries);
+    TEST_COMPARE(expected.bytes, <, 1500 * unknowns);
+  }
+  for (const bool fits : {true, false}) {
+    numbers.bytes_of_factors = (fits ? 1.001 : 0.999) * expected.bytes / parameters.factored_up_to;
+    Problem p(Selected::all, parameters, numbers);
+    p.slip(1);
+    TEST_EQUALITY(p.m.iterations_of_factoring(), fits ? numbers.krylov_to_factor : std::numeric_limits<int>::max());
+    TEST_EQUALITY(p.m.may_factor_whole(), fits);
+    TEST_EQUALITY(p.m.factor_whole(), fits);
+  }
+}
+
+TEUCHOS_UNIT_TEST(FactoredWhole, WaitsForAsManyIterationsAsFactoringTakes) {
+  CoarseOperatorParameters numbers;
+  Problem p(Selected::all, {}, numbers);
+  p.slip(1);
+  const auto entries = static_cast<double>(p.h.matrix()->getGlobalNumEntries());
+  const double work = DistributedLu(p.wall.space.map()).expected(*p.h.matrix()).operations / entries;
+  numbers.work_per_entry = work / 50.5;
+  Problem other(Selected::all, {}, numbers);
+  other.slip(1);
+  TEST_EQUALITY(other.m.iterations_of_factoring(), 50);
+  TEST_ASSERT(other.m.factor_whole());
 }
 
 TEUCHOS_UNIT_TEST(FactoredWhole, IsForSystemsThatAreSmallEnoughAndParted) {
