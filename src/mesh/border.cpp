@@ -14,7 +14,21 @@ std::vector<std::array<int, 2>> facets_of(const Cell& cell, const Block<2>&) {
   return edges;
 }
 
-std::vector<std::array<int, 4>> facets_of(const Cell& cell, const Block<3>&) {
+/// Triangles have the node of their largest vertex twice: which it is, both sides of a joint agree on.
+std::vector<std::array<int, 4>> triangles_of(const Cell& cell, const Block<3>& block) {
+  std::vector<std::array<int, 4>> nodes;
+  for (const auto& f : std::array<std::array<int, 3>, 4>{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}) {
+    std::array<int, 3> n{cell.node[f[0]], cell.node[f[1]], cell.node[f[2]]};
+    const auto last =
+        std::max_element(n.begin(), n.end(), [&](int a, int b) { return block.vertex[a] < block.vertex[b]; });
+    std::rotate(n.begin(), last + 1, n.end());
+    nodes.push_back({n[0], n[1], n[2], n[2]});
+  }
+  return nodes;
+}
+
+std::vector<std::array<int, 4>> facets_of(const Cell& cell, const Block<3>& block) {
+  if (cell.count == 4) return triangles_of(cell, block);
   constexpr std::array<std::array<int, 4>, 6> faces{
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
   VOUSSOIR_EXPECT(cell.count == 8);

@@ -167,6 +167,7 @@ void add_free_triangles(const StoneStructure& s, const Skins& skins, const std::
       facet.set = s.imprint.cells[c].facet;
       for (int k = 0; k < 3; ++k)
         facet.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), t[k]) - nodes.begin());
+      facet.node[3] = facet.node[2];  // a quadrilateral with two corners in one place has the integrals of the triangle
       ends.add(facet, s.imprint.cells[c].stone, list);
     }
   }

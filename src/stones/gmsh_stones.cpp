@@ -5,55 +5,21 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <new>
 #include <numeric>
 #include <utility>
 
-#include "base/child_process.hpp"
-#include "base/error.hpp"
 #include "mesh/bytes.hpp"
+#include "stones/gmsh_session.hpp"
 
 namespace voussoir {
 namespace {
 
-/// gmsh from initialisation to its end, silent.
-class Gmsh {
- public:
-  Gmsh() {
-    gmsh::initialize(0, nullptr, false);  // no configuration files: the same mesh for every user
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.AbortOnError", 1);  // else it throws where nobody can catch (mesh/gmsh_reader.cpp)
+/// A session that makes cells of the length 1 and smaller.
+struct Session {
+  GmshSession gmsh_itself;
+  Session() {
     gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
     gmsh::option::setNumber("Mesh.MeshSizeMax", 1);
-    gmsh::logger::start();
-  }
-  ~Gmsh() {
-    gmsh::logger::stop();
-    gmsh::finalize();
-  }
-  Gmsh(const Gmsh&) = delete;
-  Gmsh& operator=(const Gmsh&) = delete;
-
-  /// Runs commands on a model of their own; returns what gmsh says of their failure, or "".
-  template <class Commands>
-  std::string run(Commands commands) {
-    gmsh::logger::stop();
-    gmsh::logger::start();
-    gmsh::model::add("piece");
-    bool failed = false;
-    try {
-      commands();
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (...) {  // gmsh throws strings and ints
-      failed = true;
-    }
-    gmsh::model::remove();
-    std::vector<std::string> log;
-    gmsh::logger::get(log);
-    for (const auto& line : log)
-      if (line.compare(0, 5, "Error") == 0) return line;
-    return failed ? "gmsh gives no reason" : "";
   }
 };
 
@@ -98,7 +64,7 @@ class Tags {
   std::vector<int> number_;
 };
 
-FlatMesh mesh_one(Gmsh& gmsh_itself, const FlatDomain& domain) {
+FlatMesh mesh_one(GmshSession& gmsh_itself, const FlatDomain& domain) {
   FlatMesh mesh;
   const auto& origin = domain.loops[0][0];
   mesh.failure = gmsh_itself.run([&] {
@@ -140,7 +106,7 @@ FlatMesh mesh_one(Gmsh& gmsh_itself, const FlatDomain& domain) {
   return mesh;
 }
 
-FilledMesh fill_one(Gmsh& gmsh_itself, const ClosedMesh& surface) {
+FilledMesh fill_one(GmshSession& gmsh_itself, const ClosedMesh& surface) {
   FilledMesh mesh;
   const auto& origin = surface.nodes[0];
   mesh.failure = gmsh_itself.run([&] {
@@ -176,15 +142,15 @@ FilledMesh fill_one(Gmsh& gmsh_itself, const ClosedMesh& surface) {
 
 /// What a child does: every piece of the request, one after the other.
 template <class Piece, class Mesh>
-std::string all_of(const std::string& request, void (*read)(ByteReader&, Piece&), Mesh (*one)(Gmsh&, const Piece&),
-                   void (*write)(ByteWriter&, const Mesh&)) {
-  Gmsh gmsh_itself;
+std::string all_of(const std::string& request, void (*read)(ByteReader&, Piece&),
+                   Mesh (*one)(GmshSession&, const Piece&), void (*write)(ByteWriter&, const Mesh&)) {
+  Session session;
   ByteReader reader(request);
   ByteWriter writer;
   while (reader.left() > 0) {
     Piece piece;
     read(reader, piece);
-    write(writer, one(gmsh_itself, piece));
+    write(writer, one(session.gmsh_itself, piece));
   }
   return writer.bytes;
 }
@@ -197,23 +163,6 @@ std::string mesh_all(const std::string& request) {
 std::string fill_all(const std::string& request) {
   return all_of<ClosedMesh, FilledMesh>(request, exchange_closed<ByteReader, ClosedMesh>, fill_one,
                                         exchange_filled<ByteWriter, const FilledMesh>);
-}
-
-/// gmsh ended by itself or crashed: not for want of memory, and nobody asked it to.
-struct Crash {
-  std::string how;
-};
-
-std::string in_child(ChildWork work, const std::string& request) {
-  return in_child_process(work, request, [](const ChildEnd& end) {
-    if (end.by == ChildEnd::By::request)
-      throw ResourceError("Stopped by a signal while gmsh meshed stones.\n  Begin again.");
-    if (end.by == ChildEnd::By::memory)
-      throw ResourceError("gmsh was ended " + end.time_and_size() +
-                          "\n  because it wanted more for the stones than half of what is free on this machine.\n"
-                          "  Give a larger mesh > stones > element size, or free memory.");
-    throw Crash{end.by == ChildEnd::By::signal ? "gmsh crashed (" + end.signal() + ")" : "gmsh ended by itself"};
-  });
 }
 
 /// All pieces in one child; where it crashes, each in one of its own.
@@ -231,17 +180,17 @@ std::vector<Mesh> answers(ChildWork work, const std::vector<Piece>& pieces, void
   std::vector<Mesh> meshes(pieces.size());
   if (pieces.empty()) return meshes;
   try {
-    const std::string bytes = in_child(work, all);
+    const std::string bytes = in_gmsh_child(work, all);
     ByteReader reader(bytes);
     for (auto& mesh : meshes) read(reader, mesh);
     return meshes;
-  } catch (const Crash&) {
+  } catch (const GmshCrash&) {
   }
   for (std::size_t k = 0; k < pieces.size(); ++k) try {
-      const std::string bytes = in_child(work, requests[k]);
+      const std::string bytes = in_gmsh_child(work, requests[k]);
       ByteReader reader(bytes);
       read(reader, meshes[k]);
-    } catch (const Crash& crash) {
+    } catch (const GmshCrash& crash) {
       meshes[k].failure = crash.how;
     }
   return meshes;

@@ -166,11 +166,17 @@ class Imprinting {
   }
 
  private:
+  /// Of points on the borders of facets; -1 for those inside, which a file of triangles may have.
   std::vector<Loop> numbers_of_points() {
     std::vector<Loop> numbers;
     for (const auto& stone : stones_) {
+      const auto& places = stone.surface->points;
+      std::vector<char> on_border(places.size(), 0);
+      for (const auto& facet : stone.facets)
+        for (const auto& edge : facet.edges) on_border[edge[0]] = 1;
       numbers.emplace_back();
-      for (const auto& x : stone.surface->points) numbers.back().push_back(welded_.add(x));
+      for (std::size_t k = 0; k < places.size(); ++k)
+        numbers.back().push_back(on_border[k] ? welded_.add(places[k]) : -1);
     }
     return numbers;
   }

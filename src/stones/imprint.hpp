@@ -30,9 +30,10 @@ struct ImprintFaults {
 
 struct Imprint {
   Places points;
-  std::vector<std::vector<int>> number;  ///< per stone and point of its surface: the point it has become
-  std::vector<ImprintedCell> cells;      ///< in the order of stones and facets
-  std::vector<int> other;                ///< per cell the cell of another stone with the same border, or -1
+  std::vector<std::vector<int>>
+      number;                        ///< per stone and point of its surface: what it has become, or -1 inside facets
+  std::vector<ImprintedCell> cells;  ///< in the order of stones and facets
+  std::vector<int> other;            ///< per cell the cell of another stone with the same border, or -1
   ImprintFaults faults;
   double shortest_edge = 0;  ///< [m]
 };

@@ -130,6 +130,15 @@ class Look {
 
 }  // namespace
 
+double distance_between(const StoneSurface& one, const StoneSurface& other) {
+  const Solid a(one), b(other);
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto* pair : {&a, &b})
+    for (const auto& x : (pair == &a ? b : a).points)
+      for (const auto& t : pair->triangles) least = std::min(least, distance(t, x));
+  return least;
+}
+
 double depth_inside(const StoneSurface& stone, const Vector<3>& place) { return Solid(stone).depth(place); }
 
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>& stones, double depth) {

@@ -18,6 +18,9 @@ struct StoneOverlap {
 /// lie on each other) and centres: an overlap that avoids all of these has no corner and no edge in the other stone.
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>&, double depth);
 
+/// [m] between two stones: from points of either to faces of the other, so where edges cross it is at most too far.
+double distance_between(const StoneSurface&, const StoneSurface&);
+
 /// [m] how deep a place lies inside of a stone, negative outside: the distance to its surface.
 double depth_inside(const StoneSurface&, const Vector<3>& place);
 

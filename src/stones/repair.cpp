@@ -74,6 +74,10 @@ void tell(Warnings& warnings, const StoneSurface& stone, const Repair& repair) {
   add("faces_doubled", repair.doubled, "has " + counted(repair.doubled, "faces twice; each counts once"));
   add("faces_turned", repair.turned,
       "has " + counted(repair.turned, "faces that looked inward; they are turned, look whether the stone is as meant"));
+  add("faces_curved", stone.curved,
+      "has " + counted(stone.curved,
+                       "curved faces, here in chords: joints between such faces are found where these are "
+                       "alike on both sides"));
   add("faces_without_area", repair.no_area, "has " + counted(repair.no_area, "faces without area, left out"));
 }
 
@@ -147,7 +151,8 @@ int turn_outward(StoneSurface& stone) {
         state[n.face] = n.opposed == (state[shell[k]] == turned) ? kept : turned;
         shell.push_back(n.face);
       }
-    StoneSurface alone{"", "", false, stone.points, {}};
+    StoneSurface alone;
+    alone.points = stone.points;
     for (const int f : shell) {
       if (state[f] == turned) std::reverse(stone.faces[f].begin(), stone.faces[f].end());
       alone.faces.push_back(stone.faces[f]);

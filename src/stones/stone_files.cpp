@@ -22,6 +22,7 @@ Reader reader_of(const std::filesystem::path& path) {
   if (ending == ".stl") return read_stl;
   if (ending == ".ply") return read_ply;
   if (ending == ".json") return read_compas;
+  if (ending == ".step" || ending == ".stp") return read_step;
   return nullptr;
 }
 
@@ -54,7 +55,8 @@ std::vector<StoneSurface> read_stones(const std::string& path, double unit) {
     refuse_stones(path, "cannot be read (sought as " + std::filesystem::absolute(path).string() + ")",
                   "Correct the name or the folder");
   if (!folder && !reader_of(path))
-    refuse_stones(path, "is no file of stones by its ending", "Known are .obj, .stl, .ply and .json (of COMPAS)");
+    refuse_stones(path, "is no file of stones by its ending",
+                  "Known are .obj, .stl, .ply, .json (of COMPAS), .step and .stp");
   std::vector<StoneSurface> stones;
   for (const auto& file : folder ? files_of(path) : std::vector<std::string>{path})
     for (auto& stone : reader_of(file)(file, contents_of(file))) stones.push_back(std::move(stone));

@@ -1,4 +1,4 @@
-// Stones from the files people have: OBJ, STL, PLY, COMPAS.
+// Stones from the files people have: OBJ, STL, PLY, COMPAS, STEP.
 #pragma once
 
 #include <string>
@@ -14,6 +14,7 @@ namespace voussoir {
 /// STL       ascii (every solid is a stone) or binary (the file is one)
 /// PLY       ascii or binary; the file is a stone
 /// JSON      of COMPAS: meshes, lists of them, an Assembly or a BlockModel; every mesh is a stone
+/// STEP      every solid is a stone; the file says its unit, so that lengths are metres times `unit`
 ///
 /// Throws InputError, naming file and line or byte, for what is no such file.
 /// @param unit  [m] the length that the file calls 1
@@ -24,5 +25,8 @@ std::vector<StoneSurface> read_obj(const std::string& file, const std::string& c
 std::vector<StoneSurface> read_stl(const std::string& file, const std::string& contents);
 std::vector<StoneSurface> read_ply(const std::string& file, const std::string& contents);
 std::vector<StoneSurface> read_compas(const std::string& file, const std::string& contents);
+/// By gmsh, in a child process: it reads the file itself. Plane faces are triangles between their corners; curved ones
+/// are cut into chords of a sixteenth of a turn.
+std::vector<StoneSurface> read_step(const std::string& file, const std::string& contents);
 
 }  // namespace voussoir

@@ -149,16 +149,30 @@ class Teller {
     std::vector<int> neighbours(s_.stones.size(), 0);
     for (const auto& pair : pairs) ++neighbours[pair[0]], ++neighbours[pair[1]];
     std::vector<std::string> alone, single;
+    std::vector<int> without;
     for (std::size_t k = 0; k < neighbours.size(); ++k) {
-      if (neighbours[k] == 0) alone.push_back(s_.stones[k].name);
+      if (neighbours[k] == 0) alone.push_back(s_.stones[k].name), without.push_back(static_cast<int>(k));
       if (neighbours[k] == 1) single.push_back(s_.stones[k].name);
     }
     say("stones with one neighbour: " + list_of(single));
     if (alone.empty() || s_.stones.size() == 1) return;
     say("stones without a joint: " + list_of(alone));
+    const double nearest = distance_to_others(without[0]);
     warn("stones_without_joint", static_cast<double>(alone.size()),
-         counted(alone.size(), "stones share no joint with another (") + list_of(alone, 5) +
-             "): raise mesh > stones > joint tolerance where they are meant to touch");
+         counted(alone.size(), "stones share no joint with another (") + list_of(alone, 5) + "), " + alone[0] + " is " +
+             metres(nearest) + " from the next: raise mesh > stones > joint tolerance where they are meant to touch");
+  }
+
+  /// [m] from a stone to the nearest of those whose boxes may be nearer than the nearest so far.
+  double distance_to_others(int stone) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < static_cast<int>(s_.stones.size()); ++k) {
+      const auto &a = s_.faceted[stone].box, &b = s_.faceted[k].box;
+      Vector<3> apart{};
+      for (int i = 0; i < 3; ++i) apart[i] = std::max({0.0, a.low[i] - b.high[i], b.low[i] - a.high[i]});
+      if (k != stone && norm(apart) < least) least = std::min(least, distance_between(s_.stones[stone], s_.stones[k]));
+    }
+    return least;
   }
 
   void say(const std::string& line) { s_.report.push_back(line); }

@@ -15,6 +15,7 @@ struct StoneSurface {
   std::string name;                     ///< of the group, file or node that it comes from
   std::string origin;                   ///< where it is written, for messages: "vault.obj, line 17"
   bool support = false;                 ///< the file calls it one
+  int curved = 0;                       ///< faces that the file has curved, here in chords
   Places points;                        ///< [m]
   std::vector<std::vector<int>> faces;  ///< of point numbers
 };

@@ -39,6 +39,20 @@ TEUCHOS_UNIT_TEST(Imprint, BricksOfABondHaveAFaceForEachNeighbour) {
   TEST_FLOATING_EQUALITY(imprint.shortest_edge, 0.2, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(Imprint, PointsInsideFacetsAreNone) {
+  auto stones = running_bond();
+  const auto drawn = cut(stones, 1e-3, 3e-3);
+  // The top of the first stone as four triangles about a point a millimetre beside the head joint of those above.
+  const auto top = stones[0].faces.back();
+  stones[0].faces.pop_back();
+  stones[0].points.push_back({0.201, 0.1, 0.2});
+  for (std::size_t k = 0; k < 4; ++k) stones[0].faces.push_back({top[k], top[(k + 1) % 4], 8});
+  const auto triangles = cut(stones, 1e-3, 3e-3);
+  TEST_ASSERT(triangles.faults.none());
+  TEST_EQUALITY(triangles.points.size(), drawn.points.size());
+  TEST_EQUALITY(triangles.cells.size(), drawn.cells.size());
+}
+
 TEUCHOS_UNIT_TEST(Imprint, AFaceAroundASmallerStoneHasAHole) {
   const auto imprint = cut({box("slab", {0, 0, 0}, {3, 3, 1}), box("post", {1, 1, 1}, {2, 2, 2})}, 1e-3, 3e-3);
   TEST_ASSERT(imprint.faults.none());

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "joints/joint_finder_in_space.hpp"
 #include "stones/cell_mesh.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
@@ -119,6 +120,25 @@ TEUCHOS_UNIT_TEST(StoneMeshes, AreAsFineInOtherUnits) {
     TEST_COMPARE(std::abs(double(there.quality.cells) - double(here.quality.cells)), <=,
                  0.1 * double(here.quality.cells));
     TEST_FLOATING_EQUALITY(there.quality.volume, scale * scale * scale * here.quality.volume, 1e-9);
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, HaveContactPointsThatStandForTheWholeJoint) {
+  for (const auto cells : {StoneCells::tetrahedra, StoneCells::by_shape}) {
+    StonesParameters p;
+    p.cells = cells;
+    const auto s = structure_of(running_bond(), p);
+    const auto blocks = mesh_stones(s).list.blocks;
+    for (const auto& joint : s.joints.joints) {
+      const auto &i = blocks[joint.stone[0]], &j = blocks[joint.stone[1]];
+      double area = 0;
+      for (const auto& point : points_of_joint(i, border_faces({i}), j, border_faces({j}))) {
+        area += point.area;
+        TEST_COMPARE(norm(point.normal - joint.normal), <=, 1e-12);
+        TEST_ASSERT(i.vertex[point.node_i] == point.vertex && j.vertex[point.node_j] == point.vertex);
+      }
+      TEST_FLOATING_EQUALITY(area, joint.area, 1e-12);
+    }
   }
 }
 

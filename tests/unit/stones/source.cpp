@@ -1,0 +1,62 @@
+// Blocks of a file of stones are the same on every rank, and so are errors.
+#include "stones/stone_source.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_Core.hpp>
+#include <fstream>
+
+#include "linalg/reduce.hpp"
+#include "unit/stones/drawn_stones.hpp"
+
+namespace {
+
+using namespace voussoir;
+using namespace voussoir::test;
+
+void write_obj(const std::string& name, const std::vector<StoneSurface>& stones) {
+  std::ofstream file(name);
+  file.precision(17);
+  int first = 1;
+  for (const auto& stone : stones) {
+    file << "o " << stone.name << "\n";
+    for (const auto& x : stone.points) file << "v " << x[0] << " " << x[1] << " " << x[2] << "\n";
+    for (const auto& face : stone.faces) {
+      file << "f";
+      for (const int point : face) file << " " << first + point;
+      file << "\n";
+    }
+    first += static_cast<int>(stone.points.size());
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
+  const auto comm = Tpetra::getDefaultComm();
+  if (comm->getRank() == 0) write_obj("corner.obj", corner());
+  StonesParameters p;
+  p.file = "corner.obj";
+  const auto read = read_stone_blocks(p, *comm);
+  TEST_EQUALITY(read.source->block_count(), 3);
+  TEST_ASSERT(!read.report.empty());
+  TEST_ASSERT((read.source->block_sets() == std::vector<std::string>{"L", "inner", "below"}));
+  double sum = 0;
+  for (BlockId b = 0; b < 3; ++b) {
+    const auto block = read.source->block(b);
+    TEST_EQUALITY(read.source->node_count(b), static_cast<int>(block.position.size()));
+    for (std::size_t n = 0; n < block.position.size(); ++n)
+      sum += static_cast<double>(block.vertex[n]) + block.position[n][0];
+  }
+  TEST_EQUALITY(largest_over_ranks(*comm, sum), least_over_ranks(*comm, sum));
+  TEST_EQUALITY(read.source->graph().neighbour.size(), 6u);
+}
+
+TEUCHOS_UNIT_TEST(StoneSource, RefusesOnEveryRank) {
+  const auto comm = Tpetra::getDefaultComm();
+  auto stones = corner();
+  stones[1].faces.pop_back();
+  if (comm->getRank() == 0) write_obj("open.obj", stones);
+  StonesParameters p;
+  p.file = "open.obj";
+  TEST_ASSERT(holds(input_error([&] { read_stone_blocks(p, *comm); }), "stone \"inner\" (open.obj, line "));
+}
+
+}  // namespace
