@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "stones/polygon.hpp"
 #include "stones/repair.hpp"
+#include "stones/stone_files.hpp"
 
 namespace voussoir::test {
 
@@ -91,6 +94,31 @@ inline std::vector<StoneSurface> turned(std::vector<StoneSurface> stones, double
               (std::cos(angle) * x + std::sin(angle) * cross(axis, x) + (1 - std::cos(angle)) * dot(axis, x) * axis) +
           by;
   return stones;
+}
+
+/// A stone as a binary STL: triangles with corners of their own, in single precision.
+inline std::string as_stl(const StoneSurface& stone) {
+  std::string triangles;
+  std::uint32_t count = 0;
+  const auto append = [&](const auto& value) { triangles.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const auto& face : stone.faces) {
+    const auto corners = places_of(stone.points, face);
+    for (const auto& t : cut_into_triangles(corners)) {
+      for (int k = 0; k < 3; ++k) append(0.f);
+      for (const int corner : t)
+        for (const double x : corners[corner]) append(static_cast<float>(x));
+      append(std::uint16_t{0});
+      ++count;
+    }
+  }
+  return std::string(80, ' ') + std::string(reinterpret_cast<const char*>(&count), sizeof count) + triangles;
+}
+
+/// Stones written as STL and read again.
+inline std::vector<StoneSurface> through_stl(const std::vector<StoneSurface>& stones) {
+  std::vector<StoneSurface> read;
+  for (const auto& stone : stones) read.push_back(read_stl(stone.name + ".stl", as_stl(stone))[0]);
+  return closed(read).stones;
 }
 
 /// As measured: every point of every stone somewhere within `noise` of where it is drawn.

@@ -85,6 +85,21 @@ TEUCHOS_UNIT_TEST(Joints, StayTheSameWhenStonesAreMeasuredToHalfTheirTolerance) 
     }
 }
 
+TEUCHOS_UNIT_TEST(Joints, AreTheSameOfStonesThatWentThroughStl) {
+  const std::vector<std::vector<StoneSurface>> cases{arch(7), corner(), running_bond()};
+  for (const auto& stones : cases) {
+    const auto drawn = turned(stones, 1, {20, -10, 3});
+    const auto read = through_stl(drawn);
+    for (std::size_t k = 0; k < read.size(); ++k) {
+      TEST_EQUALITY(read[k].points.size(), drawn[k].points.size());
+      TEST_EQUALITY(facets_of(read[k], 1e-3).facets.size(), facets_of(drawn[k], 1e-3).facets.size());
+    }
+    const auto before = joints(drawn, 1e-3), after = joints(read, 1e-3);
+    TEST_EQUALITY(after.joints.size(), before.joints.size());
+    TEST_FLOATING_EQUALITY(after.area(), before.area(), 1e-5);  // float32 of 20 m is 1e-6 m
+  }
+}
+
 TEUCHOS_UNIT_TEST(Joints, OpenOnesAppearWhenTheToleranceReachesTheGap) {
   auto stones = std::vector<StoneSurface>{box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2, 1, 1})};
   TEST_EQUALITY(joints(stones, 5e-3).joints.size(), 0u);

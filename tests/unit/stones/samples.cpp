@@ -72,6 +72,17 @@ TEUCHOS_UNIT_TEST(Samples, HoldTheStonesAndJointsThatOthersCount) {
     std::set<std::array<int, 2>> pairs;
     for (const auto& joint : found.joints) pairs.insert(joint.stone);
     TEST_EQUALITY(pairs.size(), s.pairs);
+    const auto again = test::through_stl(mended.stones);
+    const auto faceted_again = facets_of(again, s.tolerance);
+    std::size_t facets_again = 0;
+    for (const auto& stone : faceted_again) facets_again += stone.facets.size();
+    // Two triangles of a warped bed are farther from each other's plane than the bed is from its own: two joints of it.
+    const auto found_again = find_joints(faceted_again, s.tolerance);
+    TEST_COMPARE(std::abs(found_again.area() - s.area), <=, 1e-3 * s.area);
+    if (s.warped == 0) {
+      TEST_EQUALITY(facets_again, s.facets);
+      TEST_EQUALITY(found_again.joints.size(), s.joints);
+    }
     for (const double weld : {1.0, 3.0}) {
       const auto cut = imprinted(faceted, found, weld * s.tolerance);
       TEST_ASSERT(cut.faults.none());
