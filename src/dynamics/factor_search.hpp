@@ -154,8 +154,9 @@ class FactorSearch {
   static constexpr int largest_probes = 6;
   // What is undecided is approached at last to this share of the accuracy, so that it widens the bracket by no more.
   static constexpr double nearest = 0.25;
-  // A mechanism is found from afar when the structure stands so many accuracies nearer to it than where it was tried.
-  static constexpr double afar = 4;
+  // A mechanism is found from afar when the structure stands so many accuracies nearer to it than where it was tried:
+  // as clearly beyond the accuracy as what is undecided is approached within it.
+  static constexpr double afar = 1 / nearest;
   static constexpr int most_attempts = 10000;  ///< a checkpoint can hold; some twenty are made
 
   LoadFactorParameters p_;

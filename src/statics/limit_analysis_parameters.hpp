@@ -1,6 +1,8 @@
 // To how many digits limit analysis is computed and believed (limit_analysis.hpp).
 #pragma once
 
+#include "base/order_of_magnitude.hpp"
+
 namespace voussoir {
 
 struct LimitAnalysisParameters {
@@ -24,11 +26,12 @@ struct LimitAnalysisParameters {
   static constexpr double most_force = 1e6;
   /// A reaction of more than this comes from forces at their end, so that it has none.
   static constexpr double endless_reaction = most_force / 10;
-  /// Friction of so much and more counts as without end, which admits a little more: such a joint slips where the force
-  /// is within 0.6 degrees of its plane, and generators of its cone could hardly be told from each other.
-  static constexpr double endless_friction = 100;
+  /// Friction of so much and more, two orders of magnitude beyond that of stones, counts as without end, which admits a
+  /// little more: such a joint slips where the force is within 0.6 degrees of its plane, and generators of its cone
+  /// could hardly be told from each other.
+  static constexpr double endless_friction = order_of_magnitude * order_of_magnitude;
   /// Friction that hardly dilates: this share of Coulomb's slope is left, so that programmes keep an inside.
-  static constexpr double slope_left = 1e-3;
+  static constexpr double slope_left = 1 / (order_of_magnitude * order_of_magnitude * order_of_magnitude);
   /// What the normal forces of the last programme weigh in the next, and when the sequence has settled, as in Gilbert,
   /// Casapulla and Ahmed (2006).
   static constexpr double weight_of_last = 0.6;
