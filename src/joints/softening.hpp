@@ -16,8 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "joints/contact_law.hpp"
 
@@ -65,65 +63,5 @@ struct WeakenedLaw {
 /// @param gap     [m] opening; below 0 where stones are pressed
 /// @param slip    [m] way slipped since the start of the step
 WeakenedLaw weaken(const PointLaw& whole, const Softening&, const JointWear& before, double gap, double slip);
-
-/// Softening of many points during one step, as the nonlinear solver sees it. Points wear with every state that it
-/// comes to on its way (wear_by), and their strength may be held as it is meanwhile.
-class SofteningPoints {
- public:
-  /// References must outlive it.
-  /// @param whole       laws without damage
-  /// @param opened      [m] of the wear at the start of the step, per point
-  /// @param slipped     [m] likewise
-  /// @param gap_before  [m] per point, what is added to a gap before it is looked at; may be empty
-  SofteningPoints(const PointLaws& whole, const std::vector<Softening>& softening, std::vector<double> opened,
-                  const std::vector<double>& slipped, std::vector<double> gap_before = {})
-      : whole_(whole),
-        softening_(softening),
-        opened_before_(std::move(opened)),
-        opened_(opened_before_),
-        slipped_(slipped),
-        way_(slipped_.size(), 0.0),
-        reached_(way_),
-        gap_before_(std::move(gap_before)) {}
-
-  /// Whether a point is one that can lose its strength, or has.
-  bool softens(std::size_t k) const { return softening_[k].any(); }
-  /// @param slip  [m] since the start of the step
-  WeakenedLaw at(std::size_t k, double gap, double slip) const;
-  /// From now on, strength stays as it is wherever points open or slip to; or falls again.
-  void hold(bool held) { held_ = held; }
-  /// A point has come to this gap and slip [m]. Nothing is undone, and what the solver leaves of closed points is none.
-  /// While strength is held a point that has opened or slipped, and is brittle in that, breaks off.
-  /// @param normal  [N] its force
-  /// @param shear   [N] size of its tangential force less stiffness times slip
-  /// @return whether it has broken off by more than all that it had to lose
-  bool wear_by(std::size_t k, double gap, double slip, double normal, double shear, double stiffness);
-  /// What points have gone through since the start of the step, to come back to; and as if that were nothing, but for
-  /// what has broken off.
-  struct Since {
-    std::vector<double> opened, way, reached;  ///< [m] per point
-  };
-  Since since_start() const { return {opened_, way_, reached_}; }
-  void come_back(Since);
-  void start_again();
-  /// Largest damage of a point that has these behind it beyond what it has now, brittle ones left out.
-  double lost_beyond(const Since&) const;
-  /// [m] largest opening, and way slipped since the start of the step.
-  double opened(std::size_t k) const { return opened_[k]; }
-  double way(std::size_t k) const { return way_[k]; }
-
- private:
-  void break_off(std::size_t k);
-  double seen(std::size_t k, double gap) const { return gap + (gap_before_.empty() ? 0.0 : gap_before_[k]); }
-
-  const PointLaws& whole_;
-  const std::vector<Softening>& softening_;
-  const std::vector<double> opened_before_;
-  std::vector<double> opened_;
-  const std::vector<double>& slipped_;
-  std::vector<double> way_, reached_;  ///< [m] since the start of the step: slipped, and opened however little
-  const std::vector<double> gap_before_;
-  bool held_ = false;
-};
 
 }  // namespace voussoir

@@ -38,9 +38,9 @@ class ContactProblem : public NonlinearProblem {
   struct Asked {
     const PointLaws& law;
     const PointField& slip_origin;
-    const std::vector<double>& load;        ///< nodal forces [N, components x local node copies]
-    const std::vector<double>& prescribed;  ///< displacement of held components [m], the same shape
-    SofteningPoints* softening = nullptr;   ///< null where no joint can lose strength
+    const std::vector<double>& load;             ///< nodal forces [N, components x local node copies]
+    const std::vector<double>& prescribed;       ///< displacement of held components [m], the same shape
+    const SofteningPoints* softening = nullptr;  ///< null where no joint can lose strength
   };
 
   /// Unknowns, matrix and preconditioner of a selection. Collective.
@@ -68,7 +68,7 @@ class ContactProblem : public NonlinearProblem {
   /// built yet.
   const std::vector<char>& selected() const override { return movable_; }
   const PointLaws& law() const override { return asked_->law; }
-  SofteningPoints* softening() const override { return asked_->softening; }
+  const SofteningPoints* softening() const override { return asked_->softening; }
   const std::vector<double>& local_stiffness() const override { return parts_.local_stiffness; }
   const std::vector<PointCompliance>& compliance() const override { return parts_.compliance; }
   const PointField& slip_origin() const override { return asked_->slip_origin; }

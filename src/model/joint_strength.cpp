@@ -8,6 +8,7 @@
 #include "base/components.hpp"
 #include "base/text.hpp"
 #include "joints/crack_work.hpp"
+#include "joints/damage.hpp"
 #include "joints/friction_work.hpp"
 #include "model/handed_over.hpp"
 
@@ -20,7 +21,6 @@ void wear(const Model& model, const ContactState& before, ContactState& after, c
   VOUSSOIR_EXPECT(is_of_points(model, gap) && "gap: of points");
   VOUSSOIR_EXPECT(is_of_points(model, slip) && "slip: of points");
   VOUSSOIR_EXPECT(is_per_point(model, before.slipped) && is_per_point(model, after.opened) && "wear: per point");
-  SofteningPoints points(model.law(), model.softening(), after.opened, before.slipped);
   for (int k = 0; k < model.points().size(); ++k) {
     if (!after.selected[k]) continue;
     double shear = 0, way = 0;
@@ -30,9 +30,11 @@ void wear(const Model& model, const ContactState& before, ContactState& after, c
       shear += trial * trial;
       way += slip[dim * k + c] * slip[dim * k + c];
     }
-    points.wear_by(k, gap[dim * k], std::sqrt(way), after.lambda[dim * k], std::sqrt(shear), sigma);
-    after.opened[k] = points.opened(k);
-    after.slipped[k] = std::max(after.slipped[k], before.slipped[k] + points.way(k));
+    const SofteningPoint point{model.law()[k], model.softening()[k], {after.opened[k], before.slipped[k]}};
+    const auto worn = wear(point, {after.opened[k]}, StrengthIs::falling,
+                           {gap[dim * k], std::sqrt(way), after.lambda[dim * k], std::sqrt(shear), sigma});
+    after.opened[k] = worn.damage.opened;
+    after.slipped[k] = std::max(after.slipped[k], before.slipped[k] + worn.damage.way);
   }
 }
 

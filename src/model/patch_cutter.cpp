@@ -54,7 +54,7 @@ bool PatchCutter::find_stuck(const TpetraVector& x, const PointField& lambda, do
       if (std::abs(off[dim * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
   }
   PointField lawful;
-  lawful_forces(problem, CurrentLaws(problem, lambda, gap_), lambda, gap_, lawful);
+  lawful_forces(problem, CurrentLaws(problem, {}, lambda, gap_), lambda, gap_, lawful);
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
     const auto& joint = parts_.points.joint_of(k);
@@ -216,7 +216,7 @@ PatchCutter::PointsAndShares PatchCutter::points(const PointField& lambda,
                                                  const std::vector<PointStiffness>& resistance) const {
   const auto& space = parts_.space;
   const auto& problem = parts_.problem;
-  const CurrentLaws laws(problem, lambda, gap_);
+  const CurrentLaws laws(problem, {}, lambda, gap_);
   PointsAndShares all;
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;

@@ -20,7 +20,8 @@ constexpr double where_cracks_compete = 1e-8;
 
 }  // namespace
 
-ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodParameters& methods, int patience)
+ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodParameters& methods, int patience,
+                     Strength strength)
     : problem_(problem),
       methods_(methods),
       numbers_(methods_.active_set),
@@ -30,7 +31,7 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
       augmentation_(in_time() ? numbers_.augmentation_in_time : numbers_.augmentation_at_rest),
       proximal_(in_time() ? 0 : 1),
       patience_(patience),
-      laws_(problem),
+      laws_(problem, strength),
       sliding_(std::size_t(problem.points()) * (components_ - 1)),
       across_(problem.points()) {
   for (auto* v : {&linear_, &gradient_, &direction_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
@@ -67,7 +68,7 @@ bool ActiveSet::same_statuses(const std::vector<char>& closed, const PointField&
 double ActiveSet::measure(const TpetraVector& x, const PointField& lambda, NewtonReport& report) {
   problem_.evaluate(x, *linear_, gap_);
   std::vector<double> bound;
-  const CurrentLaws laws(problem_, lambda, gap_);
+  const CurrentLaws laws(problem_, laws_.strength(), lambda, gap_);
   friction_bounds(problem_, laws, lambda, bound);
   admissible_ = lambda;  // what tied points bear stays
   project(problem_, laws, lambda, bound, admissible_);
@@ -93,7 +94,7 @@ double ActiveSet::step_length(const PointField& lambda) const {
       force[i] = lambda[i] + t * (force_[i] - lambda[i]);
       gap[i] = gap_[i] + t * gap_direction_[i];
     }
-    lawful_forces(problem_, CurrentLaws(problem_, force, gap), force, gap, lawful);
+    lawful_forces(problem_, CurrentLaws(problem_, laws_.strength(), force, gap), force, gap, lawful);
     double mine = 0;
     for (int k = 0; k < problem_.owned_points(); ++k)
       for (int i = components_ * k; problem_.selected()[k] && i < components_ * (k + 1); ++i)

@@ -36,7 +36,8 @@ enum class ActiveSetUse { at_rest, in_time, in_patch };
 class ActiveSet {
  public:
   /// @param patience  so many solves that gain less than half: it circles
-  ActiveSet(NonlinearProblem& problem, ActiveSetUse, const MethodParameters&, int patience);
+  /// @param strength  with its damage where joints soften
+  ActiveSet(NonlinearProblem& problem, ActiveSetUse, const MethodParameters&, int patience, Strength strength = {});
 
   /// Told and asked after each linear solve; may be empty.
   SolveWatch watch;

@@ -12,12 +12,12 @@
 
 namespace voussoir {
 
-InteriorPath::InteriorPath(NonlinearProblem& problem, const MethodParameters& methods)
+InteriorPath::InteriorPath(NonlinearProblem& problem, const MethodParameters& methods, Strength strength)
     : problem_(problem),
       numbers_(methods.path),
       run_away_(methods.pseudo_time.run_away),
       components_(problem.components()),
-      laws_(problem) {
+      laws_(problem, strength) {
   for (auto* v : {&linear_, &gradient_, &direction_, &work_}) *v = Teuchos::rcp(new TpetraVector(problem.map()));
 }
 

@@ -35,7 +35,8 @@ enum class PathEnd { arrived, stuck, ran_away, stopped };
 
 class InteriorPath {
  public:
-  InteriorPath(NonlinearProblem&, const MethodParameters&);
+  /// @param strength  with its damage where joints soften
+  InteriorPath(NonlinearProblem&, const MethodParameters&, Strength strength = {});
 
   /// Told and asked after each linear solve; may be empty.
   SolveWatch watch;

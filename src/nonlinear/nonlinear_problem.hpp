@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "joints/contact_law.hpp"
+#include "joints/damage.hpp"
 #include "joints/point_freedom.hpp"
-#include "joints/softening.hpp"
 #include "linalg/linear_solve_result.hpp"
 #include "linalg/types.hpp"
 #include "nonlinear/point_field.hpp"
@@ -47,8 +47,9 @@ class NonlinearProblem {
   virtual const std::vector<char>& selected() const = 0;
   /// At the start of the step; of points that soften CurrentLaws tells more.
   virtual const PointLaws& law() const = 0;
-  /// Points that lose strength as they open or slip; null where there are none.
-  virtual SofteningPoints* softening() const { return nullptr; }
+  /// Points that lose strength as they open or slip; null where there are none. Their damage is part of the state, and
+  /// is handed to whoever asks for laws.
+  virtual const SofteningPoints* softening() const { return nullptr; }
   /// Stiffness of the blocks as a point sees it [N/m]: the natural augmentation.
   virtual const std::vector<double>& local_stiffness() const = 0;
   /// Mortar of each point; empty when stone meets stone everywhere.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/check.hpp"
+
 namespace voussoir {
 
 double tangential_size(const PointField& f, int point, int components) {
@@ -26,6 +28,7 @@ void trial_forces(const NonlinearProblem& problem, const PointField& lambda, con
 void CurrentLaws::follow(const PointField& lambda, const PointField& gap) {
   const auto* const softening = problem_.softening();
   if (!softening) return;
+  VOUSSOIR_EXPECT(strength_.damage && strength_.damage->size() == softening->size() && "damage: per point");
   const int n = problem_.components();
   number_.assign(problem_.points(), -1);
   weakened_.clear();
@@ -37,7 +40,8 @@ void CurrentLaws::follow(const PointField& lambda, const PointField& gap) {
       slip += s * s;
     }
     number_[k] = static_cast<int>(weakened_.size());
-    weakened_.push_back(softening->at(k, motion_of(problem_, k, 0, gap, lambda), std::sqrt(slip)));
+    weakened_.push_back(law_at((*softening)[k], (*strength_.damage)[k], strength_.is,
+                               motion_of(problem_, k, 0, gap, lambda), std::sqrt(slip)));
   }
 }
 
@@ -72,11 +76,12 @@ void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, cons
   problem.split_shared_forces(freedom, lambda);
 }
 
-bool wear_by(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) {
-  auto* const softening = problem.softening();
+WornPoints wear(const NonlinearProblem& problem, Strength strength, const PointField& lambda, const PointField& gap) {
+  const auto* const softening = problem.softening();
+  VOUSSOIR_EXPECT(softening && strength.damage && strength.damage->size() == softening->size() && "damage: per point");
   const int n = problem.components();
-  bool far = false;
-  for (int k = 0; softening && k < problem.points(); ++k) {
+  WornPoints all{*strength.damage};
+  for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
     double slip = 0, shear = 0;
     for (int c = 1; c < n; ++c) {
@@ -85,10 +90,13 @@ bool wear_by(const NonlinearProblem& problem, const PointField& lambda, const Po
       slip += s * s;
       shear += trial * trial;
     }
-    far |= softening->wear_by(k, motion_of(problem, k, 0, gap, lambda), std::sqrt(slip), lambda[k * n],
-                              std::sqrt(shear), stiffness_of(problem, k, 0, 1.0));
+    const auto worn = wear((*softening)[k], all.damage[k], strength.is,
+                           {motion_of(problem, k, 0, gap, lambda), std::sqrt(slip), lambda[k * n], std::sqrt(shear),
+                            stiffness_of(problem, k, 0, 1.0)});
+    all.damage[k] = worn.damage;
+    all.by_far |= worn.by_far;
   }
-  return far;
+  return all;
 }
 
 void friction_bounds(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& forces,

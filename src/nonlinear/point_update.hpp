@@ -38,11 +38,15 @@ void trial_forces(const NonlinearProblem&, const PointField& lambda, const Point
 /// The law of every point at some forces and gaps: with the strength that is left there of points that soften.
 class CurrentLaws {
  public:
-  explicit CurrentLaws(const NonlinearProblem& problem) : problem_(problem) {}
-  CurrentLaws(const NonlinearProblem& problem, const PointField& lambda, const PointField& gap) : problem_(problem) {
+  /// @param strength  with its damage where joints soften
+  explicit CurrentLaws(const NonlinearProblem& problem, Strength strength = {})
+      : problem_(problem), strength_(strength) {}
+  CurrentLaws(const NonlinearProblem& problem, Strength strength, const PointField& lambda, const PointField& gap)
+      : CurrentLaws(problem, strength) {
     follow(lambda, gap);
   }
   void follow(const PointField& lambda, const PointField& gap);
+  Strength strength() const { return strength_; }
 
   PointLaw operator[](int point) const {
     const auto* w = softened(point);
@@ -68,12 +72,18 @@ class CurrentLaws {
 
  private:
   const NonlinearProblem& problem_;
+  Strength strength_;
   std::vector<int> number_;  ///< per point; -1 where it does not soften
   std::vector<WeakenedLaw> weakened_;
 };
 
-/// Points wear as far as they have opened and slipped in a state.
-bool wear_by(const NonlinearProblem&, const PointField& lambda, const PointField& gap);
+/// Damage of all points of this rank once they have opened and slipped as in a state.
+struct WornPoints {
+  Damage damage;
+  bool by_far = false;  ///< one has broken off, overloaded by more than all that it had to lose
+};
+/// The problem has joints that soften.
+WornPoints wear(const NonlinearProblem&, Strength, const PointField& lambda, const PointField& gap);
 
 /// What points do in a linear solve: closed or not, directions of slip (0 where a point does not), how they resist.
 struct PointStatuses {

@@ -24,7 +24,7 @@ class Dragged : public NonlinearProblem {
   int owned_points() const override { return problem_.owned_points(); }
   const std::vector<char>& selected() const override { return problem_.selected(); }
   const PointLaws& law() const override { return problem_.law(); }
-  SofteningPoints* softening() const override { return problem_.softening(); }
+  const SofteningPoints* softening() const override { return problem_.softening(); }
   const std::vector<double>& local_stiffness() const override { return problem_.local_stiffness(); }
   const std::vector<PointCompliance>& compliance() const override { return problem_.compliance(); }
   const PointField& slip_origin() const override { return problem_.slip_origin(); }
@@ -73,18 +73,20 @@ MethodParameters with_full_steps(MethodParameters methods) {
 
 }  // namespace
 
-PseudoTime::PseudoTime(NonlinearProblem& problem, const NewtonParameters& parameters, const MethodParameters& methods)
+PseudoTime::PseudoTime(NonlinearProblem& problem, const NewtonParameters& parameters, const MethodParameters& methods,
+                       Strength strength)
     : problem_(problem),
       parameters_(parameters),
       methods_(methods),
       full_steps_(with_full_steps(methods)),
+      strength_(strength),
       mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))),
       imbalance_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
 
 /// Residuals of the structure itself, without drag; leaves the imbalance and the gaps.
 double PseudoTime::measure(const TpetraVector& x, const PointField& lambda, NewtonReport& report) {
   scale_ = force_scale(problem_, lambda);
-  return judge_state(problem_, x, lambda, *imbalance_, gap_, report);
+  return judge_state(problem_, strength_, x, lambda, *imbalance_, gap_, report);
 }
 
 /// Does the last motion, along which the imbalance has stayed, go on for ever? Far along it forces and imbalance must
@@ -98,7 +100,9 @@ bool PseudoTime::leads_nowhere(const TpetraVector& x, const TpetraVector& from, 
   mechanism_->scale(1 / size);
   if (size >= far) return true;
   const double allowance = numbers.unchanged * imbalance_->normInf();
-  if (!parameters_.has_inertia && is_rigid_mechanism(problem_, *mechanism_, lambda, gap_, far, allowance)) return true;
+  if (!parameters_.has_inertia && is_rigid_mechanism(problem_, CurrentLaws(problem_, strength_, lambda, gap_),
+                                                     *mechanism_, lambda, gap_, far, allowance))
+    return true;
   TpetraVector end(x, Teuchos::Copy), there(problem_.map());
   PointField gap;
   end.update(far, *mechanism_, 1.0);
@@ -106,7 +110,7 @@ bool PseudoTime::leads_nowhere(const TpetraVector& x, const TpetraVector& from, 
   problem_.subtract_contact_forces(lambda, there);
   there.update(-1.0, *imbalance_, 1.0);
   return there.normInf() <= allowance &&
-         contact_residual(problem_, CurrentLaws(problem_, lambda, gap), lambda, gap) <= allowance;
+         contact_residual(problem_, CurrentLaws(problem_, strength_, lambda, gap), lambda, gap) <= allowance;
 }
 
 void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
@@ -120,7 +124,7 @@ void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, c
     const TpetraVector from(x, Teuchos::Copy);
     const PointField forces = lambda;
     Dragged dragged(problem_, from, drag);
-    ActiveSet active(dragged, ActiveSetUse::in_time, full_steps_, full_steps_.active_set.patience);
+    ActiveSet active(dragged, ActiveSetUse::in_time, full_steps_, full_steps_.active_set.patience, strength_);
     active.watch = watch;
     const auto end = active.solve(x, lambda, std::max(tolerance, numbers.accuracy * std::min(size, 1.0)),
                                   last - report.newton_iterations, known_gap, report);

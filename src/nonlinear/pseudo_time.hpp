@@ -21,7 +21,8 @@ namespace voussoir {
 
 class PseudoTime {
  public:
-  PseudoTime(NonlinearProblem&, const NewtonParameters&, const MethodParameters&);
+  /// @param strength  with its damage where joints soften
+  PseudoTime(NonlinearProblem&, const NewtonParameters&, const MethodParameters&, Strength strength = {});
 
   /// Told and asked after each linear solve; may be empty.
   SolveWatch watch;
@@ -45,6 +46,7 @@ class PseudoTime {
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
   const MethodParameters methods_, full_steps_;
+  const Strength strength_;
   Teuchos::RCP<TpetraVector> mechanism_, imbalance_;
   PointField gap_;
   double scale_ = 1;  ///< [N]

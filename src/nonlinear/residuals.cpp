@@ -61,10 +61,10 @@ double size_of(const NonlinearProblem& problem, double equilibrium, double conta
   return larger <= problem.round_off() ? 0 : larger / scale;
 }
 
-double judge_state(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,
-                   PointField& gap, NewtonReport& report) {
+double judge_state(NonlinearProblem& problem, Strength strength, const TpetraVector& x, const PointField& lambda,
+                   TpetraVector& residual, PointField& gap, NewtonReport& report) {
   problem.evaluate(x, residual, gap);
-  const CurrentLaws laws(problem, lambda, gap);
+  const CurrentLaws laws(problem, strength, lambda, gap);
   const auto [equilibrium, contact] = imbalance(problem, laws, lambda, gap, residual);
   const double scale = force_scale(problem, lambda);
   report.residual = equilibrium / scale;

@@ -40,9 +40,10 @@ double size_of(const NonlinearProblem&, double equilibrium, double contact, doub
 
 /// A state as a solve is judged: its residuals relative to the largest force, which the report keeps. Returns the size
 /// of the two. Collective.
+/// @param strength  with its damage where joints soften
 /// @param residual  becomes K x - f - B^T lambda
 /// @param gap       [m] becomes that of x
-double judge_state(NonlinearProblem&, const TpetraVector& x, const PointField& lambda, TpetraVector& residual,
-                   PointField& gap, NewtonReport&);
+double judge_state(NonlinearProblem&, Strength strength, const TpetraVector& x, const PointField& lambda,
+                   TpetraVector& residual, PointField& gap, NewtonReport&);
 
 }  // namespace voussoir

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 
 namespace voussoir {
@@ -39,13 +38,12 @@ double change_of_force(const PointLaw& law, const double* force, int components,
 
 }  // namespace
 
-bool is_rigid_mechanism(NonlinearProblem& problem, const TpetraVector& motion, const PointField& lambda,
-                        const PointField& gap, double far, double allowance) {
+bool is_rigid_mechanism(NonlinearProblem& problem, const CurrentLaws& laws, const TpetraVector& motion,
+                        const PointField& lambda, const PointField& gap, double far, double allowance) {
   const int n = problem.components();
   PointField moved;
   if (!(problem.rigid_gaps(motion, moved) <= deformation)) return false;
   double worst = 0;
-  const CurrentLaws laws(problem, lambda, gap);
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
     for (int c = k * n; c < (k + 1) * n; ++c) moved[c] *= far;

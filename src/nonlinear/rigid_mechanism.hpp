@@ -3,6 +3,7 @@
 #pragma once
 
 #include "nonlinear/nonlinear_problem.hpp"
+#include "nonlinear/point_update.hpp"
 
 namespace voussoir {
 
@@ -12,7 +13,7 @@ namespace voussoir {
 /// @param motion     largest component 1
 /// @param far        how far it goes [m]
 /// @param allowance  change of a contact force that leaves the imbalance what it is [N]
-bool is_rigid_mechanism(NonlinearProblem&, const TpetraVector& motion, const PointField& lambda, const PointField& gap,
-                        double far, double allowance);
+bool is_rigid_mechanism(NonlinearProblem&, const CurrentLaws&, const TpetraVector& motion, const PointField& lambda,
+                        const PointField& gap, double far, double allowance);
 
 }  // namespace voussoir

@@ -254,13 +254,13 @@ bool run_on(const NonlinearProblem& problem, Share& share, const PointField& mov
 }  // namespace
 
 Instability find_instability(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda,
-                             NewtonReport& report) {
+                             const Damage& damage, NewtonReport& report) {
   Instability found;
   if (!problem.softening() || problem.components() != 2) return found;
   PointField gap;
   TpetraVector residual(problem.map());
   problem.evaluate(x, residual, gap);
-  Share share(problem, tangents(problem, CurrentLaws(problem, lambda, gap), lambda, gap), report);
+  Share share(problem, tangents(problem, CurrentLaws(problem, fall(damage), lambda, gap), lambda, gap), report);
   if (share.size() == 0) return found;
   PointField combination, image;
   found.excess = 2 * largest_share(share, combination) - 1;
@@ -276,7 +276,8 @@ Instability find_instability(NonlinearProblem& problem, const TpetraVector& x, c
   return found;
 }
 
-double go_down(NonlinearProblem& problem, const Instability& along, double sign, TpetraVector& x, PointField& lambda) {
+double go_down(NonlinearProblem& problem, const Instability& along, double sign, const Damage& damage, TpetraVector& x,
+               PointField& lambda) {
   TpetraVector force(problem.map()), change(problem.map());
   PointField start, none;
   problem.evaluate(x, force, start);
@@ -285,7 +286,7 @@ double go_down(NonlinearProblem& problem, const Instability& along, double sign,
   PointField gap(start.size()), lawful = lambda;
   const auto at = [&](double way) {  // leaves the forces of the law there
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = start[i] + sign * way * along.gaps[i];
-    lawful_forces(problem, CurrentLaws(problem, lambda, gap), lambda, gap, lawful);
+    lawful_forces(problem, CurrentLaws(problem, fall(damage), lambda, gap), lambda, gap, lawful);
   };
   /// Slope of the potential by the way.
   const auto slope = [&](double way) {

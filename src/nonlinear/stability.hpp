@@ -31,16 +31,17 @@ struct Instability {
   PointField gaps;                    ///< [m] of the motion
 };
 
-/// @param x, lambda  an equilibrium
-/// @param report     gains what is done
+/// @param x, lambda, damage  an equilibrium, with the damage of the start of its step or beyond
+/// @param report             gains what is done
 /// Collective. Without points that soften nothing is solved.
-Instability find_instability(NonlinearProblem&, const TpetraVector& x, const PointField& lambda, NewtonReport& report);
+Instability find_instability(NonlinearProblem&, const TpetraVector& x, const PointField& lambda, const Damage& damage,
+                             NewtonReport& report);
 
 /// Goes along a motion as far as the potential of the step falls: the forces of the law at the gaps of the way are
 /// those of points that resist with their local stiffness. Collective.
 /// @param sign    1 or -1
 /// @param lambda  becomes what the law gives there
 /// @return the way gone [m]
-double go_down(NonlinearProblem&, const Instability&, double sign, TpetraVector& x, PointField& lambda);
+double go_down(NonlinearProblem&, const Instability&, double sign, const Damage&, TpetraVector& x, PointField& lambda);
 
 }  // namespace voussoir

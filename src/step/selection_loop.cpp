@@ -32,6 +32,14 @@ std::array<int, 2> stones_of_point(const ContactPoints& points, const Teuchos::C
 
 bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
 
+/// Joints of a step, as worn as at its start. A time step looks at its middle: there the mean of a force is met that
+/// falls along it.
+std::optional<SofteningPoints> softening_points(const Model& model, const ContactState& before, bool in_time) {
+  if (!model.weakens()) return {};
+  return std::make_optional<SofteningPoints>(model.law(), model.softening(), before.opened, before.slipped,
+                                             in_time ? gaps_to_middle(model) : std::vector<double>());
+}
+
 /// Error of ties that may stay [-]: what many steps add up to must stay within what a scene asks for.
 double allowed_error(const ModelSettings& settings, bool in_time) {
   const double share = in_time || settings.any_time ? settings.internals.step.share_of_a_time_step : 1.0;
@@ -82,30 +90,27 @@ SelectionLoop::SelectionLoop(SelectionTools& tools, ContactState& state, const S
       before_(state),
       selected_before_(count_selected(model_, state)),
       known_gap_(model_.gaps(state.displacement)),
+      softening_(softening_points(model_, before_, in_time())),
+      damage_(damage_at_start()),
       state_(state),
       displacement_(state.displacement),
       lambda_(state.lambda) {
   hope_.wanted = looks_first() ? std::max(tolerance_, numbers_.first_look) : tolerance_;
 }
 
-/// Joints as worn as at the start of the step, in load steps by what the rounds before have come to: the solver gives
-/// that back once it has arrived. A time step looks at its middle: there the mean of a force is met that falls along
-/// it.
-SofteningPoints* SelectionLoop::softening() {
-  if (!model_.weakens()) return nullptr;
-  if (softening_ && !in_time()) return &*softening_;
-  softening_.emplace(model_.law(), model_.softening(), before_.opened, before_.slipped,
-                     in_time() ? gaps_to_middle(model_) : std::vector<double>());
-  return &*softening_;
-}
+Damage SelectionLoop::damage_at_start() const { return softening_ ? softening_->at_start() : Damage(); }
 
-/// What they have gone through up to where the solution is.
-void SelectionLoop::keep_wear(const ContactProblem& problem) {
+/// Damage of the start of the step, in load steps of what the rounds before have come to: the solver gives that back
+/// once it has arrived.
+Damage SelectionLoop::damage_before_round() const { return in_time() ? damage_at_start() : damage_; }
+
+/// What joints have gone through up to where the solution is.
+void SelectionLoop::keep_damage(const ContactProblem& problem) {
   if (!softening_) return;
-  wear_by(problem, state_.lambda, model_.gaps(state_.displacement));
+  damage_ = wear(problem, fall(damage_), state_.lambda, model_.gaps(state_.displacement)).damage;
   for (std::size_t k = 0; k < state_.opened.size(); ++k) {
-    state_.opened[k] = softening_->opened(k);
-    state_.slipped[k] = before_.slipped[k] + softening_->way(k);
+    state_.opened[k] = damage_[k].opened;
+    state_.slipped[k] = before_.slipped[k] + damage_[k].way;
   }
 }
 
@@ -169,13 +174,13 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
       tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
   ContactSolver newton(problem, way_of_solving(), model_.settings().internals.methods, state_.fast_way);
   newton.watch = [this](const NewtonProgress& solve) { return progress_.solved(solve); };
-  const bool looks = hope_.wanted > tolerance_ && !in_time() && !cracks_;
-  if (looks) newton.hold_strength();
-  cracks_ = !looks;
+  const bool looks = hope_.wanted > tolerance_ && !in_time() && strength_ == StrengthIs::held;
+  strength_ = looks ? StrengthIs::held : StrengthIs::falling;
+  damage_ = damage_before_round();
   const auto x = problem.unknowns(state_.displacement);
   {
     Phase phase("contact");
-    report_.newton.add(newton.solve(*x, state_.lambda, hope_.wanted, known_gap));
+    report_.newton.add(newton.solve({*x, state_.lambda, damage_}, {hope_.wanted, strength_, known_gap}));
   }
   report_.cost.add(problem.cost());
   problem.displacement(*x, state_.displacement);
@@ -184,7 +189,7 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
     problem.space().scatter(newton.mechanism(), mechanism_);
     return false;
   }
-  if (!looks) keep_wear(problem);
+  if (!looks) keep_damage(problem);
   if (report_.newton.unstable > 0)
     report_.unstable_joint = stones_of_point(model_.points(), *model_.structure().comm(), report_.newton.unstable_at);
   seen_.cluster = problem.space().cluster();
@@ -214,7 +219,7 @@ bool SelectionLoop::resolve_all() {
   state_.displacement = displacement_;
   state_.lambda = lambda_;
   state_.fast_way = before_.fast_way;
-  softening_.reset();
+  damage_ = damage_at_start();
   release_all(model_, law_, state_);
   hope_.wanted = tolerance_;
   hope_.from_before = report_.selection_rounds == 0;
@@ -269,8 +274,9 @@ void SelectionLoop::estimate() {
 
 void SelectionLoop::solve_for_error() {
   if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
+  const Damage damage = damage_before_round();
   const auto error = tie_error(tools_.parts(), {law_, state_.slip_origin, input_.load, input_.prescribed, softening()},
-                               state_, seen_.cluster, seen_.violations);
+                               state_, seen_.cluster, seen_.violations, fall(damage));
   report_.estimate_solves += error.linear_solves;
   report_.newton.krylov_iterations += error.krylov_iterations;
   report_.newton.failed_solves += !error.known;

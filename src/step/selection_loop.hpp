@@ -81,8 +81,10 @@ class SelectionLoop {
     bool large = false;            ///< the root alone tells that the error is too large
   };
 
-  SofteningPoints* softening();
-  void keep_wear(const ContactProblem&);
+  const SofteningPoints* softening() const { return softening_ ? &*softening_ : nullptr; }
+  Damage damage_at_start() const;
+  Damage damage_before_round() const;
+  void keep_damage(const ContactProblem&);
   bool look();
   bool find_equilibrium(const PointField* known_gap);
   void recover_ties();
@@ -117,9 +119,10 @@ class SelectionLoop {
   const double tolerance_, allowed_;  ///< [-] of equilibria; error of ties
   const ContactState before_;
   const long long selected_before_;
-  const PointField known_gap_;  ///< [m] before
-  std::optional<SofteningPoints> softening_;
-  bool cracks_ = false;  ///< joints have lost strength in this step: rounds that only look hold it
+  const PointField known_gap_;                      ///< [m] before
+  const std::optional<SofteningPoints> softening_;  ///< none where no joint can lose strength
+  Damage damage_;                                   ///< that joints have by the last solution of this step
+  StrengthIs strength_ = StrengthIs::held;          ///< of the last solve: once it has fallen it is held no more
   ContactState& state_;
   std::vector<double> displacement_;  ///< [m] and forces [N] of the last solution of this step
   PointField lambda_;

@@ -101,7 +101,7 @@ std::vector<char> open_points(const Model& model) {
 }
 
 TieError tie_error(const ContactProblem::Parts& parts, const ContactProblem::Asked& asked, const ContactState& state,
-                   const std::vector<int>& cluster, const TiedViolations& violations) {
+                   const std::vector<int>& cluster, const TiedViolations& violations, Strength strength) {
   if (violations.largest == 0) return {};
   auto released = state.selected;
   release_violating(parts.points, cluster, violations, released);
@@ -114,7 +114,7 @@ TieError tie_error(const ContactProblem::Parts& parts, const ContactProblem::Ask
   std::vector<PointStiffness> resistance;
   problem.evaluate(*x, *b, gap);
   trial_forces(problem, state.lambda, gap, 1.0, trial);
-  const CurrentLaws laws(problem, state.lambda, gap);
+  const CurrentLaws laws(problem, strength, state.lambda, gap);
   friction_bounds(problem, laws, trial, bound);
   project(problem, laws, trial, bound, forces);
   const int dim = problem.components();

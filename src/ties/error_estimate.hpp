@@ -45,10 +45,11 @@ struct TieError {
   SystemCost cost;
 };
 
-/// @param state  in equilibrium with its ties; ghosts of its forces up to date
+/// @param state     in equilibrium with its ties; ghosts of its forces up to date
+/// @param strength  with its damage where joints soften
 /// Collective. Costs a linear solve where anything is violated.
-TieError tie_error(const ContactProblem::Parts&, const ContactProblem::Asked&, const ContactState&,
-                   const std::vector<int>& cluster, const TiedViolations&);
+TieError tie_error(const ContactProblem::Parts&, const ContactProblem::Asked&, const ContactState& state,
+                   const std::vector<int>& cluster, const TiedViolations&, Strength strength = {});
 
 /// Error of ties relative to the energy that the structure would have without them [-]. Collective.
 /// @param known_energy  [J] of the structure, where displacement does not tell

@@ -32,7 +32,7 @@ SEES = {
 }
 
 # Pure functions of numbers, without geometry: the headers of joints that all folders from linalg up may see.
-PURE = {"joints/contact_law.hpp", "joints/point_freedom.hpp", "joints/softening.hpp"}
+PURE = {"joints/contact_law.hpp", "joints/damage.hpp", "joints/point_freedom.hpp", "joints/softening.hpp"}
 
 # What ranks tell each other: all folders but base may see it.
 RANKS = {"linalg/agree.hpp", "linalg/gather.hpp", "linalg/reduce.hpp"}

@@ -54,7 +54,9 @@ class MasonryInSpace {
     auto lambda = lambda_;
     ContactSolver solver(problem, newton, internals_.methods, fast_);
     solver.watch = watch;
-    const auto report = solver.solve(*x, lambda, newton.tolerance, first_ ? nullptr : &gap);
+    Damage no_damage;
+    const auto report =
+        solver.solve({*x, lambda, no_damage}, {newton.tolerance, StrengthIs::falling, first_ ? nullptr : &gap});
     first_ = false;
     if (report.outcome != NewtonOutcome::converged) return report;
     problem.displacement(*x, displacement_);
@@ -138,7 +140,8 @@ class MasonryInSpace {
     const auto x = bonded.unknowns(displacement_);
     FastWay fast;
     PointField nothing(lambda_.size());
-    ContactSolver(bonded, newton, internals_.methods, fast).solve(*x, nothing, newton.tolerance);
+    Damage no_damage;
+    ContactSolver(bonded, newton, internals_.methods, fast).solve({*x, nothing, no_damage}, {newton.tolerance});
     bonded.displacement(*x, displacement_);
     std::vector<double> left;
     structure_.internal_forces(displacement_, left);

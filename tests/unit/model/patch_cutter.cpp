@@ -64,7 +64,7 @@ struct WallAtRest {
     TpetraVector residual(problem->map());
     PointField gap;
     problem->evaluate(*x, residual, gap);
-    const Imbalance i = imbalance(*problem, CurrentLaws(*problem, lambda, gap), lambda, gap, residual);
+    const Imbalance i = imbalance(*problem, CurrentLaws(*problem, {}, lambda, gap), lambda, gap, residual);
     return std::max(i.equilibrium, i.contact) / force_scale(*problem, lambda);
   }
   int correct(const TpetraVector& start) {

@@ -177,7 +177,9 @@ struct PressedStones {
     NewtonParameters newton;
     newton.tolerance = tolerance;
     FastWay fast;
-    const auto report = ContactSolver(problem, newton, internals.methods, fast).solve(*x, lambda, tolerance);
+    Damage no_damage;
+    const auto report =
+        ContactSolver(problem, newton, internals.methods, fast).solve({*x, lambda, no_damage}, {tolerance});
     problem.displacement(*x, displacement);
     return report;
   }

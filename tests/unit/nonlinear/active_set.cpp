@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "linalg/local_view.hpp"
-#include "unit/nonlinear/slider.hpp"
+#include "unit/nonlinear/softening_slider.hpp"
 
 namespace {
 
@@ -97,45 +97,25 @@ TEUCHOS_UNIT_TEST(ActiveSet, SendsForcesThatCreepWhereStonesSlide) {
   TEST_COMPARE(report.newton_iterations, <=, 12);
 }
 
-/// The node of the slider, mortared to the ground and held by springs along and across it, is pulled off obliquely.
-class Mortared : public Patch {
- public:
-  static constexpr double strength = 50, cohesion = 100, up = 80, along = 90, compliance = 1e-4;  // [N, m/N]
-  Mortared(bool exponential, bool springs)
-      : Patch(parts(springs)), softens_(1, Softening{5, 2, exponential}), points_(law(), softens_, {0}, none_) {}
-  SofteningPoints* softening() const override { return &points_; }
-
- private:
-  static PatchParts parts(bool springs) {
-    auto parts = parts_of_slider(0);
-    parts.imbalance = {-along, -up};
-    parts.proximal_weight = {0, 0};
-    parts.stiffness = {{0, 0, spring}, {1, 1, spring}};
-    parts.points[0].law = {0.6, cohesion, strength};
-    if (springs) parts.points[0].compliance = {compliance, compliance};
-    return parts;
-  }
-  std::vector<Softening> softens_;  ///< a quarter as steep as the springs
-  std::vector<double> none_{0};
-  mutable SofteningPoints points_;
-};
-
+// Pulled off obliquely; a rate a quarter as steep as the springs.
 TEUCHOS_UNIT_TEST(ActiveSet, FollowsStrengthThatFallsAsFastAsNewtonsMethod) {
   for (const bool exponential : {false, true})
     for (const bool springs : {false, true}) {
-      Mortared problem(exponential, springs);
+      const Mortar mortar{80, 90, {5, 2, exponential}, springs ? 1e-4 : 0};
+      Mortared problem(mortar);
+      const Damage sound(1);
       TpetraVector x(problem.map());
       PointField lambda(2, 0.0);
       NewtonReport report;
-      ActiveSet active(problem, ActiveSetUse::at_rest, MethodParameters(), ActiveSetParameters().patience);
+      ActiveSet active(problem, ActiveSetUse::at_rest, {}, ActiveSetParameters().patience, fall(sound));
       TEST_ASSERT(active.solve(x, lambda, 1e-12, 30, nullptr, report) == ActiveSetEnd::arrived);
       TEST_COMPARE(report.newton_iterations, <=, exponential ? 6 : 5);
-      const double c = springs ? Mortared::compliance : 0;
+      const double c = mortar.compliance;
       const double opened = local_view(x)[1] + c * lambda[0], slipped = std::abs(local_view(x)[0] - c * lambda[1]);
       const double kappa = std::hypot(5 * opened, 2 * slipped), left = exponential ? std::exp(-kappa) : 1 - kappa / 2;
       TEST_FLOATING_EQUALITY(lambda[0], -left * Mortared::strength, 1e-9);
       TEST_FLOATING_EQUALITY(std::abs(lambda[1]), left * (Mortared::cohesion - 0.6 * Mortared::strength), 1e-9);
-      TEST_FLOATING_EQUALITY(spring * local_view(x)[1], Mortared::up + lambda[0], 1e-9);
+      TEST_FLOATING_EQUALITY(spring * local_view(x)[1], mortar.up + lambda[0], 1e-9);
     }
 }
 

@@ -29,9 +29,10 @@ Solved solve(const MethodParameters& methods) {
   Patch problem = slider_on_the_ground(friction);
   TpetraVector x(problem.map());
   PointField lambda = {weight, 0};
+  Damage no_damage;
   FastWay fast;
   Solved s;
-  s.report = ContactSolver(problem, {}, methods, fast).solve(x, lambda, 1e-9);
+  s.report = ContactSolver(problem, {}, methods, fast).solve({x, lambda, no_damage}, {1e-9});
   s.place = local_view(x)[0];
   s.fast_waits = fast.next_wait;
   return s;
@@ -70,11 +71,12 @@ TEUCHOS_UNIT_TEST(ContactSolver, EndsAtTheSolveAfterWhichNoMoreAreWanted) {
       Patch problem(parts);
       TpetraVector x(problem.map());
       PointField lambda = way == 4 ? PointField{} : PointField{weight, 0};
+      Damage no_damage;
       FastWay fast;
       ContactSolver solver(problem, {}, methods, fast);
       int asked = 0;
       solver.watch = [&](const NewtonProgress&) { return ++asked < most ? GoOn::yes : GoOn::no; };
-      const auto report = solver.solve(x, lambda, 1e-9);
+      const auto report = solver.solve({x, lambda, no_damage}, {1e-9});
       TEST_COMPARE(asked, <=, most);
       return report;
     };
@@ -108,9 +110,10 @@ TEUCHOS_UNIT_TEST(ContactSolver, WithoutPointsASpringHoldsAndWhatNothingHoldsFal
     Patch problem(parts);
     TpetraVector x(problem.map());
     PointField lambda;
+    Damage no_damage;
     FastWay fast;
     ContactSolver solver(problem, {}, {}, fast);
-    const auto report = solver.solve(x, lambda, 1e-9);
+    const auto report = solver.solve({x, lambda, no_damage}, {1e-9});
     TEST_ASSERT(report.outcome == (held ? NewtonOutcome::converged : NewtonOutcome::collapse));
     TEST_COMPARE(report.newton_iterations, <=, held ? 1 : 3);
     TEST_FLOATING_EQUALITY(held ? local_view(x)[0] * spring / push : local_view(solver.mechanism())[0], 1.0, 1e-9);

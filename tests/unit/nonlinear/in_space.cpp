@@ -36,7 +36,8 @@ Rest solve(const std::array<BlockInSpace::Place, 4>& push, Way way) {
   }
   FastWay fast;
   Rest rest;
-  rest.report = ContactSolver(block, {}, methods, fast).solve(x, lambda, 1e-11);
+  Damage no_damage;
+  rest.report = ContactSolver(block, {}, methods, fast).solve({x, lambda, no_damage}, {1e-11});
   rest.moved.assign(local_view(x), local_view(x) + 12);
   rest.force = lambda;
   return rest;

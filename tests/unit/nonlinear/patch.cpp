@@ -54,7 +54,8 @@ TEUCHOS_UNIT_TEST(Patch, ASolveWithoutARegularSystemNamesTheLibrary) {
   TpetraVector x(patch.map());
   PointField lambda = {weight, 0};
   FastWay fast;
-  const auto report = ContactSolver(patch, {}, {}, fast).solve(x, lambda, 1e-9);
+  Damage no_damage;
+  const auto report = ContactSolver(patch, {}, {}, fast).solve({x, lambda, no_damage}, {1e-9});
   TEST_ASSERT(report.outcome == NewtonOutcome::not_converged);
   TEST_COMPARE(report.newton_iterations, <=, 4);
   TEST_EQUALITY(report.failed_solves, report.newton_iterations);

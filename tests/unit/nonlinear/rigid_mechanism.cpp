@@ -34,7 +34,7 @@ constexpr double far = 0.2, allowance = 0.1;  // [m], [N]
 
 bool leads_nowhere(Stone& stone, const PointField& force, const PointField& gap = {0, 0, 0, 0}) {
   const TpetraVector motion(stone.map());
-  return is_rigid_mechanism(stone, motion, force, gap, far, allowance);
+  return is_rigid_mechanism(stone, CurrentLaws(stone), motion, force, gap, far, allowance);
 }
 
 TEUCHOS_UNIT_TEST(RigidMechanism, AStoneThatSlidesAgainstFrictionSpentSlidesForEver) {
