@@ -7,6 +7,17 @@
 // on the way would fly: then the step is made again with points that yield only slowly. It may circle: then it says so,
 // and another way is taken.
 //
+// Ends   After every linear solve the state is judged with the forces that the law admits, lambda projected with the
+//        bounds of its own pressures: equilibrium and contact (residuals.hpp), by the largest force then in play.
+//        arrived       their size is no more than the tolerance
+//        circled       so many solves (patience) without one whose size is at most half (gained) of the least before,
+//                      or no solves are left
+//        loose_stones  not in time: a solve of `many krylov` iterations (or `.. in space`) has not gained
+//        refused       a library refused the system; in a patch the first, later ones end as circled
+//        stopped       whoever watches wanted no more
+// Back   Where it arrives x, and lambda as it was judged. Else x and lambda as they were last or, in a patch, where
+//        their size was least. The report has the two residuals that were judged last.
+//
 // Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton);
 //          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
 #pragma once

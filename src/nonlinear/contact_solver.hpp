@@ -6,7 +6,18 @@
 //   3  pseudo-time from where the path ends, when it ends early; it also tells a collapse from slow progress.
 //      Where it takes long, another path from the state it has reached, and so on with twice the patience
 //
-// Without contact points the system is linear.
+// Without contact points the system is linear. Where joints soften, 2 and 3 are gone with strength that is held, and 1
+// with strength that falls (wear_down); method.md, section 6.
+//
+// Ends   converged      a state whose equilibrium and contact residuals, each the largest component by the largest
+//                       force in play, are no more than the tolerance (size of residuals.hpp), as measured here or, by
+//                       its own header, by the method that arrived
+//        collapse       pseudo-time has found a motion without end
+//        not_converged  no linear solves are left, a way is switched off, or a library refused systems: `reason`
+//        stopped        whoever watches wanted no more
+// Back   x, lambda and damage. Converged, forces that nothing tells apart are split in the one way, and the report has
+//        residuals and penetration of that; `round_off` where round-off is what keeps them above the tolerance,
+//        `lost_on_the_way` and `unstable` where joints soften. Else the state in which the last way ended.
 #pragma once
 
 #include "nonlinear/active_set.hpp"

@@ -13,6 +13,18 @@
 // of the path it follows less.
 // Decisions: README.md of this folder.
 //
+// Ends   Before every step the state is judged: equilibrium and contact (residuals.hpp), by the largest force in play
+//        at the start, with the forces of the path, which keep a distance from their bounds.
+//        arrived   their size is no more than the tolerance, and no more either once the forces are made admissible;
+//                  or the shortcut has arrived
+//        stuck     the larger residual has fallen by less than a tenth (gained) in `patience` steps although
+//                  equilibrium is below a tenth (balanced) of contact; or as many steps in a row were next to none
+//                  (halting); or no steps are left, or a library refused a system
+//        ran_away  an unknown has moved by more than a fifth (run away) of the structure
+//        stopped   whoever watches wanted no more
+// Back   Arrived or stuck, x and admissible forces: those of open points what they pull with, the others within their
+//        bounds. After ran_away both as they were. Stopped, x and the forces of the path.
+//
 // Theory   S. J. Wright, Primal-Dual Interior-Point Methods, SIAM 1997, chapters 4 to 6;
 //          S. Pougkakiotis, J. Gondzio, Comput. Optim. Appl. 78 (2021) 307-351 (proximal multipliers, here 1/k).
 #pragma once

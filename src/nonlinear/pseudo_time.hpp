@@ -7,6 +7,19 @@
 // none keeps moving, with forces that obey the contact law and an imbalance that stays: its motion is then asked
 // whether it leads anywhere.
 //
+// Ends   At the start and after every step that arrives the state is judged without drag: equilibrium and contact
+//        (residuals.hpp), by the largest force in play. A step itself ends at a tenth (accuracy) of the size before it,
+//        of the largest force at most, drag included; or at the tolerance where that is more.
+//        converged      their size is no more than the tolerance
+//        collapse       a step has left the size above half (unchanged) of what it was and above the tolerance, contact
+//                       is below 1e-2 (believable), and its motion leads nowhere: it was a fifth (run away) of the
+//                       structure, or so far along it no component of the imbalance changes by more than half of the
+//                       largest, nor does the law ask for more; of blocks as wholes kinematics tells it
+//                       (rigid_mechanism.hpp)
+//        not_converged  no linear solves are left, or a library has refused two steps since the last that arrived
+//        stopped        whoever watches wanted no more
+// Back   x and lambda after the last step that arrived; stopped, where active sets were.
+//
 // Theory   C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508-523 (pseudo-transient continuation).
 #pragma once
 

@@ -1,4 +1,12 @@
 // Karush-Kuhn-Tucker residuals of a state: what is out of balance, and what the contact law would change.
+//
+//   equilibrium  |K x - f - B^T lambda|               largest of all unknowns, held ones left out [N]
+//   contact      |lambda - P(lambda - k (g - g_0))|   largest of all components of selected points [N]; P projects on
+//                                                     the law, k is the local stiffness in series with the mortar
+//   size         the larger of the two by the largest force in play, 0 where it is round-off of the sums that make it
+//
+// Every method of this folder ends where the size of its state is no more than the tolerance; its header says which
+// forces it judges, and what else ends it.
 #pragma once
 
 #include "nonlinear/newton_report.hpp"
