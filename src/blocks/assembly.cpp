@@ -1,7 +1,8 @@
 #include "blocks/assembly.hpp"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <numeric>
 
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
@@ -13,6 +14,13 @@ namespace voussoir {
 std::array<Vector<2>, 4> cell_positions(const Block<2>& block, const Cell& cell) {
   std::array<Vector<2>, 4> x{};
   for (int i = 0; i < cell.count; ++i) x[i] = block.position[cell.node[i]];
+  return x;
+}
+
+std::array<Vector<3>, 8> cell_positions(const Block<3>& block, const Cell& cell) {
+  VOUSSOIR_EXPECT(cell.count == 8);
+  std::array<Vector<3>, 8> x;
+  for (int i = 0; i < 8; ++i) x[i] = block.position[cell.node[i]];
   return x;
 }
 
@@ -58,6 +66,22 @@ LocalCsr sum_of_cells(const Block<dim>& block, const OfCell& of_cell) {
   return k;
 }
 
+/// @param products_of  integrals of products of the shape functions of a cell, row-major [m3]
+template <int dim, class ProductsOf>
+LocalCsr mass_of_cells(const Block<dim>& block, double density, Mass kind, const ProductsOf& products_of) {
+  LocalCsr m = coupled_nodes(block);
+  for (const auto& cell : block.cells) {
+    const auto product = products_of(cell);
+    for (int i = 0; i < cell.count; ++i)
+      for (int j = 0; j < cell.count; ++j)
+        for (int c = 0; c < dim; ++c) {
+          const int row = dim * cell.node[i] + c;
+          entry(m, row, kind == Mass::lumped ? row : dim * cell.node[j] + c) += density * product[i * cell.count + j];
+        }
+  }
+  return m;
+}
+
 }  // namespace
 
 LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane plane, double thickness) {
@@ -66,27 +90,20 @@ LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane 
   });
 }
 
-LocalCsr block_stiffness(const Block<3>& block, const Material& material) {
-  return sum_of_cells(block, [&](const Cell& cell) {
-    VOUSSOIR_EXPECT(cell.count == 8);
-    std::array<Vector<3>, 8> x;
-    for (int i = 0; i < 8; ++i) x[i] = block.position[cell.node[i]];
-    return hexahedron_stiffness(x, material);
-  });
+LocalCsr block_stiffness(const Block<3>& block, const Material& material, Hexahedra kind) {
+  return sum_of_cells(
+      block, [&](const Cell& cell) { return hexahedron_stiffness(cell_positions(block, cell), material, kind); });
 }
 
 LocalCsr block_mass(const Block<2>& block, double density, double thickness, Mass kind) {
-  LocalCsr m = coupled_nodes(block);
-  for (const auto& cell : block.cells) {
-    const auto product = element_products(cell, cell_positions(block, cell), thickness);
-    for (int i = 0; i < cell.count; ++i)
-      for (int j = 0; j < cell.count; ++j)
-        for (int c = 0; c < 2; ++c) {
-          const int row = 2 * cell.node[i] + c;
-          entry(m, row, kind == Mass::lumped ? row : 2 * cell.node[j] + c) += density * product[i * cell.count + j];
-        }
-  }
-  return m;
+  return mass_of_cells(block, density, kind, [&](const Cell& cell) {
+    return element_products(cell, cell_positions(block, cell), thickness);
+  });
+}
+
+LocalCsr block_mass(const Block<3>& block, double density, Mass kind) {
+  return mass_of_cells(block, density, kind,
+                       [&](const Cell& cell) { return hexahedron_products(cell_positions(block, cell)); });
 }
 
 LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr& b) {
@@ -94,6 +111,20 @@ LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr
   LocalCsr c = a;
   for (std::size_t k = 0; k < c.value.size(); ++k) c.value[k] = factor_a * a.value[k] + factor_b * b.value[k];
   return c;
+}
+
+std::vector<double> cell_sizes(const Block<3>& block) {
+  std::vector<double> size(block.position.size(), 0.0), cells(size.size(), 0.0);
+  for (const auto& cell : block.cells) {
+    const auto share = hexahedron_volumes(cell_positions(block, cell));
+    const double volume = std::accumulate(share.begin(), share.end(), 0.0);
+    for (int i = 0; i < cell.count; ++i) {
+      size[cell.node[i]] += volume;
+      cells[cell.node[i]] += 1;
+    }
+  }
+  for (std::size_t i = 0; i < size.size(); ++i) size[i] = std::cbrt(size[i] / cells[i]);
+  return size;
 }
 
 std::vector<double> nodal_volumes(const Block<2>& block, double thickness) {
@@ -108,9 +139,7 @@ std::vector<double> nodal_volumes(const Block<2>& block, double thickness) {
 std::vector<double> nodal_volumes(const Block<3>& block) {
   std::vector<double> volume(block.position.size(), 0.0);
   for (const auto& cell : block.cells) {
-    std::array<Vector<3>, 8> x;
-    for (int i = 0; i < 8; ++i) x[i] = block.position[cell.node[i]];
-    const auto share = hexahedron_volumes(x);
+    const auto share = hexahedron_volumes(cell_positions(block, cell));
     for (int i = 0; i < 8; ++i) volume[cell.node[i]] += share[i];
   }
   return volume;

@@ -10,6 +10,10 @@ void ModelParameters::declare(ParameterSection& section) {
                             "something long");
   section.add("thickness", thickness, "m", above(0.0).usually(0.01, 100), "thickness out of plane",
               "masses and forces grow with it", "Give the depth of the stones, or 1 for results per metre.");
+  section.add_choice<Hexahedra>(
+      "hexahedra", hexahedra, {{"incompatible modes", Hexahedra::incompatible}, {"plain", Hexahedra::plain}},
+      "cells in space: with incompatible modes of their own, in which they bend; plain ones bend only by shearing, and "
+      "are too stiff where a stone has few");
   section.add_choice<Rotations>("rotations", rotations, {{"small", Rotations::small}, {"finite", Rotations::finite}},
                                 "small: equilibrium of the stones as drawn; finite: where they have moved and turned "
                                 "to, in load steps without time or construction");

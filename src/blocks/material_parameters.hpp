@@ -15,9 +15,13 @@ enum class Rotations { small, finite };
 /// Consistent: integrals of products of shape functions. Lumped: each node has the mass of its share of the volume.
 enum class Mass { consistent, lumped };
 
+/// Incompatible: cells in space have modes of their own in which they bend. Plain: they bend only by shearing.
+enum class Hexahedra { incompatible, plain };
+
 struct ModelParameters {
   Plane plane = Plane::stress;
   double thickness = 1.0;  ///< [m] out of plane
+  Hexahedra hexahedra = Hexahedra::incompatible;
   Rotations rotations = Rotations::small;
   void declare(ParameterSection&);
 };

@@ -7,11 +7,17 @@
 
 namespace voussoir {
 
-/// Mean stress (xx, yy, xy) of every cell of the owned blocks, cell by cell [Pa].
+/// Mean stress of every cell of the owned blocks, cell by cell [Pa]: (xx, yy, xy), in space (xx, xy, xz, yy, yz, zz).
 /// @param displacement  [m, dim x local node copies]
-/// @param free_strain   what a block would take without stress in every direction of the plane, such as by heat
+/// @param free_strain   what a block would take without stress in every direction, such as by heat
 ///                      [-, per local block]; empty for none
-std::vector<double> cell_stresses(const Structure<2>&, const std::vector<double>& displacement,
+template <int dim>
+std::vector<double> cell_stresses(const Structure<dim>&, const std::vector<double>& displacement,
                                   const std::vector<double>& free_strain);
+
+extern template std::vector<double> cell_stresses<2>(const Structure<2>&, const std::vector<double>&,
+                                                     const std::vector<double>&);
+extern template std::vector<double> cell_stresses<3>(const Structure<3>&, const std::vector<double>&,
+                                                     const std::vector<double>&);
 
 }  // namespace voussoir

@@ -128,11 +128,7 @@ template <int dim>
 std::vector<double> Structure<dim>::nodal_volumes() const {
   std::vector<double> volume;
   for (const auto& b : blocks_) {
-    std::vector<double> more;
-    if constexpr (dim == 2)
-      more = voussoir::nodal_volumes(b.mesh, model_.thickness);
-    else
-      more = voussoir::nodal_volumes(b.mesh);
+    const auto more = voussoir::nodal_volumes(b.mesh, model_);
     volume.insert(volume.end(), more.begin(), more.end());
   }
   return volume;
