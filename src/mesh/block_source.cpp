@@ -4,25 +4,29 @@
 #include "mesh/cell_count.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/gmsh_reader.hpp"
+#include "mesh/lattice.hpp"
 
 namespace voussoir {
 
 template <int dim>
 std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parameters, const Teuchos::Comm<int>& comm,
                                                     Trust trust) {
-  static_assert(dim == 2, "there is no source of spatial blocks yet");
+  if (parameters.dimension() != dim)
+    refuse_mesh(
+        "type", parameters.dimension() == 3 ? "\"wall in space\"" : "a plane mesh",
+        std::string("is asked of something that takes blocks ") + (dim == 2 ? "of the plane" : "in space") + " alone.",
+        "Give another mesh.");
   on_first_rank(comm, [&] { refuse_too_many_cells(parameters); });  // machines of ranks may differ
-  switch (parameters.type) {
-    case MeshType::wall:
-      return make_wall(parameters.wall);
-    case MeshType::arch:
-      return make_arch(parameters.arch);
-    case MeshType::gmsh:
-      break;
+  if constexpr (dim == 3) {
+    return make_wall_in_space(parameters.wall_in_space);
+  } else {
+    if (parameters.type == MeshType::wall) return make_wall(parameters.wall);
+    if (parameters.type == MeshType::arch) return make_arch(parameters.arch);
+    return read_gmsh(parameters.gmsh, comm, trust);
   }
-  return read_gmsh(parameters.gmsh, comm, trust);
 }
 
 template std::unique_ptr<BlockSource<2>> make_block_source(const MeshParameters&, const Teuchos::Comm<int>&, Trust);
+template std::unique_ptr<BlockSource<3>> make_block_source(const MeshParameters&, const Teuchos::Comm<int>&, Trust);
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-// Structures that need no file: walls in running bond and circular arches.
+// Structures that need no file: walls in the plane and in space, circular arches.
 //
 // Nodes lie on a lattice; the vertex of a node and its position both follow from
 // its lattice indices alone, so coincident nodes of two blocks have equal vertices
@@ -21,5 +21,10 @@ std::unique_ptr<BlockSource<2>> make_wall(const WallParameters&);
 /// springing (x > 0), then the blocks of the right pier from its foot upward, then those of the left pier.
 /// Piers stand on y = -pier_height. Throws InputError when the parameters describe no arch.
 std::unique_ptr<BlockSource<2>> make_arch(const ArchParameters&);
+
+/// A wall in space with its lower left front corner at the origin. Blocks are numbered course by course from below,
+/// each course along x; those of the ground, if there is one, come first.
+/// Throws InputError when the parameters describe no wall.
+std::unique_ptr<BlockSource<3>> make_wall_in_space(const WallInSpaceParameters&);
 
 }  // namespace voussoir

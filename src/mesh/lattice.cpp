@@ -53,6 +53,48 @@ void add_lattice_facets(Block<2>& block, int across, int up, LatticeSide side, i
   }
 }
 
+namespace {
+
+/// Of a box of cells.
+int box_node(const std::array<int, 3>& cells, const std::array<int, 3>& at) {
+  return (at[2] * (cells[1] + 1) + at[1]) * (cells[0] + 1) + at[0];
+}
+
+}  // namespace
+
+std::vector<Cell> box_cells(const std::array<int, 3>& n) {
+  std::vector<Cell> cells;
+  cells.reserve(static_cast<std::size_t>(n[0]) * n[1] * n[2]);
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i) {
+        const auto node = [&](int a, int b, int c) { return box_node(n, {i + a, j + b, k + c}); };
+        cells.push_back({{node(0, 0, 0), node(1, 0, 0), node(1, 1, 0), node(0, 1, 0), node(0, 0, 1), node(1, 0, 1),
+                          node(1, 1, 1), node(0, 1, 1)},
+                         8});
+      }
+  return cells;
+}
+
+void add_box_facets(Block<3>& block, const std::array<int, 3>& n, int axis, bool far, int set) {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;  // axis, u, v: right-handed
+  for (int j = 0; j < n[v]; ++j)
+    for (int i = 0; i < n[u]; ++i) {
+      const auto node = [&](int a, int b) {
+        std::array<int, 3> at{};
+        at[axis] = far ? n[axis] : 0;
+        at[u] = i + a;
+        at[v] = j + b;
+        return box_node(n, at);
+      };
+      TaggedFacet facet;
+      facet.count = 4;
+      facet.set = set;
+      facet.node = {node(0, 0), far ? node(1, 0) : node(0, 1), node(1, 1), far ? node(0, 1) : node(1, 0)};
+      block.facets.push_back(facet);
+    }
+}
+
 std::string in_words(double value) {
   std::ostringstream text;
   text.precision(6);

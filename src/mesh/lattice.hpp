@@ -17,6 +17,13 @@ enum class LatticeSide { bottom, right, top, left };
 /// Appends the facets of one side of the lattice, counter-clockwise, as members of a facet set.
 void add_lattice_facets(Block<2>&, int across, int up, LatticeSide, int set);
 
+/// Hexahedra of a box of cells along x, y and z; node (i, j, k) has the local number (k (y + 1) + j) (x + 1) + i.
+std::vector<Cell> box_cells(const std::array<int, 3>& cells);
+
+/// Appends the facets of one side of the box, counter-clockwise seen from outside, as members of a facet set.
+/// @param axis  across which the side lies;  @param far  at its far end
+void add_box_facets(Block<3>&, const std::array<int, 3>& cells, int axis, bool far, int set);
+
 /// Throws InputError "mesh > `key` = `value`\n  `why`\n  `advice`".
 [[noreturn]] void refuse_mesh(const std::string& key, const std::string& value, const std::string& why,
                               const std::string& advice);

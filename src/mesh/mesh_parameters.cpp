@@ -78,6 +78,26 @@ void WallParameters::declare(ParameterSection& section) {
   section.add_family(family);
 }
 
+void WallInSpaceParameters::declare(ParameterSection& section) {
+  section.add("courses", courses, "-", between(1, 1e6), "courses from base to top, without the ground",
+              "a wall needs one", "One course of one block is a prism.");
+  section.add("blocks per course", blocks_per_course, "-", between(1, 1e6), "full blocks of courses 0, 2, ...",
+              "a course needs one", "In running bond courses 1, 3, ... begin and end with half a block.");
+  section.add("block length", block_length, "m", above(0.0), "length of a full block, along x", "a length");
+  section.add("block height", block_height, "m", above(0.0), "height of a course, along z", "a length");
+  section.add("thickness", thickness, "m", above(0.0), "of the wall and its blocks, along y", "a length");
+  section.add_choice<WallBond>("bond", bond, {{"running", WallBond::running}, {"stack", WallBond::stack}},
+                               "running: half a block from course to course; stack: head joints above each other");
+  section.add("cells along", cells_along, "-", between(1, 1e4), "cells along a full block; even in running bond",
+              "half blocks have half of them", "Give 2, 4, 6, ...");
+  section.add("cells up", cells_up, "-", between(1, 1e4), "cells over the height of a block", "a block needs one");
+  section.add("cells across", cells_across, "-", between(1, 1e4), "cells through the thickness of a block",
+              "a block needs one");
+  section.add("ground height", ground_height, "m", at_least(0.0),
+              "height of a course of full blocks below the wall, on which it stands with a joint; 0 = none", "a length",
+              "Give 0 for a wall whose base is held itself.");
+}
+
 void ArchParameters::declare(ParameterSection& section) {
   section.add("radius", radius, "m", above(0.0), "radius of the middle line", "a length");
   section.add("thickness", thickness, "m", above(0.0), "radial thickness of the ring", "a length");
@@ -102,9 +122,13 @@ void ArchParameters::declare(ParameterSection& section) {
 }
 
 void MeshParameters::declare(ParameterSection& section) {
-  section.add_choice<MeshType>(
-      "type", type, {{"gmsh", MeshType::gmsh}, {"wall", MeshType::wall}, {"arch", MeshType::arch}},
-      "where the blocks come from; only the sublist of that name may be present", Presence::required);
+  section.add_choice<MeshType>("type", type,
+                               {{"gmsh", MeshType::gmsh},
+                                {"wall", MeshType::wall},
+                                {"arch", MeshType::arch},
+                                {"wall in space", MeshType::wall_in_space}},
+                               "where the blocks come from; only the sublist of that name may be present",
+                               Presence::required);
   section.add_alternative("gmsh", gmsh, type == MeshType::gmsh, "type = gmsh",
                           "Blocks drawn with gmsh: every plane surface is a block; its physical groups name the sets");
   section.add_alternative("wall", wall, type == MeshType::wall, "type = wall",
@@ -114,6 +138,12 @@ void MeshParameters::declare(ParameterSection& section) {
                           "Circular arch, centre of curvature at the origin, voussoirs numbered from the right "
                           "springing. Sets of blocks: ring, pier left, pier right; sets of facets: springing left, "
                           "springing right, extrados, intrados");
+  section.add_alternative(
+      "wall in space", wall_in_space, type == MeshType::wall_in_space, "type = wall in space",
+      "Wall of hexahedra, one block thick: x along it from its left end, y through it from its front, z up from its "
+      "base. Sets of blocks: course 0, course 1, ..., and ground where there is one; sets of facets: base, top, left, "
+      "right, front, back, and ground: the outer faces and the upper one of the ground, which held there does not "
+      "move");
 }
 
 }  // namespace voussoir
