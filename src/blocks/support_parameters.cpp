@@ -6,9 +6,12 @@ namespace voussoir {
 
 void SupportParameters::declare(ParameterSection& section) {
   section.add("on", on, "set of facets that is held", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
-  section.add_choice<std::string>("components", components, {{"xy", "xy"}, {"x", "x"}, {"y", "y"}},
-                                  "components of the displacement that are held; the others are free");
+              "Give a set of facets of the mesh; walls have base, top, left, right, in space front and back.");
+  section.add_choice<std::string>(
+      "components", components,
+      {{"all", "all"}, {"xy", "xy"}, {"x", "x"}, {"y", "y"}, {"z", "z"}, {"xz", "xz"}, {"yz", "yz"}},
+      "components of the displacement that are held, z in space alone; the others are "
+      "free");
   section.add("blocks", blocks,
               "set of blocks whose facets alone are held: says which side of a joint; all: both sides are meant");
 }

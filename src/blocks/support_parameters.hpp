@@ -8,9 +8,9 @@ namespace voussoir {
 class ParameterSection;
 
 struct SupportParameters {
-  std::string on;                 ///< a set of facets
-  std::string components = "xy";  ///< held components: "x", "y" or "xy"
-  std::string blocks = "";        ///< a set of blocks whose facets alone are meant; "" for all of the set
+  std::string on;                  ///< a set of facets
+  std::string components = "all";  ///< held components: their letters, or "all"
+  std::string blocks = "";         ///< a set of blocks whose facets alone are meant; "" for all of the set
   void declare(ParameterSection&);
 };
 

@@ -20,9 +20,9 @@ void for_each_node_on(const Structure<dim>& s, const FacetSet& set, const Visit&
         for (int i = 0; i < f.count; ++i) visit(b.first_local + f.node[i]);
 }
 
-/// 1 where the support holds component c, "x" = 0, "y" = 1.
+/// Whether the support holds component c, "x" = 0, "y" = 1, "z" = 2.
 inline bool holds(const SupportParameters& support, int c) {
-  return support.components.find("xyz"[c]) != std::string::npos;
+  return support.components == "all" || support.components.find("xyz"[c]) != std::string::npos;
 }
 
 /// Marks held[dim node + component] for one support.

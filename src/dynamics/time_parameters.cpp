@@ -34,8 +34,10 @@ void InitialVelocityParameters::declare(ParameterSection& section) {
               "set of blocks, when the first stage with a duration begins; a later velocity goes before an earlier one",
               Presence::optional, "Give \"all\" or a set of the mesh.");
   section.add("vx", vx, "m/s", any_number().usually(1e-9, 1000), "to the right");
-  section.add("vy", vy, "m/s", any_number().usually(1e-9, 1000), "upwards");
-  section.add("rotation", rotation, "rad/s", any_number().usually(1e-9, 1000), "counter-clockwise, added to (vx, vy)");
+  section.add("vy", vy, "m/s", any_number().usually(1e-9, 1000), "upwards; in space along y");
+  section.add("vz", vz, "m/s", any_number().usually(1e-9, 1000), "upwards in space");
+  section.add("rotation", rotation, "rad/s", any_number().usually(1e-9, 1000),
+              "counter-clockwise, added to (vx, vy); in space about an axis along z");
   section.add("about x", about_x, "m", any_number().or_infinite(),
               "centre of the rotation; inf: the mass centre of the blocks");
   section.add("about y", about_y, "m", any_number().or_infinite(),

@@ -24,8 +24,8 @@ struct TimeParameters {
 /// Velocity of a set of blocks when time begins: a translation and a rotation.
 struct InitialVelocityParameters {
   std::string blocks = "all";
-  double vx = 0, vy = 0;  ///< [m/s]
-  double rotation = 0;    ///< [rad/s] counter-clockwise
+  double vx = 0, vy = 0, vz = 0;  ///< [m/s]
+  double rotation = 0;            ///< [rad/s] counter-clockwise; in space about an axis along z
   /// Stands for a coordinate of the mass centre of the blocks.
   static constexpr double mass_centre = std::numeric_limits<double>::infinity();
   double about_x = mass_centre, about_y = mass_centre;  ///< [m]

@@ -1,4 +1,4 @@
-// The same acceleration on every block, as an inertia force density x volume x (ax, ay).
+// The same acceleration on every block, as an inertia force density x volume x (ax, ay), in space (ax, ay, az).
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace voussoir {
 struct AccelerationParameters : LoadKindParameters {
   static constexpr const char* word = "acceleration";
   static constexpr const char* text = "The same force per mass on every block";
-  double ax = 0.0, ay = 0.0;  ///< [m/s2]
+  static constexpr bool in_space = true;
+  double ax = 0.0, ay = 0.0, az = 0.0;  ///< [m/s2]
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;

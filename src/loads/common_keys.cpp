@@ -6,7 +6,7 @@ namespace voussoir {
 
 void declare_facet_set(ParameterSection& section, std::string& on, std::string& blocks) {
   section.add("on", on, "set of facets the load acts on; it keeps its direction when they turn", Presence::required,
-              "Give a set of facets of the mesh; walls have base, top, left, right.");
+              "Give a set of facets of the mesh; walls have base, top, left, right, in space front and back.");
   section.add("blocks", blocks,
               "set of blocks whose facets alone are loaded: says which side of a joint; all: both sides are meant");
 }
@@ -18,7 +18,7 @@ void declare_block_set(ParameterSection& section, std::string& blocks) {
 
 void declare_gravity(ParameterSection& section, double& gravity) {
   section.add("gravity", gravity, "m/s2", any_number().usually(1, 100),
-              "of the earth, downwards (-y) where masses are weighed");
+              "of the earth, downwards (-y, in space -z) where masses are weighed");
 }
 
 void declare_water(ParameterSection& section, double& level, double& density, double& gravity) {

@@ -1,4 +1,4 @@
-// Edges of a set and forces spread along them, for loads on edges.
+// Edges and faces of a set, and forces spread along edges, for loads on facets.
 #pragma once
 
 #include <cmath>
@@ -27,6 +27,13 @@ inline bool has_width(const Vector<2>& a, const Vector<2>& b) { return std::abs(
 /// All edges of a set, on blocks of this rank and its halo. The outward side is where the block is not, judged from the
 /// cell an edge belongs to, so that the order in which a file names the nodes does not matter.
 std::vector<LoadedEdge> edges_of_set(const Structure<2>&, const FacetSet&);
+
+/// A face of a block on this rank or its halo.
+struct LoadedFace {
+  int node[4];           ///< local node copies
+  Vector<3> outward[4];  ///< [m2] integral of the shape function of each times the unit normal that leaves the block
+};
+std::vector<LoadedFace> faces_of_set(const Structure<3>&, const FacetSet&);
 
 /// Share [from, to] of an edge, as s in [0, 1], where low <= component c of the position <= high; from >= to for none.
 struct PartOfEdge {

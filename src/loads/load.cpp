@@ -1,6 +1,9 @@
 #include "loads/load.hpp"
 
 #include <algorithm>
+#include <type_traits>
+
+#include "base/check.hpp"
 
 namespace voussoir {
 
@@ -23,7 +26,13 @@ double sum_of_factors(const std::vector<LoadMoment>& moments) {
 
 template <int dim>
 std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<dim>& site) {
-  return std::visit([&](const auto& kind) { return make_load_of<dim>(kind, site); }, load.kind);
+  return std::visit(
+      [&](const auto& kind) -> std::unique_ptr<Load<dim>> {
+        if constexpr (dim == 2 || std::decay_t<decltype(kind)>::in_space) return make_load_of<dim>(kind, site);
+        VOUSSOIR_EXPECT(!"the load acts in this dimension");
+        return nullptr;
+      },
+      load.kind);
 }
 
 template <int dim>
@@ -53,7 +62,10 @@ std::size_t PatternLoad<dim>::bytes() const {
 }
 
 template struct LoadSite<2>;
+template struct LoadSite<3>;
 template class PatternLoad<2>;
+template class PatternLoad<3>;
 template std::unique_ptr<Load<2>> make_load<2>(const LoadParameters&, const LoadSite<2>&);
+template std::unique_ptr<Load<3>> make_load<3>(const LoadParameters&, const LoadSite<3>&);
 
 }  // namespace voussoir

@@ -39,6 +39,8 @@ struct LoadParameters {
   std::string word() const;
   std::string summary() const;
   bool is_zero() const;
+  /// It acts in space, too.
+  bool in_space() const;
   std::vector<SetOfLoad> sets() const;
   /// Nothing for a load that acts on no facets.
   std::optional<FacetsOfLoad> facets() const;
@@ -46,8 +48,9 @@ struct LoadParameters {
   std::vector<FileOfLoad> files();
 };
 
-/// Words of all types of load, in the order of LoadKind.
+/// Words of all types of load, in the order of LoadKind, and of those that act in space.
 std::vector<std::string> load_words();
+std::vector<std::string> load_words_in_space();
 
 /// The parameters of a type of load, nullptr when the load is of another.
 template <class Parameters>

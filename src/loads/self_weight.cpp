@@ -15,19 +15,21 @@ bool SelfWeightParameters::is_zero() const { return gravity == 0; }
 
 void AccelerationParameters::declare(ParameterSection& section) {
   section.add("ax", ax, "m/s2", any_number().usually(1e-4, 1000), "acceleration to the right; 0.15 g = 1.4715");
-  section.add("ay", ay, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards");
+  section.add("ay", ay, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards; in space along y");
+  section.add("az", az, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards in space");
 }
 
 std::string AccelerationParameters::summary() const {
-  return "acceleration (" + number_text(ax) + ", " + number_text(ay) + ") m/s2";
+  return "acceleration (" + number_text(ax) + ", " + number_text(ay) + (az == 0 ? "" : ", " + number_text(az)) +
+         ") m/s2";
 }
-bool AccelerationParameters::is_zero() const { return ax == 0 && ay == 0; }
+bool AccelerationParameters::is_zero() const { return ax == 0 && ay == 0 && az == 0; }
 
 template <int dim>
 void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration, double factor,
                        std::vector<double>& force) {
   for (const auto& b : s.blocks()) {
-    const auto volume = nodal_volumes(b.mesh, s.model().thickness);
+    const auto volume = nodal_volumes(b.mesh, s.model());
     for (std::size_t i = 0; i < volume.size(); ++i)
       for (int c = 0; c < dim; ++c)
         force[dim * (b.first_local + i) + c] += factor * b.material.density * volume[i] * acceleration[c];
@@ -38,21 +40,47 @@ template <int dim>
 void add_self_weight(const Structure<dim>& s, const SelfWeightParameters& weight, double factor,
                      std::vector<double>& force) {
   Vector<dim> down{};
-  down[1] = -weight.gravity;
+  down[dim - 1] = -weight.gravity;
   add_inertia_force(s, down, factor, force);
 }
 
+namespace {
+
+template <int dim>
+std::unique_ptr<Load<dim>> weight(const SelfWeightParameters& p, const LoadSite<dim>& site) {
+  return pattern_of(site.structure, [&](auto& unit) { add_self_weight(site.structure, p, 1.0, unit); });
+}
+
+template <int dim>
+std::unique_ptr<Load<dim>> inertia_force(const Vector<dim>& acceleration, const LoadSite<dim>& site) {
+  return pattern_of(site.structure, [&](auto& unit) { add_inertia_force(site.structure, acceleration, 1.0, unit); });
+}
+
+}  // namespace
+
 template void add_inertia_force<2>(const Structure<2>&, const Vector<2>&, double, std::vector<double>&);
+template void add_inertia_force<3>(const Structure<3>&, const Vector<3>&, double, std::vector<double>&);
 template void add_self_weight<2>(const Structure<2>&, const SelfWeightParameters&, double, std::vector<double>&);
+template void add_self_weight<3>(const Structure<3>&, const SelfWeightParameters&, double, std::vector<double>&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const SelfWeightParameters& p, const LoadSite<2>& site) {
-  return pattern_of(site.structure, [&](auto& unit) { add_self_weight(site.structure, p, 1.0, unit); });
+  return weight(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const SelfWeightParameters& p, const LoadSite<3>& site) {
+  return weight(p, site);
 }
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const AccelerationParameters& p, const LoadSite<2>& site) {
-  return pattern_of(site.structure, [&](auto& unit) { add_inertia_force<2>(site.structure, {p.ax, p.ay}, 1.0, unit); });
+  return inertia_force<2>({p.ax, p.ay}, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const AccelerationParameters& p, const LoadSite<3>& site) {
+  return inertia_force<3>({p.ax, p.ay, p.az}, site);
 }
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-// Weight of every block: density x volume x gravity, downwards (-y).
+// Weight of every block: density x volume x gravity, downwards (-y, in space -z).
 #pragma once
 
 #include <string>
@@ -11,6 +11,7 @@ namespace voussoir {
 struct SelfWeightParameters : LoadKindParameters {
   static constexpr const char* word = "self weight";
   static constexpr const char* text = "Weight of every block";
+  static constexpr bool in_space = true;
   double gravity = 9.81;  ///< [m/s2]
   void declare(ParameterSection&);
   std::string summary() const;

@@ -10,23 +10,24 @@ namespace voussoir {
 void TractionParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
   section.add("tx", tx, "Pa", any_number().usually(10, 1e9), "traction to the right");
-  section.add("ty", ty, "Pa", any_number().usually(10, 1e9), "traction upwards");
+  section.add("ty", ty, "Pa", any_number().usually(10, 1e9), "traction upwards; in space along y");
+  section.add("tz", tz, "Pa", any_number().usually(10, 1e9), "traction upwards in space");
   section.add("pressure", pressure, "Pa", any_number().usually(10, 1e9),
-              "against the outward normal, added to (tx, ty)");
+              "against the outward normal, added to (tx, ty, tz)");
 }
 
 std::string TractionParameters::summary() const {
-  return "traction (" + number_text(tx) + ", " + number_text(ty) + ") Pa, pressure " + number_text(pressure) +
-         " Pa on " + in_quotes(on);
+  return "traction (" + number_text(tx) + ", " + number_text(ty) + (tz == 0 ? "" : ", " + number_text(tz)) +
+         ") Pa, pressure " + number_text(pressure) + " Pa on " + in_quotes(on);
 }
 
 std::optional<FacetsOfLoad> TractionParameters::facets() const {
   FacetsOfLoad facets{on, blocks};
-  facets.adds_up = tx != 0 || ty != 0;
+  facets.adds_up = tx != 0 || ty != 0 || tz != 0;
   return facets;
 }
 
-bool TractionParameters::is_zero() const { return tx == 0 && ty == 0 && pressure == 0; }
+bool TractionParameters::is_zero() const { return tx == 0 && ty == 0 && tz == 0 && pressure == 0; }
 
 template <>
 void add_traction<2>(const Structure<2>& s, const TractionParameters& load, const FacetSet& facets, double factor,
@@ -37,6 +38,22 @@ void add_traction<2>(const Structure<2>& s, const TractionParameters& load, cons
     add_along(
         e, {0, 1}, s.model().thickness, [&](const Vector<2>&) { return traction; }, force);
   }
+}
+
+template <>
+void add_traction<3>(const Structure<3>& s, const TractionParameters& load, const FacetSet& facets, double factor,
+                     std::vector<double>& force) {
+  const Vector<3> dead{load.tx, load.ty, load.tz};
+  for (const auto& face : faces_of_set(s, facets))
+    for (int i = 0; i < 4; ++i)
+      for (int c = 0; c < 3; ++c)
+        force[3 * face.node[i] + c] += factor * (norm(face.outward[i]) * dead[c] - load.pressure * face.outward[i][c]);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const TractionParameters& p, const LoadSite<3>& site) {
+  return pattern_of(site.structure,
+                    [&](auto& unit) { add_traction(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit); });
 }
 
 template <>

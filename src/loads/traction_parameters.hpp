@@ -11,10 +11,11 @@ namespace voussoir {
 struct TractionParameters : LoadKindParameters {
   static constexpr const char* word = "traction";
   static constexpr const char* text = "Force per area on facets";
-  std::string on;             ///< a set of facets
-  std::string blocks;         ///< a set of blocks whose facets alone are meant; "" for all of the set
-  double tx = 0.0, ty = 0.0;  ///< [Pa]
-  double pressure = 0.0;      ///< [Pa] against the outward normal, added to (tx, ty)
+  static constexpr bool in_space = true;
+  std::string on;                       ///< a set of facets
+  std::string blocks;                   ///< a set of blocks whose facets alone are meant; "" for all of the set
+  double tx = 0.0, ty = 0.0, tz = 0.0;  ///< [Pa]
+  double pressure = 0.0;                ///< [Pa] against the outward normal, added to (tx, ty, tz)
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;

@@ -277,6 +277,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_mortar(scene, problems);
   check_stiffness(scene, problems);
   check_rotations(scene, problems);
+  check_dimension(scene, problems);
 }
 
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,

@@ -30,4 +30,7 @@ void check_names(const Scene&, const std::vector<std::string>& block_sets, const
 /// Scene::warnings. Part of reading.
 void check_scene(Scene&, InputProblems&);
 
+/// What it names that the dimension of its mesh has no room for: loads, components, keys of the plane. Part of that.
+void check_dimension(Scene&, InputProblems&);
+
 }  // namespace voussoir

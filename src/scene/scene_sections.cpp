@@ -47,7 +47,7 @@ struct Steps {
 void declare(Scene& scene, ParameterSection& section) {
   section.add("title", scene.title, "one line for the report");
   section.add_section("mesh", scene.mesh, "the blocks");
-  section.add_section("model", scene.model, "what a plane computation assumes");
+  section.add_section("model", scene.model, "what a computation assumes: in the plane, and of cells and turns");
   add_family(section, "materials", "materials of the blocks; a later one goes before an earlier one", "stone",
              scene.materials, its_parameters);
   add_family(section, "joints", "laws of the joints; a later one goes before an earlier one", "dry", scene.joints,

@@ -1,0 +1,71 @@
+// What a scene names that the dimension of its mesh has no room for.
+#include "base/text.hpp"
+#include "scene/scene_reader.hpp"
+
+namespace voussoir {
+namespace {
+
+/// Keys of space that a plane scene gives.
+void check_plane(Scene& scene, InputProblems& problems) {
+  const std::string why = "\n  is across the plane of this mesh, where nothing moves.\n  ";
+  const auto check = [&](const std::string& load, const char* key, double value, const char* unit) {
+    if (value != 0)
+      problems.add("scene > loads > " + load + " > " + key, " = " + number_text(value) + " [" + unit + "]" + why +
+                                                                "Leave it out, or take mesh > type = wall in space.");
+  };
+  for (const auto& load : scene.loads) {
+    if (const auto* a = load_as<AccelerationParameters>(load)) check(load.name, "az", a->az, "m/s2");
+    if (const auto* t = load_as<TractionParameters>(load)) check(load.name, "tz", t->tz, "Pa");
+  }
+  for (const auto& [name, velocity] : scene.velocities)
+    if (velocity.vz != 0)
+      problems.add("scene > initial velocities > " + name + " > vz",
+                   " = " + number_text(velocity.vz) + " [m/s]" + why + "Leave it out, or take a mesh in space.");
+  for (const auto& [name, support] : scene.supports)
+    if (support.components.find('z') != std::string::npos)
+      problems.add("scene > supports > " + name + " > components",
+                   " = " + in_quotes(support.components) + why + "Give all, xy, x or y.");
+  if (scene.model.hexahedra != ModelParameters{}.hexahedra)
+    scene.warnings.push_back("model > hexahedra has no effect: the mesh is plane.");
+}
+
+void check_model(const ModelParameters& model, InputProblems& problems) {
+  if (model.plane != Plane::stress)
+    problems.add(
+        "scene > model > plane",
+        " = \"strain\"\n  is of plane meshes, and this one is in space.\n  Leave it out: supports say what may "
+        "not widen.");
+  if (model.thickness != ModelParameters{}.thickness)
+    problems.add(
+        "scene > model > thickness",
+        " = " + number_text(model.thickness) +
+            " [m]\n  is of plane meshes, and this one is in space.\n  Leave it out: the mesh has a thickness.");
+  if (model.rotations == Rotations::finite)
+    problems.add("scene > model > rotations",
+                 " = \"finite\"\n  does not go with a mesh in space, whose stones are not followed through large turns "
+                 "yet.\n  Give \"small\", or a plane scene.");
+}
+
+/// What a scene in space names that is of the plane alone.
+void check_space(const Scene& scene, InputProblems& problems) {
+  check_model(scene.model, problems);
+  for (const auto& load : scene.loads)
+    if (!load.in_space())
+      problems.add(
+          "scene > loads > " + load.name + " > type",
+          " = " + in_quotes(load.word()) +
+              "\n  acts in plane scenes alone so far, and this mesh is in space.\n  Leave the load out, or say "
+              "it by one that acts in space: " +
+              list_of(load_words_in_space()) + ".");
+}
+
+}  // namespace
+
+void check_dimension(Scene& scene, InputProblems& problems) {
+  if (scene.mesh.dimension() == 2)
+    check_plane(scene, problems);
+  else
+    check_space(scene, problems);
+}
+
+}  // namespace voussoir
