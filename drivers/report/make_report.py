@@ -13,6 +13,7 @@ import draw_cost
 import draw_forces
 import draw_joints
 import draw_motion
+import draw_space
 import draw_structure
 import draw_time
 import rigid_report
@@ -126,6 +127,9 @@ def add_selection(page, results, pieces, edges, folder):
 def add_structure_sections(page, results, folder):
     """The pictures that need fields.h5. Returns the arches and columns that were found."""
     mesh, joints, step = results.mesh, results.joints, results.last
+    if mesh.in_space:
+        draw_space.add_space_sections(page, results, folder, attempt)
+        return []
     edges = outline_edges(mesh)
     page.section("The structure")
     attempt(page, "The undeformed structure", add_undeformed, page, results, edges, folder)
@@ -198,7 +202,7 @@ def add_tables(page, results, found):
         attempt(page, "The tables of joints", tables.joint_tables, page, results)
     attempt(page, "The margins of joints", tables.margin_tables, page, results)
     attempt(page, "The support reactions", tables.reaction_table, page, results)
-    if results.last:
+    if results.last and not results.mesh.in_space:
         attempt(page, "The thrust", tables.thrust_table, page,
                 [(chain.name, chain, chain_resultants(chain, results.joints, results.equilibrium)) for chain in found])
 

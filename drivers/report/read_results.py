@@ -23,20 +23,24 @@ UNREADABLE = (OSError, ValueError, KeyError, IndexError, csv.Error, ElementTree.
 @dataclass
 class Mesh:
     """Nodes and cells of all blocks; every block has its own copies of the nodes on its joints."""
-    coordinates: np.ndarray    # [nodes, 2] m
-    cells: np.ndarray          # [cells, 3 or 4] nodes; a triangle in a table of width 4 repeats its last node
+    coordinates: np.ndarray    # [nodes, 2 or 3] m
+    cells: np.ndarray          # [cells, 3, 4 or 8] nodes; a triangle in a table of width 4 repeats its last node
     block_of_cell: np.ndarray  # [cells]
     blocks: int
     rank_of_block: np.ndarray  # [blocks]
     sets: dict                 # name -> ascending block numbers
     held_blocks: set           # blocks of which a support holds a node
 
+    @property
+    def in_space(self):
+        return self.coordinates.shape[1] == 3
+
 
 @dataclass
 class Joints:
     """All candidate contact points."""
-    position: np.ndarray  # [points, 2] m
-    normal: np.ndarray    # [points, 2], unit, from block_i to block_j
+    position: np.ndarray  # [points, 2 or 3] m
+    normal: np.ndarray    # [points, 2 or 3], unit, from block_i to block_j
     block_i: np.ndarray
     block_j: np.ndarray
     node_i: np.ndarray
@@ -57,8 +61,8 @@ class Step:
     number: int
     stage: str
     load_factor: float
-    displacement: np.ndarray      # [nodes, 2] m
-    stress: np.ndarray            # [cells, 3] Pa: xx, yy, xy
+    displacement: np.ndarray      # [nodes, 2 or 3] m
+    stress: np.ndarray            # [cells, 3] Pa: xx, yy, xy; in space [cells, 6]: xx, xy, xz, yy, yz, zz
     gap: np.ndarray               # [points] m
     slip: np.ndarray              # [points] m
     normal_force: np.ndarray      # [points] N
@@ -163,15 +167,15 @@ def read_mesh(file):
     blocks = int(block_of_node.max()) + 1
     rank = group["rank_of_block"][()].astype(int) if "rank_of_block" in group else np.zeros(blocks, int)
     held = group["held"][()].reshape(-1) > 0 if "held" in group else np.zeros(len(block_of_node), bool)
-    return Mesh(group["coordinates"][:, :2], group["cells"][()].astype(int), block_of_cell, blocks, rank,
+    return Mesh(group["coordinates"][()], group["cells"][()].astype(int), block_of_cell, blocks, rank,
                 read_sets(group, blocks), set(block_of_node[held].tolist()))
 
 
 def read_joints(file):
     group = file["joints"]
     integer = lambda name: group[name][()].astype(int).reshape(-1)
-    return Joints(group["position"][()].reshape(-1, group["position"].shape[-1])[:, :2],
-                  group["normal"][()].reshape(-1, group["normal"].shape[-1])[:, :2],
+    return Joints(group["position"][()].reshape(-1, group["position"].shape[-1]),
+                  group["normal"][()].reshape(-1, group["normal"].shape[-1]),
                   integer("block_i"), integer("block_j"), integer("node_i"), integer("node_j"),
                   group["area"][()].reshape(-1))
 
@@ -181,7 +185,7 @@ def read_step(name, group, points):
     status = value("joint_status").astype(int) if "joint_status" in group else np.full(points, BONDED)
     selected = value("joint_selected") > 0 if "joint_selected" in group else status != BONDED
     return Step(int(group.attrs.get("step", name)), text(group.attrs.get("stage", "")),
-                float(group.attrs.get("load_factor", np.nan)), group["displacement"][:, :2], group["stress"][()],
+                float(group.attrs.get("load_factor", np.nan)), group["displacement"][()], group["stress"][()],
                 value("joint_gap_m"), value("joint_slip_m"), value("joint_normal_force_N"),
                 value("joint_tangential_force_N"), status, selected,
                 value("joint_damage") if "joint_damage" in group else None)
@@ -209,7 +213,7 @@ def read_frames(results, chosen):
         for k in chosen:
             group = steps[names[k]]
             status = group["joint_status"][()].astype(int).reshape(-1) if "joint_status" in group else np.full(points, BONDED)
-            rows.append((text(group.attrs.get("stage", "")), results.times[k], group["displacement"][:, :2], status))
+            rows.append((text(group.attrs.get("stage", "")), results.times[k], group["displacement"][()], status))
         return rows
 
 

@@ -204,9 +204,8 @@ def largest_of_joints(mesh, joints, values, when=None, how_many=10):
             break
         if joints.joint[point] not in seen:
             seen.add(joints.joint[point])
-            x, y = joints.position[point]
             rows.append([len(rows) + 1, block_name(mesh, joints.block_i[point]), block_name(mesh, joints.block_j[point]),
-                         f"{1e3 * values[point]:.4g}", *([when(point)] if when else []), f"{x:.3f}", f"{y:.3f}"])
+                         f"{1e3 * values[point]:.4g}", *([when(point)] if when else []), *(f"{c:.3f}" for c in joints.position[point])])
     return rows
 
 
@@ -224,7 +223,7 @@ def joint_tables(page, results):
         rows = largest_of_joints(mesh, joints, largest[key], (lambda point, k=key: moment(at[k][point])) if in_time else None)
         page.part(title)
         if rows:
-            page.table(["", "block", "block", unit, *(["when"] if in_time else []), "x [m]", "y [m]"], rows, words=(1, 2))
+            page.table(["", "block", "block", unit, *(["when"] if in_time else []), "x [m]", "y [m]", "z [m]"][:len(rows[0])], rows, words=(1, 2))
         else:
             page.words("None.")
 
@@ -259,6 +258,11 @@ def reaction_table(page, results):
     if not isinstance(reactions, dict) or not reactions:
         return
     page.part("Support reactions")
+    if any("z_N" in r for r in reactions.values()):
+        page.table(["support", "x [N]", "y [N]", "vertical [N]", "through x [m]", "y [m]", "z [m]"],
+                   [[name] + [short(r.get(key), 5) for key in ("x_N", "y_N", "z_N", "through_x_m", "through_y_m", "through_z_m")]
+                    for name, r in reactions.items()], words=(0,))
+        return
     page.table(["support", "horizontal, its thrust [N]", "vertical [N]", "through x [m]", "y [m]"],
                [[name] + [short(r.get(key), 5) for key in ("x_N", "y_N", "through_x_m", "through_y_m")] for name, r in reactions.items()], words=(0,))
 

@@ -1,0 +1,115 @@
+"""Structures in space, seen in parallel projection from the front, the right and above.
+
+The faces of stones that look at the viewer become the cells of a plane mesh, the farthest first, so that the pictures of
+plane structures draw them. Faces between stones are left out: they are seen where a joint opens, as a gap.
+"""
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+import draw_structure
+from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, legend, limits, outline_width, save
+from geometry import deformation_scale, deformed, factor_text, length_text
+from read_results import OPEN, SLIP, Step, is_mechanism
+
+TOWARDS_VIEWER = np.array([0.55, -1.0, 0.6]) / np.linalg.norm([0.55, -1.0, 0.6])
+# Corners of the faces of a hexahedron, counter-clockwise seen from outside.
+FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+ROUND_OFF = 1e-9  # of the size of the structure: places that are one
+
+
+@dataclass
+class ProjectedStep(Step):
+    """A step whose displacements are those seen; the largest is the one in space."""
+    largest: float = 0.0
+
+    @property
+    def largest_displacement(self):
+        return self.largest
+
+
+def screen():
+    """[3, 2]: the axes of the picture."""
+    right = np.cross([0, 0, 1.0], TOWARDS_VIEWER)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(TOWARDS_VIEWER, right)], 1)
+
+
+def outer_faces(mesh):
+    """Faces of one cell alone that lie on no other stone, [faces, 4] nodes, and their stones."""
+    faces = mesh.cells[:, FACES].reshape(-1, 4)
+    block = np.repeat(mesh.block_of_cell, len(FACES))
+    size = np.ptp(mesh.coordinates, axis=0).max()
+    _, place = np.unique(np.round(mesh.coordinates / (ROUND_OFF * size)).astype(np.int64), axis=0, return_inverse=True)
+    _, first, count = np.unique(np.sort(place.reshape(-1)[faces], 1), axis=0, return_index=True, return_counts=True)
+    alone = first[count == 1]
+    return faces[alone], block[alone]
+
+
+def normals(mesh, faces):
+    x = mesh.coordinates[faces]
+    normal = np.cross(x[:, 2] - x[:, 0], x[:, 3] - x[:, 1])
+    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+
+
+def edges_seen(mesh, faces, block):
+    """Edges of these faces but for those within one side of one stone, [edges, 2] nodes."""
+    side = np.round(normals(mesh, faces), 3)
+    rows = np.concatenate([np.column_stack([np.sort(faces[:, [k, (k + 1) % 4]], 1), block, side]) for k in range(4)])
+    _, first, count = np.unique(rows, axis=0, return_index=True, return_counts=True)
+    edges = np.concatenate([faces[:, [k, (k + 1) % 4]] for k in range(4)])
+    return edges[first[count == 1]]
+
+
+def projected(results):
+    """The results as a plane structure, and the edges of its stones."""
+    mesh, axes = results.mesh, screen()
+    faces, block = outer_faces(mesh)
+    facing = normals(mesh, faces) @ TOWARDS_VIEWER > 1e-6
+    faces, block = faces[facing], block[facing]
+    order = np.argsort(mesh.coordinates[faces].mean(1) @ TOWARDS_VIEWER, kind="stable")
+    flat = replace(mesh, coordinates=mesh.coordinates @ axes, cells=faces[order], block_of_cell=block[order])
+    steps = [ProjectedStep(**{**vars(step), "displacement": np.nan_to_num(step.displacement) @ axes},
+                           largest=step.largest_displacement) for step in results.stage_ends]
+    return replace(results, mesh=flat, stage_ends=steps), edges_seen(mesh, faces, block)
+
+
+def draw_points(flat, edges, step, scale, folder):
+    """Points that are open or slip, on the deformed shape."""
+    mesh, joints = flat.mesh, flat.joints
+    x = deformed(mesh, step, scale)
+    figure, axes = drawing(limits(x), bottom=0.6)
+    fill_cells(axes, x, mesh, STONE_PALE)
+    draw_lines(axes, x[edges], STONE_EDGE, outline_width(mesh.blocks))
+    for status, colour in ((SLIP, ORANGE), (OPEN, RED)):
+        at = x[joints.node_j[step.status == status]]
+        axes.plot(at[:, 0], at[:, 1], "o", color=colour, ms=2.5, mew=0)
+    legend(figure, [dot_entry("open", RED), dot_entry("slips", ORANGE)])
+    return save(figure, folder, "joints")
+
+
+def add_space_sections(page, results, folder, attempt):
+    """The pictures of a structure in space."""
+    flat, edges = projected(results)
+    view = "in parallel projection from the front, the right and above (x along, y into the picture, z up); the bar holds along the picture"
+    page.section("The structure")
+    attempt(page, "The undeformed structure", lambda: page.picture(
+        draw_structure.draw_undeformed(flat.mesh, edges, folder), f"The structure as built: {flat.mesh.blocks} stones, {view}."))
+    step = flat.last
+    if not step:
+        return
+    scale = deformation_scale(flat.mesh, step)
+    what = ("The mechanism: the motion the collapse begins with, drawn as large as it can be seen" if is_mechanism(step) else
+            f"Deformed shape: displacements drawn {factor_text(scale)}, the largest is {length_text(step.largest_displacement)}")
+    attempt(page, "The deformed structure", lambda: page.picture(
+        draw_structure.draw_deformed(flat.mesh, edges, step, scale, folder),
+        f"{what}. End of step {step.number}, stage “{step.stage}”. Thin grey: the structure as built."))
+    if len(flat.stage_ends) > 1:
+        attempt(page, "The stages", lambda: page.picture(
+            draw_structure.draw_stages(flat.mesh, edges, flat.stage_ends, folder),
+            "Deformed shape at the end of each stage, each with its own magnification, stated above it."))
+    page.section("Joints")
+    attempt(page, "The joints", lambda: page.picture(
+        draw_points(flat, edges, step, scale, folder),
+        f"Contact points at step {step.number} on the deformed shape ({factor_text(scale)}): {(step.status == OPEN).sum()} open (red), "
+        f"{(step.status == SLIP).sum()} slip (orange); those behind stones are drawn as well. fields.xdmf holds all of them for ParaView."))
