@@ -165,5 +165,6 @@ Warnings LoadsAtWork::warnings() const {
 }
 
 template LoadsAtWork::LoadsAtWork(const Scene&, const BlockSource<2>&, const Structure<2>&);
+template LoadsAtWork::LoadsAtWork(const Scene&, const BlockSource<3>&, const Structure<3>&);
 
 }  // namespace voussoir

@@ -68,5 +68,6 @@ class LoadsAtWork {
 };
 
 extern template LoadsAtWork::LoadsAtWork(const Scene&, const BlockSource<2>&, const Structure<2>&);
+extern template LoadsAtWork::LoadsAtWork(const Scene&, const BlockSource<3>&, const Structure<3>&);
 
 }  // namespace voussoir

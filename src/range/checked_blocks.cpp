@@ -23,10 +23,10 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))
       for (const auto& [name, support] : scene.supports) supported.emplace_back(support.on, support.blocks);
-    if (scene.mesh.type == MeshType::gmsh)
-      check_blocks(*source, supported, *comm);
-    else
-      check_supports(*source, supported);
+    const bool from_file = scene.mesh.type == MeshType::gmsh;
+    if constexpr (dim == 2)
+      if (from_file) check_blocks(*source, supported, *comm);
+    if (!from_file) check_supports(*source, supported);
   } catch (const InputError& error) {
     std::string what = error.what();
     if (what.rfind(scene.file, 0) == 0) throw;
@@ -39,6 +39,8 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
 }
 
 template std::unique_ptr<BlockSource<2>> checked_blocks(const Scene&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
+                                                        Trust);
+template std::unique_ptr<BlockSource<3>> checked_blocks(const Scene&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
                                                         Trust);
 
 }  // namespace voussoir

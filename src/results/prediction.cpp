@@ -98,5 +98,7 @@ void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::
 
 template void predict(const Scene&, const BlockSource<2>&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
                       std::ostream&);
+template void predict(const Scene&, const BlockSource<3>&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
+                      std::ostream&);
 
 }  // namespace voussoir

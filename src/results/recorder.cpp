@@ -12,7 +12,6 @@
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/phase.hpp"
-#include "model/plane/plane_model.hpp"
 #include "results/mesh_rows.hpp"
 #include "results/step_warnings.hpp"
 
@@ -86,16 +85,17 @@ void Recorder::write_tables() {
 
 /// Of the cells of this rank [Pa]; stones that are not there have none.
 std::vector<double> Recorder::stresses(const std::vector<double>& deformation) const {
-  const auto& s = plane_geometry(model_).structure;
-  auto stress = cell_stresses(s, deformation, free_strain_);
   const int dim = model_.components(), of_cell = dim * (dim + 1) / 2;
-  auto of_block = stress.begin();
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * of_cell;
-    if (!model_.absent().empty() && model_.absent()[b]) std::fill_n(of_block, values, nothing);
-    of_block += values;
-  }
-  return stress;
+  return model_.in_geometry([&](const auto&, const auto& s) {
+    auto stress = cell_stresses(s, deformation, free_strain_);
+    auto of_block = stress.begin();
+    for (int b = 0; b < s.owned_blocks(); ++b) {
+      const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * of_cell;
+      if (!model_.absent().empty() && model_.absent()[b]) std::fill_n(of_block, values, nothing);
+      of_block += values;
+    }
+    return stress;
+  });
 }
 
 void Recorder::write_step(const ContactState& state, const std::vector<double>& displacement,

@@ -62,6 +62,15 @@ std::string mesh_text(const MeshParameters& mesh) {
   return text;
 }
 
+std::string model_text(const Scene& scene) {
+  const auto& model = scene.model;
+  if (scene.mesh.dimension() == 3)
+    return std::string("space, ") +
+           (model.hexahedra == Hexahedra::plain ? "plain hexahedra" : "hexahedra with incompatible modes");
+  return std::string("plane ") + (model.plane == Plane::stress ? "stress" : "strain") + ", thickness " +
+         number_text(model.thickness) + " m";
+}
+
 std::string stage_text(const StageParameters& stage) {
   std::string text = counted(stage.increments, "increment");
   if (stage.dynamic())
@@ -162,9 +171,7 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
   };
   os << scene.name << (scene.title.empty() ? "" : ": " + scene.title) << "  (" << scene.file << ")\n";
   row("mesh", "", mesh_text(scene.mesh));
-  row("model", "",
-      std::string("plane ") + (scene.model.plane == Plane::stress ? "stress" : "strain") + ", thickness " +
-          number_text(scene.model.thickness) + " m");
+  row("model", "", model_text(scene));
   for (const auto& [name, material] : scene.materials) row("material", name, material_text(material));
   for (const auto& [name, joint] : scene.joints) row("joints", name, joint_text(joint));
   for (const auto& [name, s] : scene.supports) row("support", name, in_quotes(s.on) + ": " + s.components + " held");

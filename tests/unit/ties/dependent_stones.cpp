@@ -67,4 +67,10 @@ TEUCHOS_UNIT_TEST(DependentStones, NeitherAbsentStonesNorCornersHold) {
   TEST_EQUALITY(DependentStones(graph_of(2, {{0, 1}}, 1), {1, 0}, {}).dependants().size(), std::size_t(0));
 }
 
+// In space two shared vertices are an edge, along which a stone can turn away, and three a joint.
+TEUCHOS_UNIT_TEST(DependentStones, AnEdgeHoldsNoStoneInSpace) {
+  TEST_EQUALITY(DependentStones(graph_of(2, {{0, 1}}, 2), {1, 0}, {}, 3).dependants().size(), std::size_t(0));
+  TEST_EQUALITY(DependentStones(graph_of(2, {{0, 1}}, 3), {1, 0}, {}, 3).depends_on(1), 0);
+}
+
 }  // namespace

@@ -1,0 +1,42 @@
+#include "run/space/space_blocks.hpp"
+
+#include "base/error.hpp"
+#include "model/space/space_model.hpp"
+#include "range/checked_blocks.hpp"
+#include "range/input_warnings.hpp"
+#include "results/prediction.hpp"
+
+namespace voussoir {
+namespace {
+
+class SpaceBlocks final : public SceneBlocks {
+ public:
+  explicit SpaceBlocks(std::unique_ptr<BlockSource<3>> source) : source_(std::move(source)) {}
+  BlockId count() const override { return source_->block_count(); }
+  Warnings warnings(const Scene& scene) const override { return mesh_warnings(scene, *source_); }
+  void predict(const Scene& scene, const Comm& comm, std::ostream& say) const override {
+    voussoir::predict(scene, *source_, comm, say);
+  }
+  Modelled modelled(const Scene& scene, const Comm& comm) const override {
+    auto model = std::make_unique<SpaceModel>(scene, *source_, comm);
+    auto appraisal = std::make_unique<Appraisal>(*model);
+    return {std::move(model), std::move(appraisal)};
+  }
+  RunSummary limit_analysis(const Scene& scene, const std::string&, const Comm&, std::ostream&) const override {
+    throw InputError(
+        scene.file +
+        ": scene > mesh > type = \"wall in space\"\n  is of space, and --limit-analysis takes plane scenes "
+        "alone so far.\n  Leave --limit-analysis out: the steps of the scene tell whether it stands.");
+  }
+
+ private:
+  std::unique_ptr<BlockSource<3>> source_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneBlocks> space_blocks_of(const Scene& scene, const SceneBlocks::Comm& comm, Trust trust) {
+  return std::make_unique<SpaceBlocks>(checked_blocks<3>(scene, comm, trust));
+}
+
+}  // namespace voussoir
