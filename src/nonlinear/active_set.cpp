@@ -28,7 +28,7 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
       patches_(methods_.patches),
       use_(use),
       components_(problem.components()),
-      augmentation_(in_time() ? numbers_.augmentation_in_time : numbers_.augmentation_at_rest),
+      augmentation_(in_time() ? numbers_.augmentation_in_time : numbers_.augmentation_at_rest()),
       proximal_(in_time() ? 0 : 1),
       patience_(patience),
       laws_(problem, strength),
@@ -53,7 +53,7 @@ void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_
   set();
   settled_ = same_statuses(closed, sliding);
   if (in_time() || (settled_ && !in_balance)) return;
-  const double wanted = settled_ ? numbers_.augmentation_once_settled : numbers_.augmentation_at_rest;
+  const double wanted = settled_ ? numbers_.augmentation_once_settled() : numbers_.augmentation_at_rest();
   if (std::exchange(augmentation_, wanted) != wanted) set();
 }
 

@@ -14,16 +14,11 @@ void ContactSolverParameters::declare(ParameterSection& section) {
               std::string("solves that active sets are left out of at most. ") + no_reason);
   section.add("fast solves", fast_solves, "-", between(1, 1e6),
               "linear solves of active sets. Reason: those that arrive take up to 20");
-  section.add("held accuracy", held_accuracy, "-", inside(0.0, 1.0),
-              "of an equilibrium with strength that is held, from which points wear. Reason: what follows wears on");
   section.add("patience from near", patience_from_near, "-", between(1, 1e6),
               "solves without a gain after which they give up there. Reason: the path goes on and offers a better "
               "state");
   section.add("largest path", largest_path, "-", between(1, 1e6),
-              "steps of the path. Reason: those that arrive take up to 130");
-  section.add("closing solves", closing_solves, "-", between(1, 1e6),
-              "linear solves in pseudo-time before another path is tried. Reason: a structure that stones in flight "
-              "have left is near a solution, from where the path is short");
+              "steps of the path. Reason: those that arrive take up to 130, those of patches of large walls up to 142");
 }
 
 }  // namespace voussoir

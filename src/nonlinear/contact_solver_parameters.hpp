@@ -3,6 +3,10 @@
 // Ranges and reasons: declare() in the .cpp, which voussoir --print-internals shows.
 #pragma once
 
+#include "base/order_of_magnitude.hpp"
+#include "nonlinear/active_set_parameters.hpp"
+#include "nonlinear/interior_path_parameters.hpp"
+
 namespace voussoir {
 
 class ParameterSection;
@@ -12,14 +16,18 @@ struct ContactSolverParameters {
   bool shortcut = true;     ///< active sets are tried again near the end of the path
   /// active sets that failed are left out of the load steps that follow, for longer after every failure
   bool back_off = true;
-  int longest_wait = 7;         ///< solves that active sets are left out of at most
-  int fast_solves = 30;         ///< linear solves of active sets
-  int patience_from_near = 3;   ///< solves without a gain after which they give up near the end of the path
-  double held_accuracy = 1e-3;  ///< of an equilibrium with strength that is held
-  int largest_path = 200;       ///< steps of the path
-  int closing_solves = 80;      ///< linear solves in pseudo-time before another path is tried
+  int longest_wait = 7;        ///< solves that active sets are left out of at most
+  int fast_solves = 30;        ///< linear solves of active sets
+  int patience_from_near = 3;  ///< solves without a gain after which they give up near the end of the path
+  int largest_path = 200;      ///< steps of the path, also in patches
   /// of the linear solve of a structure without contact points, where one solve is the answer: round-off
   static constexpr double finest_accuracy = 1e-12;
+  /// of an equilibrium with strength that is held, from which points wear: statuses may be known, and what follows
+  /// wears on
+  static constexpr double held_accuracy = InteriorPathParameters{}.near;
+  /// linear solves in pseudo-time before another path is tried, clearly more than active sets go round in: a structure
+  /// that stones in flight have left is near a solution, from where the path is short
+  static constexpr int closing_solves = static_cast<int>(order_of_magnitude) * ActiveSetParameters{}.patience;
   void declare(ParameterSection&);
 };
 

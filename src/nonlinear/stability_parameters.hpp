@@ -20,7 +20,7 @@ struct StabilityParameters {
   /// largest of many that are nearly alike is told by no fewer than there are cracks.
   static constexpr int most_motions = 60;
   /// [-] of these solves: motions, and with them the branch that is taken, do not depend on what one leaves.
-  static constexpr double solve_accuracy = ActiveSetParameters{}.finest_accuracy;
+  static constexpr double solve_accuracy = ActiveSetParameters::finest_accuracy;
   /// Share of the largest motion from which on a point counts where the direction of one that has two is chosen:
   /// motions of equal cracks are equal but for round-off.
   static constexpr double leads = 0.5;

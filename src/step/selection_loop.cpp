@@ -255,7 +255,7 @@ void SelectionLoop::see_violations() {
   seen_.decrease = predicted_decrease(seen_.violations, model_.local_stiffness());
   seen_.root = in_time() || may_release() ? root_of(seen_.decrease) : 0.0;
   const bool all_bonded = report_.selection_rounds == 0 && selected_before_ == 0;
-  const double times = all_bonded ? numbers_.too_large_bonded : numbers_.too_large;
+  const double times = all_bonded ? 1.0 : numbers_.too_large;  // errors of bonded structures exceed the indicator
   seen_.large = !in_time() && (releases_rest() || is_too_large(seen_.root, allowed_, times));
 }
 
@@ -321,10 +321,10 @@ bool SelectionLoop::release_what_matters() {
   const auto released = voussoir::release(model_, law_, seen_.cluster, seen_.decrease, state_);
   if (released > 0) {
     state_.rest.error = {};
-    hope_.wanted =
-        std::clamp(numbers_.share_of_violation * seen_.violations.largest, tolerance_, numbers_.coarsest_tolerance);
+    const double worth = numbers_.share_of_violation * seen_.violations.largest;
+    hope_.wanted = std::max(tolerance_, std::min(worth, numbers_.coarsest_tolerance));
   }
-  hope_.suffices = released > 0 && numbers_.error_of_remainder * root_of_rest() <= allowed_;
+  hope_.suffices = released > 0 && numbers_.error_of_remainder() * root_of_rest() <= allowed_;
   // The next round tends to release as many again: better all at once than a round that is thrown away.
   const auto most = selection_.largest_share * static_cast<double>(model_.points().total());
   if (static_cast<double>(selected() + released) <= most || !release_all(model_, law_, state_)) return released > 0;

@@ -3,6 +3,8 @@
 // Ranges and reasons: declare() in the .cpp, which voussoir --print-internals shows.
 #pragma once
 
+#include "base/order_of_magnitude.hpp"
+
 namespace voussoir {
 
 class ParameterSection;
@@ -17,11 +19,12 @@ struct TieParameters {
   static constexpr double balanced = 1e-10;
   /// of the step to balance that stones take: what Jacobi's method bears between two springs
   static constexpr double share_of_step = 0.5;
-  /// share of what all stones lack below which a sweep is progress
-  static constexpr double progress = 0.999;
   /// stiffness under a stone that no point touches in some direction, relative to its points: the matrix of its step is
   /// regular, and what resists is far stiffer
-  static constexpr double foundation = 1e-3;
+  static constexpr double foundation = 1 / (order_of_magnitude * order_of_magnitude * order_of_magnitude);
+  /// share of what all stones lack below which a sweep is progress: by less than a thousandth a sweep nothing would
+  /// come within the patience
+  static constexpr double progress = 1 - foundation;
   /// steps of a stone alone: those that stand take some dozens at most
   static constexpr int steps_alone = 200;
   void declare(ParameterSection&);

@@ -3,6 +3,8 @@
 // Ranges and reasons: declare() in the .cpp, which voussoir --print-internals shows.
 #pragma once
 
+#include "nonlinear/contact_solver_parameters.hpp"
+
 namespace voussoir {
 
 class ParameterSection;
@@ -14,8 +16,9 @@ struct TimeStepParameters {
   static constexpr double velocity_round_off = 1e-14;
   /// share of the energy of an impact below which nothing moves behind its points: velocities known to 1e-6 of it
   static constexpr double no_way = 1e-12;
-  /// linear solves of a time step: active sets, one path and what closes it; half the step is the way out then
-  static constexpr int largest_iterations = 250;
+  /// linear solves of a time step: active sets before and after one path; half the step is the way out then
+  static constexpr int largest_iterations =
+      2 * ContactSolverParameters{}.fast_solves + ContactSolverParameters{}.largest_path;
   /// relative velocities below this share of the fastest rest: what their differences lose to round-off and solver
   static constexpr double share_of_fastest = 1e-6;
   /// and of the velocity that the energy of the structure could give it: round-off of displacements, by a step
