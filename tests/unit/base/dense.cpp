@@ -10,15 +10,15 @@ using namespace voussoir;
 
 TEUCHOS_UNIT_TEST(Dense, APositiveMatrixOfThreeIsDivided) {
   // 4 1 0 / 1 3 1 / 0 1 2 times (1, 2, 3) is (6, 10, 8); the solution carries a few last bits.
-  const auto x = solve_positive({{{4, 1, 0}, {1, 3, 1}, {0, 1, 2}}}, {6, 10, 8});
+  const auto x = solve_positive(Matrix<3>{{{4, 1, 0}, {1, 3, 1}, {0, 1, 2}}}, Vector<3>{6, 10, 8});
   for (int c = 0; c < 3; ++c) TEST_FLOATING_EQUALITY(x[c], c + 1.0, 1e-14);
   // Numbers as large as a stiffness, one direction a million times softer.
-  const auto soft = solve_positive({{{2e12, 0, 0}, {0, 2e12, 0}, {0, 0, 2e6}}}, {2, 4, 6});
+  const auto soft = solve_positive(Matrix<3>{{{2e12, 0, 0}, {0, 2e12, 0}, {0, 0, 2e6}}}, Vector<3>{2, 4, 6});
   TEST_FLOATING_EQUALITY(soft[2], 3e-6, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Dense, WhereNothingResistsThereIsNoMotion) {
-  const auto x = solve_positive({{{2, 0, 0}, {0, 0, 0}, {0, 0, 4}}}, {2, 7, 8});
+  const auto x = solve_positive(Matrix<3>{{{2, 0, 0}, {0, 0, 0}, {0, 0, 4}}}, Vector<3>{2, 7, 8});
   TEST_EQUALITY_CONST(x[0], 1.0);
   TEST_EQUALITY_CONST(x[1], 0.0);
   TEST_EQUALITY_CONST(x[2], 2.0);
