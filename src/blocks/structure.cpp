@@ -163,7 +163,7 @@ double Structure<3>::follow_block(int, const std::vector<double>&) {
 }
 
 template <int dim>
-double Structure<dim>::follow(const std::vector<double>& u) {
+double Structure<dim>::move_to(const std::vector<double>& u) {
   if (drawn_.empty()) {
     drawn_ = position_;
     rigid_motion_.assign(u.size(), 0.0);

@@ -42,7 +42,7 @@ class Structure : public BlockSystem {
   /// Takes every block, undeformed, to where a displacement has moved and turned it, however far: places of nodes
   /// and K. Displacements still count from the drawing. In the plane alone. Collective.
   /// @return the largest turn since the last time [rad]
-  double follow(const std::vector<double>& u);
+  double move_to(const std::vector<double>& u);
   /// How far a local block has been followed from its drawing [rad], counter-clockwise.
   double turn(int block) const { return turn_.empty() ? 0.0 : turn_[block]; }
   /// The same structure with other matrices in the place of the stiffness of its blocks.

@@ -154,7 +154,7 @@ std::vector<char> ContactPoints::untieable() const {
   return none;
 }
 
-void ContactPoints::follow(const Structure<2>& structure) {
+void ContactPoints::turn_axes(const Structure<2>& structure) {
   if (drawn_normal_.empty())
     for (const auto& p : points_) drawn_normal_.push_back(in_plane(p.axis[0]));
   for (std::size_t k = 0; k < points_.size(); ++k) {

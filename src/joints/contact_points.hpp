@@ -67,7 +67,7 @@ class ContactPoints {
   /// 1 for points that are no pair of coincident nodes, which nothing can tie; empty where all are.
   std::vector<char> untieable() const;
   /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean.
-  void follow(const Structure<2>&);
+  void turn_axes(const Structure<2>&);
 
  private:
   template <int dim>

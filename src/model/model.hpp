@@ -82,7 +82,7 @@ class Model {
   /// Takes stones and joints to where a displacement has moved and turned them; the continuum, which preconditions,
   /// stays as drawn. Collective.
   /// @return the largest turn of a stone since the last time [rad]
-  virtual double follow(const std::vector<double>& displacement) = 0;
+  virtual double move_geometry(const std::vector<double>& displacement) = 0;
   void set_initial_gap(std::vector<double> gap) { initial_gap_ = std::move(gap); }
   /// Holds all of the blocks that are not there [per local block], and what supports hold; no joint bonds with them.
   void set_absent(const std::vector<char>& absent);

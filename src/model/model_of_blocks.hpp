@@ -16,7 +16,7 @@ class ModelOfBlocks : public Model {
   const Structure<dim>& structure() const override { return *structure_; }
   AnyGeometry geometry() const override { return Geometry<dim>{source_, *structure_}; }
   const BlockGraph& graph() const override { return source_.graph(); }
-  double follow(const std::vector<double>& displacement) override;
+  double move_geometry(const std::vector<double>& displacement) override;
   std::unique_ptr<const BlockSystem> mass() const override;
   std::unique_ptr<Model> of_time_step(const BlockSystem& mass, const MidpointRule&, double tolerance) const override;
   double wave_speed(int block) const override;
@@ -39,9 +39,9 @@ class ModelOfBlocks : public Model {
 };
 
 template <>
-double ModelOfBlocks<2>::follow(const std::vector<double>&);
+double ModelOfBlocks<2>::move_geometry(const std::vector<double>&);
 template <>
-double ModelOfBlocks<3>::follow(const std::vector<double>&);
+double ModelOfBlocks<3>::move_geometry(const std::vector<double>&);
 template <>
 double ModelOfBlocks<2>::wave_speed(int) const;
 template <>

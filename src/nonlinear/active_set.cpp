@@ -41,7 +41,7 @@ ActiveSet::ActiveSet(NonlinearProblem& problem, ActiveSetUse use, const MethodPa
 /// of balance, closed points resist more, until a status changes.
 /// @param in_balance  no stone is out of balance by more than the tolerance
 void ActiveSet::choose(const PointField& lambda, const PointField& gap, bool in_balance) {
-  laws_.follow(lambda, gap);
+  laws_.update(lambda, gap);
   resistance_.resize(problem_.points());
   const auto closed = std::exchange(closed_, std::vector<char>(problem_.points(), 0));
   const auto sliding = std::exchange(sliding_, PointField(sliding_.size(), 0.0));
@@ -183,7 +183,7 @@ void ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, const Tpetr
   }
   report.local_solves += solves;
   search.size = measure(x, lambda, report);
-  tell(report, 0, solves);
+  report_progress(report, 0, solves);
   search.local = search.size <= numbers_.lost * size_before;
   if (search.local) return;
   Tpetra::deep_copy(x, x_before);
@@ -200,7 +200,7 @@ bool ActiveSet::lost_a_stone(const Search& search) const {
 std::optional<ActiveSetEnd> ActiveSet::judge_solve(TpetraVector& x, PointField& lambda, const TpetraVector& start,
                                                    int krylov, Search& search, NewtonReport& report) {
   search.size = measure(x, lambda, report);
-  tell(report, krylov);
+  report_progress(report, krylov);
   if (!report.stopped) correct_locally(x, lambda, start, search, report);
   if (report.stopped) return ActiveSetEnd::stopped;
   if (search.size <= search.tolerance) {
@@ -255,7 +255,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     if (settled_ &&
         go_to_the_bound(problem_, laws_, {closed_, sliding_, change_before_, change_}, numbers_.alike, lambda))
       choose(lambda, chosen, in_balance);
-    aim(lambda, chosen);
+    set_right_hand_side(lambda, chosen);
     const auto end = solve_once(x, lambda, search, report);
     if (end == ActiveSetEnd::refused && nearest.position) break;
     if (end) return *end;
@@ -275,7 +275,7 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
   return ActiveSetEnd::circled;
 }
 
-void ActiveSet::tell(NewtonReport& report, int krylov, int local_solves) const {
+void ActiveSet::report_progress(NewtonReport& report, int krylov, int local_solves) const {
   std::array<long long, 2> mine{};
   for (int k = 0; k < problem_.owned_points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -283,7 +283,7 @@ void ActiveSet::tell(NewtonReport& report, int krylov, int local_solves) const {
     mine[1] += slides(k);
   }
   const auto all = total_of_each(*problem_.map()->getComm(), mine);  // all ranks, listening or not
-  report.tell(watch, {report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0],
+  report.show(watch, {report.newton_iterations, report.residual * scale_, report.complementarity * scale_, all[0],
                       all[1], krylov, length_, augmentation_, local_solves});
 }
 

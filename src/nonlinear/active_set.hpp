@@ -89,8 +89,8 @@ class ActiveSet {
   bool turns_round(int point, double shear, const PointField& before);
   double alike(int point, const PointField& before) const;
   bool turned(int point, const PointField& before) const;
-  void aim(const PointField& lambda, const PointField& chosen);
-  bool aim_by_law(int point, const PointField& lambda, const PointField& chosen);
+  void set_right_hand_side(const PointField& lambda, const PointField& chosen);
+  bool set_force_of_law(int point, const PointField& lambda, const PointField& chosen);
   bool slides(int point) const {
     const double* s = &sliding_[std::size_t(point) * (components_ - 1)];
     return std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
@@ -106,7 +106,7 @@ class ActiveSet {
   int many_krylov() const { return components_ == 2 ? numbers_.many_krylov : numbers_.many_krylov_in_space; }
   void correct_locally(TpetraVector& x, PointField& lambda, const TpetraVector& start, Search&, NewtonReport&);
   double measure(const TpetraVector& x, const PointField& lambda, NewtonReport&);
-  void tell(NewtonReport&, int krylov, int local_solves = 0) const;
+  void report_progress(NewtonReport&, int krylov, int local_solves = 0) const;
 
   NonlinearProblem& problem_;
   const MethodParameters methods_;

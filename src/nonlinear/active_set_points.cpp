@@ -101,7 +101,7 @@ bool ActiveSet::turned(int point, const PointField& before) const {
 
 /// Forces of all points at these gaps: those of the law where statuses were chosen, and their change from there.
 /// @param chosen  [m] gaps that statuses were chosen by
-void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
+void ActiveSet::set_right_hand_side(const PointField& lambda, const PointField& chosen) {
   target_ = lambda;
   std::vector<double> motion(components_);
   for (int k = 0; k < problem_.points(); ++k) {
@@ -109,7 +109,7 @@ void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
     const auto& r = resistance_[k];
     const std::size_t at = std::size_t(k) * components_;
     double* force = &target_[at];
-    const bool follows = aim_by_law(k, lambda, chosen);
+    const bool follows = set_force_of_law(k, lambda, chosen);
     const auto mortar = mortar_of(k);
     for (int c = 0; c < components_; ++c)
       motion[c] = gap_[at + c] - chosen[at + c] + mortar.along(c) * (force[c] - lambda[at + c]);
@@ -128,7 +128,7 @@ void ActiveSet::aim(const PointField& lambda, const PointField& chosen) {
 
 /// Force that the law gives a point at the gaps by which its status was chosen. Whether its tangential part changes
 /// with the point's motion, or is what the bound makes of it in the end.
-bool ActiveSet::aim_by_law(int point, const PointField& lambda, const PointField& chosen) {
+bool ActiveSet::set_force_of_law(int point, const PointField& lambda, const PointField& chosen) {
   const auto& r = resistance_[point];
   const auto law = laws_.at(point);
   const double* s = &sliding_[std::size_t(point) * (components_ - 1)];

@@ -69,13 +69,13 @@ void ContactSolver::solve_linear(const Iterate& at, const ContactRequest& reques
     b->scale(-1.0);
     d->putScalar(0);
     // The norm of what a solve leaves bounds the largest residual.
-    const double aim = tolerance * force_scale(problem_, at.lambda) / b->norm2();
+    const double accuracy = tolerance * force_scale(problem_, at.lambda) / b->norm2();
     const auto solved =
         problem_.solve(std::vector<PointStiffness>(problem_.points()), 0.0, b, d,
-                       {std::clamp(aim, methods_.solver.finest_accuracy, methods_.path.solve_accuracy)});
+                       {std::clamp(accuracy, methods_.solver.finest_accuracy, methods_.path.solve_accuracy)});
     report.count(solved);
     at.x.update(1.0, *d, 1.0);
-    report.tell(watch, {report.newton_iterations, report.residual, 0, 0, 0, solved.iterations});
+    report.show(watch, {report.newton_iterations, report.residual, 0, 0, 0, solved.iterations});
     if (report.stopped) return;
   }
   report.outcome = NewtonOutcome::converged;
@@ -124,7 +124,7 @@ PathEnd ContactSolver::along_the_path(const Iterate& at, const ContactRequest& r
   NewtonReport only_residuals;
   const auto off = [&] { return measure(at, request.strength, only_residuals) * force_scale(problem_, at.lambda); };
   const double off_before = off();
-  const auto end = interior.follow(at.x, at.lambda, request.tolerance, steps, request.known_gap, report);
+  const auto end = interior.trace(at.x, at.lambda, request.tolerance, steps, request.known_gap, report);
   if (end != PathEnd::stuck || off() <= off_before) return end;
   before.restore(at.x);
   at.lambda = lambda_before;
@@ -134,7 +134,7 @@ PathEnd ContactSolver::along_the_path(const Iterate& at, const ContactRequest& r
 void ContactSolver::in_pseudo_time(const Iterate& at, const ContactRequest& request, int most, NewtonReport& report) {
   PseudoTime falling(problem_, parameters_, methods_, {&at.damage, request.strength});
   falling.watch = watch;
-  falling.follow(at.x, at.lambda, request.tolerance, request.known_gap, most, report);
+  falling.integrate(at.x, at.lambda, request.tolerance, request.known_gap, most, report);
   Tpetra::deep_copy(*mechanism_, falling.mechanism());
 }
 
@@ -184,15 +184,15 @@ void ContactSolver::find_stable_branch(const Iterate& at, double tolerance, Newt
     report.unstable = found.any ? found.excess : 0;
     report.unstable_at = found.leader;
     if (!found.any || report.newton_iterations >= std::min(most, parameters_.largest_iterations)) return;
-    if (!leave(found, 1, at, tolerance, report) && !leave(found, -1, at, tolerance, report)) return;
+    if (!leave_branch(found, 1, at, tolerance, report) && !leave_branch(found, -1, at, tolerance, report)) return;
     if (report.stopped) return;
   }
 }
 
 /// Goes down along a motion and solves from there: first with the damage that the state has, then with that of the way
 /// down, which is given back in the end. False where no other state is found; then all is as before.
-bool ContactSolver::leave(const Instability& found, double sign, const Iterate& at, double tolerance,
-                          NewtonReport& report) {
+bool ContactSolver::leave_branch(const Instability& found, double sign, const Iterate& at, double tolerance,
+                                 NewtonReport& report) {
   const SavedPosition from(problem_, at.x);
   const PointField lambda_from = at.lambda;
   const Damage damage_from = at.damage;

@@ -69,7 +69,7 @@ class ContactSolver {
   /// Else leaves in the report how much more has been lost.
   void forget_the_way(const Iterate&, double tolerance, NewtonReport&);
   void find_stable_branch(const Iterate&, double tolerance, NewtonReport&);
-  bool leave(const Instability&, double sign, const Iterate&, double tolerance, NewtonReport&);
+  bool leave_branch(const Instability&, double sign, const Iterate&, double tolerance, NewtonReport&);
   void finish(const Iterate&, const ContactRequest&, NewtonReport&);
   void split_forces(const Iterate&, const ContactRequest&) const;
   void in_pseudo_time(const Iterate&, const ContactRequest&, int most, NewtonReport&);

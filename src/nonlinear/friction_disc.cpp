@@ -85,7 +85,7 @@ std::array<double, 2> FrictionDisc::friction(const InDisc& wanted) const {
   return {axis_[0] * along - axis_[1] * across, axis_[1] * along + axis_[0] * across};
 }
 
-InDisc FrictionDisc::aim(const double* q, const double* slip, double bound, double barrier) {
+InDisc FrictionDisc::right_hand_side(const double* q, const double* slip, double bound, double barrier) {
   const auto force = parts(q), motion = parts(slip);
   if (!bounded_) return {-motion.along, -motion.across};
   const auto& y = y_.diagonal;

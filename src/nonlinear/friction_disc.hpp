@@ -60,7 +60,7 @@ class FrictionDisc {
   /// Slip [m] that a step wants, towards a barrier and with no more motion.
   /// @param q       [N], slip [m] of the point, per tangent
   /// @param bound   [N] of the point
-  InDisc aim(const double* q, const double* slip, double bound, double barrier);
+  InDisc right_hand_side(const double* q, const double* slip, double bound, double barrier);
   /// Directions from the changes of friction per tangent and of the bound [N].
   void direct(const double* change, double wider);
   /// The step after which W or Y would not be positive any more; infinite where they stay.

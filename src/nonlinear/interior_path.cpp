@@ -85,7 +85,7 @@ void InteriorPath::resistances(const PointField& lambda, bool predicting) {
 
 /// Moves supports and loads with the resistances that the path gives the points of the old state.
 void InteriorPath::predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport& report) {
-  laws_.follow(lambda, known_gap);
+  laws_.update(lambda, known_gap);
   enter(lambda, known_gap, numbers_.start * scale_);
   resistances(lambda, true);
   problem_.evaluate(x, *gradient_, gap_);
@@ -118,7 +118,7 @@ LinearSolveResult InteriorPath::solve(NewtonReport& report) {
 void InteriorPath::pull_back(const TpetraVector& x, PointField& lambda) {
   if (!problem_.softening()) return;
   problem_.evaluate(x, *linear_, gap_);
-  laws_.follow(lambda, gap_);
+  laws_.update(lambda, gap_);
   for (int k = 0; k < problem_.points(); ++k)
     if (laws_.softened(k) && path_[k].opens) lambda[first_of(k)] = path_[k].w - laws_.pull(k);
 }
@@ -138,8 +138,8 @@ Imbalance InteriorPath::residuals(const PointField& lambda) {
 
 /// Residual of the state measured last once its forces have left the path, relative to the scale: what many open points
 /// give up together can be more than a rough tolerance.
-double InteriorPath::after_leaving(PointField lambda) {
-  leave(lambda);
+double InteriorPath::after_projection(PointField lambda) {
+  project_to_admissible(lambda);
   const auto [equilibrium, contact] = residuals(lambda);
   return size_of(problem_, equilibrium * scale_, contact * scale_, scale_);
 }
@@ -147,7 +147,7 @@ double InteriorPath::after_leaving(PointField lambda) {
 /// False when it leads nowhere.
 bool InteriorPath::take_shortcut(TpetraVector& x, PointField& lambda) {
   PointField forces = lambda;
-  leave(forces);
+  project_to_admissible(forces);
   if (shortcut(x, forces)) {
     lambda = forces;
     return true;
@@ -171,7 +171,7 @@ double InteriorPath::barrier() const {
 }
 
 /// Right-hand sides of all points for a barrier [N2]; force_ = lambda + what the points would add at rest.
-void InteriorPath::aim(const PointField& lambda, double target) {
+void InteriorPath::set_right_hand_side(const PointField& lambda, double target) {
   force_ = lambda;
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
@@ -180,7 +180,7 @@ void InteriorPath::aim(const PointField& lambda, double target) {
     const auto at = first_of(k);
     const auto moved = slip(k, gap_, lambda);
     p.gain = (p.opens ? nu / p.w : 0) - motion_of(problem_, k, 0, gap_, lambda);
-    p.wanted = p.disc.aim(&lambda[at + 1], moved.data(), bound(k, lambda[at]), nu);
+    p.wanted = p.disc.right_hand_side(&lambda[at + 1], moved.data(), bound(k, lambda[at]), nu);
     const double more = p.normal * p.gain;
     force_[at] += more;
     const auto q = p.disc.friction(p.wanted - more * p.drag);
@@ -215,7 +215,7 @@ double InteriorPath::step_length() {
 }
 
 /// From the interior to admissible forces: open points lose theirs, slipping ones stay within their bound.
-void InteriorPath::leave(PointField& lambda) const {
+void InteriorPath::project_to_admissible(PointField& lambda) const {
   for (int k = 0; k < problem_.points(); ++k) {
     if (!problem_.selected()[k]) continue;
     const auto law = laws_[k];
@@ -258,7 +258,7 @@ LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double
                              numbers_.largest_resistance);
   resistances(lambda, false);
   const double share = std::clamp(std::pow(1 - progress.step, 2), numbers_.least_share, numbers_.largest_share);
-  aim(lambda, std::max(share * distance, numbers_.waiting * std::pow(contact * scale_, 2)));
+  set_right_hand_side(lambda, std::max(share * distance, numbers_.waiting * std::pow(contact * scale_, 2)));
   Tpetra::deep_copy(*gradient_, *linear_);
   problem_.subtract_contact_forces(force_, *gradient_);
   const auto solved = solve(report);
@@ -281,19 +281,19 @@ LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double
     p.y += length * p.dy;
     p.disc.advance(length);
   }
-  tell(report, equilibrium, contact, solved.iterations, length);
+  report_progress(report, equilibrium, contact, solved.iterations, length);
   return solved;
 }
 
-PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
-                             const PointField* known_gap, NewtonReport& report) {
+PathEnd InteriorPath::trace(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
+                            const PointField* known_gap, NewtonReport& report) {
   const SavedPosition before(problem_, x);
   const PointField lambda_before = lambda;
   scale_ = force_scale(problem_, lambda);
   augmentation_ = numbers_.resistance;
   if (known_gap) predict(x, lambda, *known_gap, report);
   problem_.evaluate(x, *linear_, gap_);
-  if (!known_gap) laws_.follow(lambda, gap_);
+  if (!known_gap) laws_.update(lambda, gap_);
   set_out(lambda, numbers_.start * std::max(scale_, force_scale(problem_, lambda)));
   follows_ = 1;
   double offered = numbers_.near;
@@ -303,8 +303,8 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     pull_back(x, lambda);
     const auto [equilibrium, contact] = measure(x, lambda);
     const double size = size_of(problem_, equilibrium * scale_, contact * scale_, scale_);
-    if (size <= tolerance && after_leaving(lambda) <= tolerance) {
-      leave(lambda);
+    if (size <= tolerance && after_projection(lambda) <= tolerance) {
+      project_to_admissible(lambda);
       return PathEnd::arrived;
     }
     if (stuck(progress, equilibrium, contact) || static_cast<int>(progress.sizes.size()) >= largest_iterations) break;
@@ -322,11 +322,12 @@ PathEnd InteriorPath::follow(TpetraVector& x, PointField& lambda, double toleran
     if (step(x, lambda, equilibrium, contact, progress, report).nothing) break;
     if (report.stopped) return PathEnd::stopped;
   }
-  leave(lambda);
+  project_to_admissible(lambda);
   return PathEnd::stuck;
 }
 
-void InteriorPath::tell(NewtonReport& report, double equilibrium, double contact, int krylov, double step) const {
+void InteriorPath::report_progress(NewtonReport& report, double equilibrium, double contact, int krylov,
+                                   double step) const {
   std::array<long long, 2> mine{};
   for (int k = 0; k < problem_.owned_points(); ++k) {
     const auto& p = path_[k];
@@ -336,7 +337,7 @@ void InteriorPath::tell(NewtonReport& report, double equilibrium, double contact
     mine[1] += p.disc.slips(stiffness);
   }
   const auto all = total_of_each(*problem_.map()->getComm(), mine);  // all ranks, listening or not
-  report.tell(watch, {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
+  report.show(watch, {report.newton_iterations, equilibrium * scale_, contact * scale_, all[0], all[1], krylov, step,
                       augmentation_});
 }
 

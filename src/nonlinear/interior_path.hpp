@@ -61,8 +61,8 @@ class InteriorPath {
   /// @param known_gap  gaps [m] of a state in equilibrium with lambda, from which supports and loads have moved;
   ///                   null when x is near equilibrium with lambda
   /// After PathEnd::ran_away x and lambda are as they were.
-  PathEnd follow(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
-                 const PointField* known_gap, NewtonReport&);
+  PathEnd trace(TpetraVector& x, PointField& lambda, double tolerance, int largest_iterations,
+                const PointField* known_gap, NewtonReport&);
 
  private:
   struct Point {
@@ -94,17 +94,17 @@ class InteriorPath {
   void pull_back(const TpetraVector& x, PointField& lambda);
   Imbalance measure(const TpetraVector& x, const PointField& lambda);
   Imbalance residuals(const PointField& lambda);
-  double after_leaving(PointField lambda);
+  double after_projection(PointField lambda);
   bool take_shortcut(TpetraVector& x, PointField& lambda);
   double barrier() const;
-  void aim(const PointField& lambda, double target);
+  void set_right_hand_side(const PointField& lambda, double target);
   LinearSolveResult solve(NewtonReport&);
   double step_length();
   bool stuck(const Progress&, double equilibrium, double contact) const;
   LinearSolveResult step(TpetraVector& x, PointField& lambda, double equilibrium, double contact, Progress&,
                          NewtonReport&);
-  void leave(PointField& lambda) const;
-  void tell(NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
+  void project_to_admissible(PointField& lambda) const;
+  void report_progress(NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;
   double friction(int point, double normal) const;
   std::size_t first_of(int point) const { return static_cast<std::size_t>(point) * components_; }

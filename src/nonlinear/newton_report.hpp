@@ -59,7 +59,7 @@ struct NewtonReport {
     failure = solve.failure;
   }
   /// Tells of it, and asks.
-  void tell(const SolveWatch& watch, const NewtonProgress& solve) {
+  void show(const SolveWatch& watch, const NewtonProgress& solve) {
     if (watch && watch(solve) == GoOn::no) stopped = true;
   }
   /// Of a solve that ends here.

@@ -136,7 +136,7 @@ bool Patch::come_to_rest(TpetraVector& x, PointField& lambda, double tolerance, 
   if (!methods_.path.used) return false;
   Tpetra::deep_copy(x, start);
   InteriorPath path(*this, methods_);
-  return path.follow(x, lambda, tolerance, numbers.most_solves, nullptr, report) == PathEnd::arrived;
+  return path.trace(x, lambda, tolerance, numbers.most_solves, nullptr, report) == PathEnd::arrived;
 }
 
 bool Patch::solve(double tolerance, NewtonReport& report) {

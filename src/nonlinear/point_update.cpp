@@ -25,7 +25,7 @@ void trial_forces(const NonlinearProblem& problem, const PointField& lambda, con
   }
 }
 
-void CurrentLaws::follow(const PointField& lambda, const PointField& gap) {
+void CurrentLaws::update(const PointField& lambda, const PointField& gap) {
   const auto* const softening = problem_.softening();
   if (!softening) return;
   VOUSSOIR_EXPECT(strength_.damage && strength_.damage->size() == softening->size() && "damage: per point");

@@ -43,9 +43,9 @@ class CurrentLaws {
       : problem_(problem), strength_(strength) {}
   CurrentLaws(const NonlinearProblem& problem, Strength strength, const PointField& lambda, const PointField& gap)
       : CurrentLaws(problem, strength) {
-    follow(lambda, gap);
+    update(lambda, gap);
   }
-  void follow(const PointField& lambda, const PointField& gap);
+  void update(const PointField& lambda, const PointField& gap);
   Strength strength() const { return strength_; }
 
   PointLaw operator[](int point) const {

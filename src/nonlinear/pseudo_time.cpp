@@ -113,8 +113,8 @@ bool PseudoTime::leads_nowhere(const TpetraVector& x, const TpetraVector& from, 
          contact_residual(problem_, CurrentLaws(problem_, strength_, lambda, gap), lambda, gap) <= allowance;
 }
 
-void PseudoTime::follow(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
-                        int largest_solves, NewtonReport& report) {
+void PseudoTime::integrate(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap,
+                           int largest_solves, NewtonReport& report) {
   const auto& numbers = methods_.pseudo_time;
   const int last = report.newton_iterations + largest_solves;
   double drag = numbers.drag, size = measure(x, lambda, report);

@@ -46,8 +46,8 @@ class PseudoTime {
   /// @param largest_solves  linear solves after which it gives up
   /// @param report          gains what is done, the residuals, and the outcome
   /// On collapse x holds the run-away state and mechanism() its direction.
-  void follow(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int largest_solves,
-              NewtonReport& report);
+  void integrate(TpetraVector& x, PointField& lambda, double tolerance, const PointField* known_gap, int largest_solves,
+                 NewtonReport& report);
 
   /// Displacement of the last step, scaled to a largest component of 1.
   const TpetraVector& mechanism() const { return *mechanism_; }

@@ -67,7 +67,7 @@ Run::Run(const Scene& scene, Model& model, const Appraisal& appraisal, const Run
   // What is looked up by place is looked up where the structure was drawn, then it goes to where it has moved to.
   recorder_ = std::make_unique<Recorder>(scene, model, step_, options.folder, so_far);
   if ((options.restart || branched) && model.settings().rotations == Rotations::finite)
-    model_.follow(state_.displacement);
+    model_.move_geometry(state_.displacement);
   if (recorder_->fields_lost())
     say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
   narrator_ = std::make_unique<Narrator>(say, options.verbose);

@@ -133,7 +133,7 @@ std::string StaticTheorem::along_the_mechanism(Model& model, const ContactState&
     auto there = from.displacement;
     const double far = share * model_.structure().size();
     for (std::size_t i = 0; i < there.size(); ++i) there[i] += far * refusal_->mechanism[i];
-    model.follow(there);
+    model.move_geometry(there);
     if (theorem_->bears({absent_, state_, *load_, {}}).verdict != LimitVerdict::refused)
       return "moved on by " + six_digits(far) + " m they may come to rest, which load steps do not follow them to";
     at += (at.empty() ? "" : " and ") + six_digits(far) + " m";

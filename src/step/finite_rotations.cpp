@@ -14,10 +14,10 @@ StepReport solve_load_step(Model& model, AdaptiveStep& step, ContactState& state
   const auto start = state.displacement;
   const auto opened = state.opened, slipped = state.slipped;
   const auto slip_origin = state.slip_origin;  // one step: slip counts from its start, whatever the rounds were
-  model.follow(start);
+  model.move_geometry(start);
   StepReport report = advance(step, state, {load, prescribed});
   for (int round = 1; report.converged(); ++round) {
-    const double turned = model.follow(state.displacement);
+    const double turned = model.move_geometry(state.displacement);
     if (turned <= numbers.negligible_turn) return report;
     if (round == numbers.rounds_of_rotations) {
       report.newton.outcome = NewtonOutcome::not_converged;
@@ -31,7 +31,7 @@ StepReport solve_load_step(Model& model, AdaptiveStep& step, ContactState& state
     state.slipped = slipped;
     report.add(advance(step, state, {load, prescribed}));
   }
-  model.follow(start);
+  model.move_geometry(start);
   return report;
 }
 

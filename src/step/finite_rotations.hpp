@@ -15,7 +15,7 @@ StepReport solve_load_step(Model&, AdaptiveStep&, ContactState&, const std::vect
 
 /// Puts the stones of a model that has followed a step back to where a state has them. Collective.
 inline void go_back(Model& model, const ContactState& state) {
-  if (model.settings().rotations == Rotations::finite) model.follow(state.displacement);
+  if (model.settings().rotations == Rotations::finite) model.move_geometry(state.displacement);
 }
 
 }  // namespace voussoir

@@ -95,7 +95,7 @@ SelectionLoop::SelectionLoop(SelectionTools& tools, ContactState& state, const S
       state_(state),
       displacement_(state.displacement),
       lambda_(state.lambda) {
-  hope_.wanted = looks_first() ? std::max(tolerance_, numbers_.first_look) : tolerance_;
+  next_.wanted = looks_first() ? std::max(tolerance_, numbers_.first_look) : tolerance_;
 }
 
 Damage SelectionLoop::damage_at_start() const { return softening_ ? softening_->at_start() : Damage(); }
@@ -121,7 +121,7 @@ StepReport SelectionLoop::run() {
       continue;
     }
     Phase phase("selection");
-    see_violations();
+    find_violations();
     estimate();
     if (too_rough() || release()) continue;
     if (finish()) return report_;
@@ -139,20 +139,20 @@ bool SelectionLoop::looks_first() const {
 
 /// Equilibrium with the points selected now; false where there is none.
 bool SelectionLoop::look() {
-  if (!find_equilibrium(hope_.from_before && selected_before_ > 0 ? &known_gap_ : nullptr)) return false;
-  const bool rough = hope_.wanted > tolerance_;
+  if (!find_equilibrium(next_.from_before && selected_before_ > 0 ? &known_gap_ : nullptr)) return false;
+  const bool rough = next_.wanted > tolerance_;
   // Where points are selected already a rough state is looked at no further, unless far more have to let go.
   if (rough && report_.selection_rounds == 0 && selected_before_ > 0) {
     Phase phase("selection");
-    const auto violations = tied_violations(model_, law_, state_, seen_.cluster);
+    const auto violations = tied_violations(model_, law_, state_, ties_seen_.cluster);
     const double root = root_of(predicted_decrease(violations, model_.local_stiffness()));
-    hope_.suffices = !is_too_large(root, allowed_, numbers_.too_large);
+    next_.suffices = !is_too_large(root, allowed_, numbers_.too_large);
   }
-  if (rough && hope_.suffices) {
-    hope_.wanted = tolerance_;
+  if (rough && next_.suffices) {
+    next_.wanted = tolerance_;
     if (!find_equilibrium(nullptr)) return false;
   }
-  hope_.from_before = false;
+  next_.from_before = false;
   displacement_ = state_.displacement;
   lambda_ = state_.lambda;
   return true;
@@ -174,13 +174,13 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
       tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
   ContactSolver newton(problem, way_of_solving(), model_.settings().internals.methods, state_.fast_way);
   newton.watch = [this](const NewtonProgress& solve) { return progress_.solved(solve); };
-  const bool looks = hope_.wanted > tolerance_ && !in_time() && strength_ == StrengthIs::held;
+  const bool looks = next_.wanted > tolerance_ && !in_time() && strength_ == StrengthIs::held;
   strength_ = looks ? StrengthIs::held : StrengthIs::falling;
   damage_ = damage_before_round();
   const auto x = problem.unknowns(state_.displacement);
   {
     Phase phase("contact");
-    report_.newton.add(newton.solve({*x, state_.lambda, damage_}, {hope_.wanted, strength_, known_gap}));
+    report_.newton.add(newton.solve({*x, state_.lambda, damage_}, {next_.wanted, strength_, known_gap}));
   }
   report_.cost.add(problem.cost());
   problem.displacement(*x, state_.displacement);
@@ -192,7 +192,7 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
   if (!looks) keep_damage(problem);
   if (report_.newton.unstable > 0)
     report_.unstable_joint = stones_of_point(model_.points(), *model_.structure().comm(), report_.newton.unstable_at);
-  seen_.cluster = problem.space().cluster();
+  ties_seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;
 }
@@ -202,12 +202,12 @@ void SelectionLoop::recover_ties() {
   const int dim = model_.components();
   Phase phase("selection");
   const auto& s = model_.structure();
-  seen_.borne = borne_by_joints(s, state_.displacement, input_.load);
+  ties_seen_.borne = borne_by_joints(s, state_.displacement, input_.load);
   if (in_time())
-    recover_tied_forces(model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda, before_.lambda,
-                        open_points(model_));
+    recover_tied_forces(model_.points(), ties_seen_.cluster, model_.held(), ties_seen_.borne, state_.lambda,
+                        before_.lambda, open_points(model_));
   else
-    recover_tied_forces(model_.points(), seen_.cluster, model_.held(), seen_.borne, state_.lambda);
+    recover_tied_forces(model_.points(), ties_seen_.cluster, model_.held(), ties_seen_.borne, state_.lambda);
   model_.points().exchange().update(state_.lambda, dim);
 }
 
@@ -221,8 +221,8 @@ bool SelectionLoop::resolve_all() {
   state_.fast_way = before_.fast_way;
   damage_ = damage_at_start();
   release_all(model_, law_, state_);
-  hope_.wanted = tolerance_;
-  hope_.from_before = report_.selection_rounds == 0;
+  next_.wanted = tolerance_;
+  next_.from_before = report_.selection_rounds == 0;
   progress_.looked(report_.selection_rounds, selected(), 0.0);
   return true;
 }
@@ -250,33 +250,33 @@ bool SelectionLoop::releases_rest() const {
   return selection_.mode == SelectionMode::all && selected_before_ == 0 && report_.selection_rounds == 0;
 }
 
-void SelectionLoop::see_violations() {
-  seen_.violations = tied_violations(model_, law_, state_, seen_.cluster);
-  seen_.decrease = predicted_decrease(seen_.violations, model_.local_stiffness());
-  seen_.root = in_time() || may_release() ? root_of(seen_.decrease) : 0.0;
+void SelectionLoop::find_violations() {
+  ties_seen_.violations = tied_violations(model_, law_, state_, ties_seen_.cluster);
+  ties_seen_.decrease = predicted_decrease(ties_seen_.violations, model_.local_stiffness());
+  ties_seen_.root = in_time() || may_release() ? root_of(ties_seen_.decrease) : 0.0;
   const bool all_bonded = report_.selection_rounds == 0 && selected_before_ == 0;
   const double times = all_bonded ? 1.0 : numbers_.too_large;  // errors of bonded structures exceed the indicator
-  seen_.large = !in_time() && (releases_rest() || is_too_large(seen_.root, allowed_, times));
+  ties_seen_.large = !in_time() && (releases_rest() || is_too_large(ties_seen_.root, allowed_, times));
 }
 
 /// Error of the ties. Where the decreases alone tell that it is too large, no system is solved to know it; nor, as time
 /// steps are many, where they tell that it is small.
 void SelectionLoop::estimate() {
   auto& known = state_.rest.error;
-  known.follow(seen_.root);
+  known.follow(ties_seen_.root);
   const double bound = known.bound(numbers_.error_by_indicator, model_.settings().internals.rest);
   const bool small = in_time() && (bound <= allowed_ || selection_.mode != SelectionMode::adaptive);
-  report_.error_estimate = seen_.large ? beside_what_follows(seen_.root) : bound;
-  if (!seen_.large && !small) solve_for_error();
-  const double told = seen_.large ? std::numeric_limits<double>::quiet_NaN() : report_.error_estimate;
+  report_.error_estimate = ties_seen_.large ? beside_what_follows(ties_seen_.root) : bound;
+  if (!ties_seen_.large && !small) solve_for_error();
+  const double told = ties_seen_.large ? std::numeric_limits<double>::quiet_NaN() : report_.error_estimate;
   progress_.looked(report_.selection_rounds, selected(), told);
 }
 
 void SelectionLoop::solve_for_error() {
-  if (!in_time() && seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
+  if (!in_time() && ties_seen_.violations.largest > 0) tools_.forget_problem();  // two would take twice the room
   const Damage damage = damage_before_round();
   const auto error = tie_error(tools_.parts(), {law_, state_.slip_origin, input_.load, input_.prescribed, softening()},
-                               state_, seen_.cluster, seen_.violations, fall(damage));
+                               state_, ties_seen_.cluster, ties_seen_.violations, fall(damage));
   report_.estimate_solves += error.linear_solves;
   report_.newton.krylov_iterations += error.krylov_iterations;
   report_.newton.failed_solves += !error.known;
@@ -285,7 +285,8 @@ void SelectionLoop::solve_for_error() {
                                           in_time() ? input_.in_time->energy : 0.0, numbers_.largest_error);
   // What a solve leaves out may be the error: then the decreases tell, of which it is no more than a multiple.
   if (!error.known)
-    report_.error_estimate = std::max(report_.error_estimate, numbers_.error_by_indicator * root_of(seen_.decrease));
+    report_.error_estimate =
+        std::max(report_.error_estimate, numbers_.error_by_indicator * root_of(ties_seen_.decrease));
   if (in_time()) state_.rest.error.learn(report_.error_estimate);
 }
 
@@ -293,13 +294,13 @@ void SelectionLoop::solve_for_error() {
 /// magnitude, as from the foot to the top of a tall wall, a rough round may be far from any solution where they are
 /// small. Releasing points lowers the error: one that grows is not believed.
 bool SelectionLoop::too_rough() {
-  const bool grown = seen_.large ? seen_.root > hope_.root : report_.error_estimate > hope_.estimate;
-  if (grown && hope_.wanted > tolerance_) {
-    hope_.wanted = std::max(tolerance_, numbers_.share_of_violation * hope_.wanted);
+  const bool grown = ties_seen_.large ? ties_seen_.root > next_.root : report_.error_estimate > next_.estimate;
+  if (grown && next_.wanted > tolerance_) {
+    next_.wanted = std::max(tolerance_, numbers_.share_of_violation * next_.wanted);
     return true;
   }
-  hope_.root = seen_.root;
-  hope_.estimate = seen_.large ? unknown : report_.error_estimate;
+  next_.root = ties_seen_.root;
+  next_.estimate = ties_seen_.large ? unknown : report_.error_estimate;
   return false;
 }
 
@@ -309,32 +310,32 @@ bool SelectionLoop::too_rough() {
 bool SelectionLoop::release() {
   const bool first_look = report_.selection_rounds == 0;
   if ((releases_rest() && release_all(model_, law_, state_)) || (first_look && release_mortar(model_, law_, state_))) {
-    hope_.wanted = tolerance_;
+    next_.wanted = tolerance_;
     return true;
   }
-  const bool too_large = seen_.large || report_.error_estimate > allowed_;
+  const bool too_large = ties_seen_.large || report_.error_estimate > allowed_;
   return too_large && may_release() && release_what_matters();
 }
 
 /// The points that hold most of the error, or all where that is most of them.
 bool SelectionLoop::release_what_matters() {
-  const auto released = voussoir::release(model_, law_, seen_.cluster, seen_.decrease, state_);
+  const auto released = voussoir::release(model_, law_, ties_seen_.cluster, ties_seen_.decrease, state_);
   if (released > 0) {
     state_.rest.error = {};
-    const double worth = numbers_.share_of_violation * seen_.violations.largest;
-    hope_.wanted = std::max(tolerance_, std::min(worth, numbers_.coarsest_tolerance));
+    const double worth = numbers_.share_of_violation * ties_seen_.violations.largest;
+    next_.wanted = std::max(tolerance_, std::min(worth, numbers_.coarsest_tolerance));
   }
-  hope_.suffices = released > 0 && numbers_.error_of_remainder() * root_of_rest() <= allowed_;
+  next_.suffices = released > 0 && numbers_.error_of_remainder() * root_of_rest() <= allowed_;
   // The next round tends to release as many again: better all at once than a round that is thrown away.
   const auto most = selection_.largest_share * static_cast<double>(model_.points().total());
   if (static_cast<double>(selected() + released) <= most || !release_all(model_, law_, state_)) return released > 0;
-  hope_.wanted = tolerance_;
+  next_.wanted = tolerance_;
   return true;
 }
 
 /// Root of the decreases that points not selected yet would bring.
 double SelectionLoop::root_of_rest() const {
-  auto decrease = seen_.decrease;
+  auto decrease = ties_seen_.decrease;
   for (std::size_t k = 0; k < decrease.size(); ++k)
     if (state_.selected[k]) decrease[k] = 0;
   return root_of(decrease);
@@ -346,9 +347,9 @@ long long SelectionLoop::selected() const { return count_selected(model_, state_
 
 /// The error asks for no more points. Whether that is all; else another round is to be accurate, or to let stones go.
 bool SelectionLoop::finish() {
-  if (seen_.large) solve_for_error();
-  const bool accurate = hope_.wanted <= tolerance_;
-  hope_.wanted = tolerance_;
+  if (ties_seen_.large) solve_for_error();
+  const bool accurate = next_.wanted <= tolerance_;
+  next_.wanted = tolerance_;
   return accurate && release_loose() == 0;
 }
 
@@ -358,8 +359,8 @@ long long SelectionLoop::release_loose() {
   report_.tied_block = -1;
   if (selection_.mode == SelectionMode::bonded || all_selected()) return 0;
   const auto& own = in_time() ? input_.in_time->own_load : input_.load;
-  const auto balance =
-      tools_.ties().judge(law_, state_, seen_.cluster, seen_.borne, own, seen_.violations.largest_normal);
+  const auto balance = tools_.ties().judge(law_, state_, ties_seen_.cluster, ties_seen_.borne, own,
+                                           ties_seen_.violations.largest_normal);
   if (!balance.any) return 0;
   const auto released = may_release() ? release_blocks(model_, law_, balance.loose, state_) : 0;
   if (released > 0) return released;

@@ -64,7 +64,7 @@ class SelectionLoop {
   static constexpr double unknown = std::numeric_limits<double>::infinity();
 
   /// What one round hands to the next.
-  struct Hope {
+  struct NextRound {
     double wanted = 0;          ///< [-] accuracy of its solution
     bool suffices = false;      ///< what it releases will matter little: a rough solution is made accurate at once
     bool from_before = true;    ///< it starts from the state before the step
@@ -72,7 +72,7 @@ class SelectionLoop {
     double estimate = unknown;  ///< of the error, likewise; unknown where none was needed
   };
   /// What is seen of the ties of a solution.
-  struct Seen {
+  struct TiesSeen {
     std::vector<int> cluster;   ///< per local node copy; a point is tied when its nodes have the same cluster
     std::vector<double> borne;  ///< [N] by joints and supports
     TiedViolations violations;
@@ -89,7 +89,7 @@ class SelectionLoop {
   bool find_equilibrium(const PointField* known_gap);
   void recover_ties();
   bool resolve_all();
-  void see_violations();
+  void find_violations();
   void estimate();
   void solve_for_error();
   bool too_rough();
@@ -126,8 +126,8 @@ class SelectionLoop {
   ContactState& state_;
   std::vector<double> displacement_;  ///< [m] and forces [N] of the last solution of this step
   PointField lambda_;
-  Hope hope_;
-  Seen seen_;
+  NextRound next_;
+  TiesSeen ties_seen_;
   StepReport report_;
   std::vector<double> mechanism_;
 };

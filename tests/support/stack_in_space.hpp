@@ -86,7 +86,7 @@ class StackModel : public Model {
   const Structure<3>& structure() const override { return structure_; }
   AnyGeometry geometry() const override { return Geometry<3>{source_, structure_}; }
   const BlockGraph& graph() const override { return source_.graph(); }
-  double follow(const std::vector<double>&) override { throw std::logic_error("rotations are small"); }
+  double move_geometry(const std::vector<double>&) override { throw std::logic_error("rotations are small"); }
   std::unique_ptr<const BlockSystem> mass() const override {
     return std::make_unique<const Structure<3>>(structure_.with_matrices([&](int b) {
       const auto& block = structure_.blocks()[b];

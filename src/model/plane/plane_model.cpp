@@ -15,14 +15,14 @@ double ModelOfBlocks<2>::wave_speed(int block) const {
 }
 
 template <>
-double ModelOfBlocks<2>::follow(const std::vector<double>& displacement) {
+double ModelOfBlocks<2>::move_geometry(const std::vector<double>& displacement) {
   VOUSSOIR_EXPECT(displacement.size() == 2 * static_cast<std::size_t>(structure_->nodes()) &&
                   "displacement: of node copies");
   VOUSSOIR_EXPECT(all_finite(displacement) && "displacement: finite");
   Phase phase("blocks");
   ++arrangement_;
-  const double turned = structure_->follow(displacement);
-  points_->follow(*structure_);
+  const double turned = structure_->move_to(displacement);
+  points_->turn_axes(*structure_);
   return turned;
 }
 

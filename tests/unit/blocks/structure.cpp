@@ -173,12 +173,12 @@ TEUCHOS_UNIT_TEST(Structure, StonesThatAreFollowedBearNoForcesAndStretchAsBefore
   const double largest = *std::max_element(small.begin(), small.end());
 
   const double angle = 0.7;  // [rad] no small one
-  TEST_FLOATING_EQUALITY(s.follow(stretched(angle, 0)), angle, 1e-12);
+  TEST_FLOATING_EQUALITY(s.move_to(stretched(angle, 0)), angle, 1e-12);
   s.internal_forces(stretched(angle, 0), forces);
   for (double f : forces) TEST_COMPARE(std::abs(f), <, 1e-9 * largest);
-  TEST_COMPARE(s.follow(stretched(angle, 0)), <, 1e-12);
+  TEST_COMPARE(s.move_to(stretched(angle, 0)), <, 1e-12);
 
-  s.follow(stretched(angle, 1e-4));
+  s.move_to(stretched(angle, 1e-4));
   s.internal_forces(stretched(angle, 1e-4), forces);
   for (std::size_t i = 0; i < small.size(); i += 2) {
     TEST_COMPARE(std::abs(forces[i] - std::cos(angle) * small[i] + std::sin(angle) * small[i + 1]), <, 1e-9 * largest);
@@ -208,7 +208,7 @@ TEUCHOS_UNIT_TEST(Structure, MatricesInTheirPlaceAreSharedByWhatIsAlike) {
     TEST_EQUALITY(twice.blocks()[b].stiffness->value[0], 2 * s.blocks()[b].stiffness->value[0]);
   // Stones that have moved and not turned are as they were.
   const auto before = shared(s);
-  s.follow(std::vector<double>(2 * s.nodes(), 0.0));
+  s.move_to(std::vector<double>(2 * s.nodes(), 0.0));
   TEST_EQUALITY(shared(s), before);
 }
 

@@ -24,7 +24,7 @@ Pair friction_of(const Pair& slip, double barrier, int tangents, Pair q = {}) {
   disc.enter(tangents, q.data(), slip.data(), start);
   for (int step = 0; step < 60; ++step) {
     disc.scale(0);
-    const auto change = disc.friction(disc.aim(q.data(), slip.data(), bound, barrier));
+    const auto change = disc.friction(disc.right_hand_side(q.data(), slip.data(), bound, barrier));
     disc.direct(change.data(), 0);
     const double length = std::min(1.0, 0.99 * disc.way_out());
     for (int t = 0; t < tangents; ++t) q[t] += length * change[t];
@@ -72,8 +72,8 @@ TEUCHOS_UNIT_TEST(FrictionDisc, TurnsWithItsAxes) {
     TEST_COMPARE(a[0] * a[2], >, a[1] * a[1]);
     TEST_FLOATING_EQUALITY(a[0] + a[2], b[0] + b[2], 1e-12);
     TEST_FLOATING_EQUALITY(a[0] * a[2] - a[1] * a[1], b[0] * b[2] - b[1] * b[1], 1e-11);
-    const auto change = one.friction(one.aim(q.data(), slip.data(), bound, 1e-5));
-    const auto other_change = other.friction(other.aim(q_turned.data(), slip_turned.data(), bound, 1e-5));
+    const auto change = one.friction(one.right_hand_side(q.data(), slip.data(), bound, 1e-5));
+    const auto other_change = other.friction(other.right_hand_side(q_turned.data(), slip_turned.data(), bound, 1e-5));
     const auto expected = turned(change, angle);
     for (int t = 0; t < 2; ++t) TEST_COMPARE(std::abs(other_change[t] - expected[t]), <=, 1e-11 * bound);
     one.direct(change.data(), 2);
@@ -93,7 +93,7 @@ TEUCHOS_UNIT_TEST(FrictionDisc, EndsAStepWhereTheForceLeavesTheDisc) {
     FrictionDisc disc;
     disc.enter(2, q.data(), slip.data(), {bound, 1, 2.0 / 3});
     disc.scale(0);
-    const auto wanted = disc.aim(q.data(), slip.data(), bound, bound);
+    const auto wanted = disc.right_hand_side(q.data(), slip.data(), bound, bound);
     TEST_COMPARE(std::hypot(wanted.along, wanted.across), <=, 1e-14);
     disc.direct(change.data(), 0);
     double nearest = 2;
@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(FrictionDisc, IsASpringWhereTheLawBoundsNothing) {
     FrictionDisc disc;
     disc.enter(tangents, q.data(), slip.data(), {std::numeric_limits<double>::infinity(), 1, distance});
     disc.scale(1 / stiffness);
-    const auto change = disc.friction(disc.aim(q.data(), slip.data(), bound, 1));
+    const auto change = disc.friction(disc.right_hand_side(q.data(), slip.data(), bound, 1));
     for (int t = 0; t < tangents; ++t) TEST_FLOATING_EQUALITY(change[t], -stiffness * slip[t], 1e-14);
     disc.direct(change.data(), 0);
     TEST_ASSERT(std::isinf(disc.way_out()));

@@ -36,7 +36,7 @@ Walk follow(const std::function<bool(TpetraVector&, PointField&)>& shortcut) {
   NewtonReport report;
   InteriorPath path(problem, {});
   path.shortcut = shortcut;
-  const auto end = path.follow(x, lambda, tolerance, 100, nullptr, report);
+  const auto end = path.trace(x, lambda, tolerance, 100, nullptr, report);
   return {end, local_view(x)[0], lambda, report.newton_iterations};
 }
 
@@ -94,7 +94,7 @@ TEUCHOS_UNIT_TEST(InteriorPath, ItsBarrierBeginsAtTheDistanceFromTheBoundsAndFal
     resistance.push_back(p.augmentation);
     return GoOn::yes;
   };
-  TEST_ASSERT(path.follow(x, lambda, tolerance, 100, nullptr, report) == PathEnd::arrived);
+  TEST_ASSERT(path.trace(x, lambda, tolerance, 100, nullptr, report) == PathEnd::arrived);
   TEST_FLOATING_EQUALITY(barrier_of(resistance.front()), (10.0 * 10 + 3 * 10 + 3 * 10) / 3, 1e-12);
   TEST_EQUALITY(resistance.back(), InteriorPathParameters().largest_resistance);  // at a barrier of 0.01 N2 or less
 }
@@ -123,7 +123,7 @@ TEUCHOS_UNIT_TEST(InteriorPath, PassesAFoldWhereFrictionFollowsThePressureByLess
     MethodParameters methods;
     methods.path.folds = folds;
     InteriorPath path(problem, methods);
-    const auto end = path.follow(x, lambda, tolerance, 100, nullptr, report);
+    const auto end = path.trace(x, lambda, tolerance, 100, nullptr, report);
     TEST_ASSERT(end == (folds ? PathEnd::arrived : PathEnd::stuck));
     if (!folds) continue;
     TEST_FLOATING_EQUALITY(local_view(x)[0], off_the_plane, 1e-6);
@@ -141,7 +141,7 @@ TEUCHOS_UNIT_TEST(InteriorPath, WhatRunsAwayIsPutBack) {
   PointField lambda{1, 0};
   NewtonReport report;
   InteriorPath path(problem, {});
-  TEST_ASSERT(path.follow(x, lambda, tolerance, 100, nullptr, report) == PathEnd::ran_away);
+  TEST_ASSERT(path.trace(x, lambda, tolerance, 100, nullptr, report) == PathEnd::ran_away);
   TEST_EQUALITY(local_view(x)[0], 0.0);
   TEST_COMPARE_ARRAYS(lambda, (PointField{1, 0}));
 }
@@ -152,7 +152,7 @@ TEUCHOS_UNIT_TEST(InteriorPath, HaltsAtTheLargestNumberOfStepsWithForcesOfTheLaw
   PointField lambda(2, 0.0);
   NewtonReport report;
   InteriorPath path(problem, {});
-  TEST_ASSERT(path.follow(x, lambda, tolerance, 2, nullptr, report) == PathEnd::stuck);
+  TEST_ASSERT(path.trace(x, lambda, tolerance, 2, nullptr, report) == PathEnd::stuck);
   TEST_EQUALITY(report.newton_iterations, 2);
   TEST_COMPARE(std::abs(lambda[1]), <=, friction * std::max(0.0, lambda[0]) * (1 + 1e-12));
 }

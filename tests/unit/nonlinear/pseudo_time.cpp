@@ -28,7 +28,7 @@ End let_go(double friction, double spring_share, double off = 0, const MethodPar
   End end;
   end.lambda = {weight, 0};
   PseudoTime falling(problem, {}, methods);
-  falling.follow(x, end.lambda, 1e-9, nullptr, 200, end.report);
+  falling.integrate(x, end.lambda, 1e-9, nullptr, 200, end.report);
   end.place = local_view(x)[0];
   end.direction = local_view(falling.mechanism())[0];
   return end;
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(PseudoTime, GivesUpWhereItsSolvesAreSpent) {
   TpetraVector x(problem.map());
   PointField lambda = {weight, 0};
   NewtonReport report;
-  PseudoTime(problem, {}, MethodParameters()).follow(x, lambda, 1e-15, nullptr, 1, report);
+  PseudoTime(problem, {}, MethodParameters()).integrate(x, lambda, 1e-15, nullptr, 1, report);
   TEST_ASSERT(report.outcome == NewtonOutcome::not_converged);
   TEST_EQUALITY(report.newton_iterations, 1);
   TEST_INEQUALITY(report.reason.find("largest number"), std::string::npos);
