@@ -22,7 +22,7 @@ class MasonryInSpace {
         internals_(std::move(internals)),
         source_(make_source(std::move(stones.list))),
         structure_(
-            *source_, std::vector<int>(ground_.size(), 0), {},
+            *source_, std::vector<int>(ground_.size(), 0), nearly_rigid(),
             [](const Block<3>&) {
               return Material{young, 0.2, density};
             },
@@ -106,6 +106,12 @@ class MasonryInSpace {
     std::vector<char> held;
     for (int i = 0; i < structure_.nodes(); ++i) held.insert(held.end(), 3, on_ground(i));
     return held;
+  }
+  /// Plain cells bend by shearing alone, so stones of one cell are nearest to the rigid ones whose limits are known.
+  static ModelParameters nearly_rigid() {
+    ModelParameters model;
+    model.hexahedra = Hexahedra::plain;
+    return model;
   }
   /// Of the cells on either side, in series: Young's modulus times their size.
   std::vector<double> stiffness_of_points() const {
