@@ -13,7 +13,7 @@ void StepParameters::declare(ParameterSection& section) {
   section.add(
       "too large", too_large, "-", above(0.0),
       "times what is allowed beyond which an indicator tells that the error is too large; where nothing is selected "
-      "yet, once. Reason: errors are 0.7 to 5 times the indicator, there 1.06 to 2 times");
+      "yet, 0.8 times. Reason: errors are 0.7 to 5 times the indicator, there 1.06 to 2 times");
   section.add("share of a time step", share_of_a_time_step, "-", above(0.0),
               "of the error tolerance that a time step may have. Reason: with all of it the shaken wall was up to "
               "2.2 % beside the solution with all points");

@@ -92,7 +92,7 @@ TEUCHOS_UNIT_TEST(InSpace, AStraightWallIsPushedAlongItself) {
 
 TEUCHOS_UNIT_TEST(InSpace, ADomeIsPushedSideways) {
   MasonryInSpace vault(dome(16, 8, 0.08, 5 * degree, 1), 0.6);
-  push_on(vault, {0.3647, 0, 0}, {0, 0.3, 0.6, 0.8}, 150, out, success);
+  push_on(vault, {0.3647, 0, 0}, {0, 0.3, 0.6}, 100, out, success);
 }
 
 }  // namespace
