@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(ScenePrinter, TheHeadOfARunShowsEveryMemberAndWarning) {
   std::ostringstream os;
   print_scene(os, scene);
   for (const char* piece :
-       {"31 voussoirs", "plane stress, thickness 1 m", "E 1e10 Pa", "mu 0.6", "\"springing right\": xy held",
+       {"31 voussoirs", "plane stress, thickness 1 m", "E 1e10 Pa", "mu 0.6", "\"springing right\": all held",
         "gravity 9.81 m/s2", "settlement of \"right\" by (0.005, 0) m", "1 increment to 1 x spreading", "adaptive",
         "warning: the moon is full."})
     TEST_INEQUALITY_CONST(os.str().find(piece), std::string::npos);
