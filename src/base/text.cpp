@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 namespace voussoir {
@@ -50,6 +51,14 @@ std::string six_digits(double value) {
   text << value;
   return text.str();
 }
+
+std::string formatted(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string three_digits(double value) { return formatted("%.3g", value); }
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "nan";

@@ -9,6 +9,10 @@ namespace voussoir {
 
 /// With six digits, which is what a factor or a share can be worth.
 std::string six_digits(double);
+/// A number as a printf format writes it: formatted("%.3f m", 0.5).
+std::string formatted(const char* format, double);
+/// With the digits a reader can use.
+std::string three_digits(double);
 /// The shortest text that reads back as exactly the same double: "0.1", "2e10", "inf".
 std::string number_text(double);
 

@@ -7,7 +7,6 @@
 namespace voussoir {
 namespace {
 
-constexpr double all_lost = 40;     // kappa beyond which exponential softening has left less than round-off
 constexpr double accuracy = 1e-13;  // of an integral, relative to the largest value times the way
 constexpr int most_halvings = 40;   // of a way on which a force bends sharply
 constexpr double round_off = 1e-9;  // of the energies in play: what such bends leave
@@ -76,12 +75,11 @@ struct Crack {
     const double rubbing = std::isfinite(whole.friction) ? whole.friction * pull : 0.0;
     return std::max(0.0, left(whole.cohesion, opened, slipped) - rubbing);
   }
-  double most_kappa() const { return softening.exponential ? all_lost : 2.0; }
   /// [J] of the pull where strength falls with the opening alone.
   double envelope(double slipped, double from, double to) const {
     const auto at = [&](double share) { return from + share * (to - from); };
     const double lost =
-        crossing(0, 1, [&](double share) { return softening.kappa(at(share), slipped) - most_kappa(); });
+        crossing(0, 1, [&](double share) { return softening.kappa(at(share), slipped) - softening.whole_kappa(); });
     if (!std::isfinite(whole.tension)) return 0;
     const auto pull = [&](double share) { return left(whole.tension, at(share), slipped); };
     return (to - from) * integral(std::array<double, 1>{lost}, whole.tension, pull);
@@ -117,7 +115,7 @@ CrackWork crack_work(const PointLaw& whole, const Softening& softening, const Cr
     return all - (std::isfinite(whole.friction) ? whole.friction * tension(share) : 0.0);
   };
   const double closed = -from.gap / opens, envelope = (most - from.gap) / opens;
-  const double lost = crossing(0, 1, [&](double share) { return kappa(share) - crack.most_kappa(); });
+  const double lost = crossing(0, 1, [&](double share) { return kappa(share) - crack.softening.whole_kappa(); });
   const double middle = closed > 0 && closed < 1 ? closed : 0.5;
   const std::array<double, 6> places{closed,
                                      envelope,

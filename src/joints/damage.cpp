@@ -7,11 +7,9 @@
 namespace voussoir {
 namespace {
 
-constexpr double all_lost = 40;  // kappa beyond which exponential softening has left less than round-off
-
 /// It opens, or slips, as far as it takes to lose all.
 PointDamage broken_off(const Softening& rate, PointDamage damage) {
-  const double kappa = rate.exponential ? all_lost : 2 * (1 + 4 * std::numeric_limits<double>::epsilon());
+  const double kappa = rate.whole_kappa() * (1 + 4 * std::numeric_limits<double>::epsilon());
   if (rate.per_opening > 0)
     damage.reached = damage.opened = std::max(damage.opened, kappa / rate.per_opening);
   else

@@ -35,6 +35,8 @@ struct Softening {
   bool brittle() const { return brittle_opening || brittle_slip; }
   /// D, from 0 where all strength is there to 1 where none is left.
   double damage(double kappa) const { return exponential ? -std::expm1(-kappa) : std::min(1.0, kappa / 2); }
+  /// kappa at which nothing is left, of exponential softening less than round-off.
+  double whole_kappa() const { return exponential ? 40.0 : 2.0; }
   /// dD / d kappa.
   double growth(double kappa) const { return exponential ? std::exp(-kappa) : kappa < 2 ? 0.5 : 0.0; }
 };

@@ -17,15 +17,10 @@ constexpr double bytes_per_cell = 3000;
 // shorter than a thousandth of a drawing. Where a drawing that failed is nearer than this, its place is no reason.
 constexpr double far = 1e4;
 
-std::string rounded(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 std::string why(double cells) {
-  return "asks for " + rounded(cells) + " cells, and this machine's memory of " + rounded(whole_memory() / 1e9) +
-         " GB holds at most " + rounded(most_cells()) + " of " + rounded(bytes_per_cell / 1000) + " kB";
+  return "asks for " + three_digits(cells) + " cells, and this machine's memory of " +
+         three_digits(whole_memory() / 1e9) + " GB holds at most " + three_digits(most_cells()) + " of " +
+         three_digits(bytes_per_cell / 1000) + " kB";
 }
 
 double size_of(const Drawing& d) { return std::hypot(d.to[0] - d.from[0], d.to[1] - d.from[1]); }
@@ -121,7 +116,7 @@ void refuse_too_many_cells(const MeshParameters& p) {
     refuse_mesh(p.type == MeshType::wall   ? "wall"
                 : p.type == MeshType::arch ? "arch"
                                            : "wall in space",
-                rounded(cells) + " cells", why(cells) + ".", "Give fewer stones, or fewer cells in each.");
+                three_digits(cells) + " cells", why(cells) + ".", "Give fewer stones, or fewer cells in each.");
 }
 
 std::string far_from_origin(const Drawing& d) {
@@ -129,7 +124,7 @@ std::string far_from_origin(const Drawing& d) {
   const double away =
       std::hypot(std::max(std::abs(d.from[0]), std::abs(d.to[0])), std::max(std::abs(d.from[1]), std::abs(d.to[1])));
   if (!(size > 0) || !(away > far * size)) return "";
-  return "  The drawing lies " + rounded(away) + " m from its origin, " + rounded(away / size) +
+  return "  The drawing lies " + three_digits(away) + " m from its origin, " + three_digits(away / size) +
          " times its size: gmsh has too few digits there. Move its origin to the structure (subtract a round number "
          "from all coordinates).";
 }

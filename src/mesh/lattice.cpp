@@ -1,6 +1,7 @@
 #include "mesh/lattice.hpp"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -118,6 +119,14 @@ void require_positive(const std::string& key, double value, const std::string& u
   if (!(std::isfinite(value) && value > 0))
     refuse_mesh(key, in_words(value) + " [" + unit + "]", "must be a finite number > 0.",
                 "Give the size in " + (unit == "degree" ? std::string("degrees.") : std::string("metres.")));
+}
+
+void require_countable(const std::string& key, int courses, double blocks, double lines) {
+  if (blocks <= std::numeric_limits<BlockId>::max() && lines <= 1e9) return;
+  refuse_mesh(
+      key, std::to_string(courses) + " [-]",
+      "makes about " + in_words(blocks) + " blocks or over 1e9 lattice lines, more than numbers here can count.",
+      "Make the wall smaller or the cells larger.");
 }
 
 void require_at_least(const std::string& key, int value, int least) {

@@ -79,12 +79,9 @@ void validate(const WallParameters& p) {
                 "must be even (a half block has half of the cells, so that nodes of two courses meet).",
                 "Give " + std::to_string(p.cells_along + 1) + ".");
   const double blocks = (p.blocks_per_course + 0.5) * p.courses;
-  if (blocks > std::numeric_limits<BlockId>::max() || p.blocks_per_course * double(p.cells_along) > 1e9 ||
-      p.courses * double(p.cells_up) > 1e9 || (p.cells_along + 1.0) * (p.cells_up + 1.0) > 1e9)
-    refuse_mesh(
-        "wall > courses", std::to_string(p.courses) + " [-]",
-        "makes about " + in_words(blocks) + " blocks or over 1e9 lattice lines, more than numbers here can count.",
-        "Make the wall smaller or the cells larger.");
+  require_countable("wall > courses", p.courses, blocks,
+                    std::max({p.blocks_per_course * double(p.cells_along), p.courses * double(p.cells_up),
+                              (p.cells_along + 1.0) * (p.cells_up + 1.0)}));
   for (const auto& [name, o] : p.openings)
     if (!(o.x_from < o.x_to && o.y_from < o.y_to))
       refuse_mesh("wall > openings > " + name,
@@ -163,15 +160,11 @@ void Wall::add_neighbours(Place p, int course, BlockGraph& graph) const {
 }
 
 const BlockGraph& Wall::graph() const {
-  if (graph_.start.empty()) {
-    graph_.start.reserve(place_.size() + 1);
-    graph_.start.push_back(0);
-    for (BlockId b = 0; b < block_count(); ++b) {
+  if (graph_.start.empty())
+    graph_ = graph_of_blocks(block_count(), [&](BlockId b, BlockGraph& graph) {
       const Place p = place(b);
-      for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, graph_);
-      graph_.start.push_back(static_cast<int>(graph_.neighbour.size()));
-    }
-  }
+      for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, graph);
+    });
   return graph_;
 }
 

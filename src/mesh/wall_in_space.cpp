@@ -90,13 +90,9 @@ void validate(const WallInSpaceParameters& p) {
                 "Give " + std::to_string(p.cells_along + 1) + ", or bond = stack.");
   if (p.ground_height != 0) require_positive(wall + "ground height", p.ground_height, "m");
   const double blocks = (p.blocks_per_course + 1.0) * (p.courses + 1.0);
-  const double lines = std::max({p.blocks_per_course * double(p.cells_along), p.courses * double(p.cells_up),
-                                 (p.cells_along + 1.0) * (p.cells_up + 1.0) * (p.cells_across + 1.0)});
-  if (blocks > std::numeric_limits<BlockId>::max() || lines > 1e9)
-    refuse_mesh(
-        wall + "courses", std::to_string(p.courses) + " [-]",
-        "makes about " + in_words(blocks) + " blocks or over 1e9 lattice lines, more than numbers here can count.",
-        "Make the wall smaller or the cells larger.");
+  require_countable(wall + "courses", p.courses, blocks,
+                    std::max({p.blocks_per_course * double(p.cells_along), p.courses * double(p.cells_up),
+                              (p.cells_along + 1.0) * (p.cells_up + 1.0) * (p.cells_across + 1.0)}));
 }
 
 WallInSpace::WallInSpace(const WallInSpaceParameters& p) : p_(p) {
@@ -162,15 +158,11 @@ void WallInSpace::add_neighbours(Place p, int course, BlockGraph& graph) const {
 }
 
 const BlockGraph& WallInSpace::graph() const {
-  if (graph_.start.empty()) {
-    graph_.start.reserve(static_cast<std::size_t>(block_count()) + 1);
-    graph_.start.push_back(0);
-    for (BlockId b = 0; b < block_count(); ++b) {
+  if (graph_.start.empty())
+    graph_ = graph_of_blocks(block_count(), [&](BlockId b, BlockGraph& graph) {
       const Place p = place(b);
-      for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, graph_);
-      graph_.start.push_back(static_cast<int>(graph_.neighbour.size()));
-    }
-  }
+      for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, graph);
+    });
   return graph_;
 }
 

@@ -1,5 +1,6 @@
 // Everything of a scene that stays the same through its load steps, on this rank, whatever its dimension. Where blocks
-// come from and what their geometry makes of supports, mass and waves is told by model/plane.
+// come from and what their geometry makes of supports, mass and waves is told by model_of_blocks, which model/plane and
+// model/space complete.
 #pragma once
 
 #include <map>

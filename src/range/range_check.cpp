@@ -1,28 +1,18 @@
 #include "range/range_check.hpp"
 
-#include <cstdio>
-
 #include "base/check.hpp"
+#include "base/text.hpp"
 #include "model/handed_over.hpp"
 #include "model/phase.hpp"
 
 namespace voussoir {
-namespace {
-
-std::string digits(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-}  // namespace
 
 std::string at_time(const std::string& stage, double seconds) {
-  return "stage '" + stage + "', " + digits("%.6g s", seconds);
+  return "stage '" + stage + "', " + formatted("%.6g s", seconds);
 }
 
 std::string at_factor(const std::string& stage, double factor) {
-  return "stage '" + stage + "', " + digits("load factor %.6g", factor);
+  return "stage '" + stage + "', " + formatted("load factor %.6g", factor);
 }
 
 std::string RangeCheck::beyond(const StepEnd& end) {

@@ -46,9 +46,23 @@ void check_model(const ModelParameters& model, InputProblems& problems) {
                  "yet.\n  Give \"small\", or a plane scene.");
 }
 
+/// Cracks that grow may compete, and whether a structure stays in such a state is looked at in the plane alone.
+void check_fracture(const Scene& scene, InputProblems& problems) {
+  for (const auto& [name, law] : scene.joints)
+    for (const auto& [key, energy] : {std::make_pair("fracture energy", law.fracture_energy),
+                                      std::make_pair("shear fracture energy", law.shear_fracture_energy)})
+      if (energy > 0)
+        problems.add("scene > joints > " + name + " > " + key,
+                     " = " + number_text(energy) +
+                         " [J/m2]\n  does not go with a mesh in space: whether a structure stays where cracks of its "
+                         "joints compete is looked at in plane scenes alone so far.\n  Leave it out, so that the "
+                         "strength is lost at once, or give a plane scene.");
+}
+
 /// What a scene in space names that is of the plane alone.
 void check_space(const Scene& scene, InputProblems& problems) {
   check_model(scene.model, problems);
+  check_fracture(scene, problems);
   for (const auto& load : scene.loads)
     if (!load.in_space())
       problems.add(

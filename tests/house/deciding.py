@@ -12,6 +12,7 @@ set are no part of it: xml/reference.xml explains them. Kinds:
 | derived | follows from another one, as its text tells |
 | bound | ends what would not end, or what a file may hold; no run that arrives meets it |
 | told | decides what is worth telling, and nothing that is computed |
+| magnitude | decides; made of base/order_of_magnitude.hpp, since it only keeps sizes apart and nothing finer is known of it |
 | principle | decides; its reason is of physics, mathematics, cost or literature, and stands beside it |
 | row | decides; with it times 3, or by 3, a count of ablation.csv changes by a tenth |
 | study | decides; another table of drivers/studies has it |
@@ -36,9 +37,9 @@ ALSO = ("base/order_of_magnitude.hpp",)
 # What users set.
 USERS = {f"{name}_parameters.hpp" for name in ("newton", "selection", "preconditioner", "solver", "time", "load_factor", "load_step",
                                                "construction")}
-DECIDE = ("principle", "row", "study", "test", "open")
+DECIDE = ("magnitude", "principle", "row", "study", "test", "open")
 KINDS = ("round-off", "derived", "bound", "told") + DECIDE
-MOST, OPEN = 60, 8  # numbers that decide; of these, open ones
+MOST, OPEN = 92, 8  # numbers that decide; of these, open ones
 TENTH = 0.1
 # Sections of `voussoir --print-internals` by the file of their struct.
 SECTIONS = {"active_set": "active set", "contact_solver": "contact solver", "interior_path": "interior path", "patch": "patches",
@@ -109,6 +110,8 @@ def problem_of_reason(row, moves):
     name, kept_by = f"{row['file']}: {row['name']}", row["kept_by"]
     if row["kind"] not in KINDS:
         return f'{name}: there is no kind "{row["kind"]}".'
+    if "order_of_magnitude" in row["value"] and row["kind"] == "derived":
+        return f"{name}: an order of magnitude is chosen, so it is of the kind magnitude."
     if not kept_by:
         return f"{name}: says nothing of what keeps it."
     if row["kind"] == "row" and not moves.get(setting_of(row), 0) >= TENTH:

@@ -51,6 +51,11 @@ class NumbersHaveReasons(unittest.TestCase):
         table = [dict(zip(("file", "name", "value", "kind", "kept_by", "fails_with"), row)) for row in rows]
         return deciding.problems_of(self.SOURCES, table, moves or {}, most=1, most_open=0)
 
+    def test_an_order_of_magnitude_is_chosen(self):
+        row = {"file": "a_parameters.hpp", "name": "a", "value": "1 / order_of_magnitude", "kept_by": "one", "fails_with": ""}
+        self.assertIn("is chosen", deciding.problem_of_reason({**row, "kind": "derived"}, {}))
+        self.assertIsNone(deciding.problem_of_reason({**row, "kind": "magnitude"}, {}))
+
     def test_numbers_are_found_as_they_are_written(self):
         text = "struct A {\n  double a = 1e-2;  // = 7\n  static constexpr int b = 2 * c, d = 3;\n  bool e = true;\n};\n"
         self.assertEqual(list(deciding.numbers_of("a_parameters.hpp", text)), [("a", "1e-2"), ("b", "2 * c"), ("d", "3")])

@@ -21,6 +21,8 @@ import program  # noqa: E402
 from stones import xml  # noqa: E402
 
 DENSITY, GRAVITY = 2000.0, 9.81
+STACK = {"courses": 3, "blocks per course": 1, "block length": 1.0, "block height": 0.5, "thickness": 0.6, "bond": "stack",
+         "cells along": 2, "cells up": 1, "cells across": 2, "ground height": 0.2}
 WALL = {"courses": 4, "blocks per course": 3, "block length": 0.4, "block height": 0.2, "thickness": 0.2,
         "cells along": 2, "cells up": 1, "cells across": 1, "ground height": 0.2}
 PRISM = {"courses": 1, "blocks per course": 1, "block length": 1.0, "block height": 2.0, "thickness": 0.6, "bond": "stack",
@@ -162,6 +164,60 @@ class WallsInSpace(program.SceneTest):
             force = abs(flat["fy_N of ground"])
             self.assertLess(abs(flat["fy_N of ground"] - solid["fz_N of ground"]), 1e-7 * force)
 
+    def stack(self, joints=None, loads=None, steps=None, out="run", **sections):
+        """Three boxes of 1 x 0.6 x 0.5 m on each other, nu 0: columns in one dimension."""
+        tree = {"mesh": {"type": "wall in space", "wall in space": STACK},
+                "materials": {"stone": {"Young modulus": 20e9, "Poisson ratio": 0.0, "density": DENSITY}},
+                "joints": {"law": {"friction coefficient": 0.6, **(joints or {})}}, "supports": {"ground": {"on": "ground"}},
+                "loads": {"weight": {"type": "self weight", "gravity": GRAVITY}, **(loads or {})},
+                "steps": {"stages": steps or stages()}, **sections}
+        return self.run_scene(xml("stack", tree) + "\n", out=out)
+
+    def test_mortar_gives_way_by_what_weighs_on_it(self):
+        stiffness, course = 1e9, 0.5 * DENSITY * GRAVITY  # [Pa/m], [Pa] of a course
+        dry = self.stack(out="dry").history[-1]["largest_displacement_m"]
+        mortar = self.stack({"normal stiffness": stiffness, "tangential stiffness": stiffness}, out="mortar")
+        self.assertEqual(mortar.outcome, "equilibrium", mortar.said)
+        way = mortar.history[-1]["largest_displacement_m"] - dry
+        self.assertLess(abs(way - (3 + 2 + 1) * course / stiffness), 1e-7 * way)
+
+    def test_a_glued_stack_bears_its_strength_and_no_more(self):
+        strength = 3 * 0.5 * DENSITY * GRAVITY  # of the lowest bed, when all above pulls by its weight
+        lift = {"lift": {"type": "acceleration", "az": 2 * GRAVITY}}
+        for share, outcome in ((0.999, "equilibrium"), (1.001, "collapse")):
+            run = self.stack({"cohesion": 10 * strength, "tension strength": strength}, lift,
+                             {**stages(), "up": {"loads": {"lift": 0.5 + 0.5 * share}}}, out=outcome)
+            self.assertEqual(run.outcome, outcome, run.said)
+            if outcome == "equilibrium":
+                self.assertIn("cells_not_measured", run.warnings)
+
+    def test_a_course_that_is_built_later_bears_nothing_before(self):
+        own = {"loads": {"weight": 1.0}}
+        run = self.stack(steps={"two courses": own, "the third": own},
+                         construction={"third": {"blocks": "course 2", "appears": "the third"}},
+                         observations={"ground": {"place": "support", "support": "ground"}})
+        self.assertEqual(run.outcome, "equilibrium", run.said)
+        for row, courses in zip(run.history, (2, 3)):
+            weight = (courses * 0.5 + STACK["ground height"]) * 0.6 * DENSITY * GRAVITY
+            self.assertLess(abs(row["fz_N of ground"] - weight), 1e-8 * weight)
+
+    def test_a_run_goes_on_where_it_was(self):
+        whole = self.run_scene(scene(WALL, push(30, 0.09), stages(1.0)), out="whole")
+        self.run_scene(scene(WALL, push(30, 0.09), stages()), out="parts")
+        parts = self.run_scene(scene(WALL, push(30, 0.09), stages(1.0)), "--restart", out="parts")
+        self.assertEqual(parts.outcome, "equilibrium", parts.said)
+        for ours, theirs in zip(whole.history, parts.history):
+            self.assertEqual({k: v for k, v in ours.items() if k != "seconds"},
+                             {k: v for k, v in theirs.items() if k != "seconds"})
+
+    def test_what_has_moved_far_is_told_to_be_unmeasured(self):
+        still = self.own_weight_and_push("adaptive")
+        self.assertNotIn("not_measured_in_space", still.warnings)
+        thrown = {"up": {"blocks": "course 0", "vx": 2.0}}
+        run = self.run_scene(scene(PRISM, {}, {"flight": {"duration": 0.05, "loads": {"weight": 1.0}}},
+                                   initial_velocities=thrown), out="thrown")
+        self.assertIn("not_measured_in_space", run.warnings)
+
     def test_what_is_of_the_plane_is_refused_by_name(self):
         crowd = {"crowd": {"type": "crowd", "on": "top", "intensity": 100.0}}
         for words, run in (
@@ -174,6 +230,8 @@ class WallsInSpace(program.SceneTest):
                 ("scene > loads > lift > az = 1 [m/s2] is across the plane of this mesh",
                  self.run_scene(scene({"courses": 2, "blocks per course": 2}, {"lift": {"type": "acceleration", "az": 1.0}},
                                       stages(), kind="wall", supports={"ground": {"on": "base"}}), "--validate")),
+                ("scene > joints > law > fracture energy = 10 [J/m2] does not go with a mesh in space",
+                 self.stack({"tension strength": 1e5, "fracture energy": 10.0})),
                 ("mesh > wall in space > cells along = 3 [-] must be even in running bond",
                  self.run_scene(scene({**WALL, "cells along": 3}, {}, stages()), "--validate"))):
             self.assertEqual(run.code, 2, run.said)

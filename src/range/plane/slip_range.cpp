@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "base/text.hpp"
 #include "linalg/gather.hpp"
 #include "mesh/box_tree.hpp"
 #include "model/handed_over.hpp"

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/check.hpp"
+#include "base/text.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"

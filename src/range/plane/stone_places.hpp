@@ -58,8 +58,6 @@ inline std::string and_in_others(std::size_t others) {
   return "; likewise in " + std::to_string(others) + (others == 1 ? " other place" : " other places");
 }
 
-/// With the digits a reader can use.
-std::string three_digits(double);
 /// To the millimetre.
 std::string place_text(const Vector<2>&);
 

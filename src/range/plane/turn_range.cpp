@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/check.hpp"
+#include "base/text.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"

@@ -4,10 +4,24 @@
 #include "model/space/space_model.hpp"
 #include "range/checked_blocks.hpp"
 #include "range/input_warnings.hpp"
+#include "range/space/measures.hpp"
 #include "results/prediction.hpp"
 
 namespace voussoir {
 namespace {
+
+class SpaceAppraisal final : public Appraisal {
+ public:
+  using Appraisal::Appraisal;
+  std::vector<RangeMeasure> measures() const override { return measures_in_space(model_); }
+  Warnings of_weakening_joints(const ContactState&, const std::string& when) const override {
+    if (!model_.weakens()) return {};
+    return {{"cells_not_measured", "joints", when, 0,
+             "joints lose their strength at once, where the stress of a point reaches it, and whether cells are short "
+             "enough for the stress at the ends of joints is not measured in space; take half the cells' size and "
+             "compare"}};
+  }
+};
 
 class SpaceBlocks final : public SceneBlocks {
  public:
@@ -19,7 +33,7 @@ class SpaceBlocks final : public SceneBlocks {
   }
   Modelled modelled(const Scene& scene, const Comm& comm) const override {
     auto model = std::make_unique<SpaceModel>(scene, *source_, comm);
-    auto appraisal = std::make_unique<Appraisal>(*model);
+    auto appraisal = std::make_unique<SpaceAppraisal>(*model);
     return {std::move(model), std::move(appraisal)};
   }
   RunSummary limit_analysis(const Scene& scene, const std::string&, const Comm&, std::ostream&) const override {

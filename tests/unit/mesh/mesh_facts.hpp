@@ -8,23 +8,10 @@
 #include <set>
 #include <string>
 
-#include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "support/input_error.hpp"
 
 namespace voussoir::test {
-
-/// The message of the InputError that `act` throws; empty when it throws none.
-template <class Act>
-std::string input_error(Act act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Equal vertices <=> bitwise equal positions; the graph counts exactly the vertices two blocks share;
 /// numbers are compact; cells turn counter-clockwise.

@@ -39,20 +39,19 @@ struct Bed {
 struct Stack {
   Scene scene;
   std::unique_ptr<BlockSource<3>> source = stack_of_cubes();
-  StackModel model;
+  SpaceModel model;
   AdaptiveStep step;
   ContactState state;
   std::vector<double> load, prescribed;
 
   explicit Stack(double friction, SelectionMode mode, const Vector<3>& velocity = {})
-      : Stack(stack_scene(friction, mode), velocity) {}
-  explicit Stack(Scene s, const Vector<3>& velocity = {})
-      : scene(std::move(s)), model(scene, *source, velocity), step(model), state(step.initial_state()) {
-    load.assign(state.displacement.size(), 0.0);
-    prescribed = load;
+      : Stack(stack_scene(friction, mode, velocity)) {}
+  explicit Stack(Scene s)
+      : scene(std::move(s)), model(scene, *source, Tpetra::getDefaultComm()), step(model), state(step.initial_state()) {
+    model.loads({}, 0.0, load, prescribed);
   }
   StepReport stand(const Vector<3>& acceleration) {
-    load = model.loads_of(acceleration);
+    model.loads({{"x", acceleration[0]}, {"y", acceleration[1]}, {"z", acceleration[2]}}, 0.0, load, prescribed);
     return advance(step, state, {load, prescribed});
   }
   Bed bed(int lower) const {

@@ -8,25 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
 #include "stones/polygon.hpp"
 #include "stones/repair.hpp"
 #include "stones/stone_files.hpp"
+#include "support/input_error.hpp"
 
 namespace voussoir::test {
-
-/// The message of the InputError that `act` throws; empty when it throws none.
-template <class Act>
-std::string input_error(Act act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A prism over a polygon of the plane of two axes (0, 1 is the plane of x and y), between two places along the third.
 inline StoneSurface prism(const std::string& name, const std::vector<Vector<2>>& outline, double from, double to,
