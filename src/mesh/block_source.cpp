@@ -13,11 +13,14 @@ std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parame
                                                     Trust trust) {
   if (parameters.dimension() != dim)
     refuse_mesh(
-        "type", parameters.dimension() == 3 ? "\"wall in space\"" : "a plane mesh",
+        "type", '"' + parameters.word() + '"',
         std::string("is asked of something that takes blocks ") + (dim == 2 ? "of the plane" : "in space") + " alone.",
         "Give another mesh.");
   on_first_rank(comm, [&] { refuse_too_many_cells(parameters); });  // machines of ranks may differ
   if constexpr (dim == 3) {
+    if (parameters.type == MeshType::prism) return make_prism(parameters.prism);
+    if (parameters.type == MeshType::dome) return make_dome(parameters.dome);
+    if (parameters.type == MeshType::barrel_vault) return make_barrel_vault(parameters.barrel_vault);
     return make_wall_in_space(parameters.wall_in_space);
   } else {
     if (parameters.type == MeshType::wall) return make_wall(parameters.wall);

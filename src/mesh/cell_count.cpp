@@ -87,10 +87,7 @@ double cells_of(const MeshParameters& p) {
   };
   if (p.type == MeshType::wall) return product({w.courses, w.blocks_per_course, w.cells_along, w.cells_up});
   if (p.type == MeshType::gmsh) return 0;
-  const auto& s = p.wall_in_space;
-  if (p.type == MeshType::wall_in_space)
-    return product(
-        {s.courses + (s.ground_height > 0 ? 1 : 0), s.blocks_per_course, s.cells_along, s.cells_up, s.cells_across});
+  if (const auto* masonry = p.masonry()) return masonry->cells();
   const double piers = a.pier_height > 0 ? 2.0 * a.pier_courses : 0;
   return product({a.cells_radial, a.cells_along}) * (a.voussoirs + piers);
 }
@@ -113,10 +110,8 @@ void refuse_too_many_cells(const GmshParameters& p, const Drawing& drawing) {
 void refuse_too_many_cells(const MeshParameters& p) {
   const double cells = cells_of(p);
   if (cells > most_cells())
-    refuse_mesh(p.type == MeshType::wall   ? "wall"
-                : p.type == MeshType::arch ? "arch"
-                                           : "wall in space",
-                three_digits(cells) + " cells", why(cells) + ".", "Give fewer stones, or fewer cells in each.");
+    refuse_mesh(p.word(), three_digits(cells) + " cells", why(cells) + ".",
+                "Give fewer stones, or fewer cells in each.");
 }
 
 std::string far_from_origin(const Drawing& d) {

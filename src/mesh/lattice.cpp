@@ -77,10 +77,12 @@ std::vector<Cell> box_cells(const std::array<int, 3>& n) {
   return cells;
 }
 
-void add_box_facets(Block<3>& block, const std::array<int, 3>& n, int axis, bool far, int set) {
+void add_box_facets(Block<3>& block, const std::array<int, 3>& n, int axis, bool far, int set,
+                    const std::function<bool(int, int)>& wanted) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;  // axis, u, v: right-handed
   for (int j = 0; j < n[v]; ++j)
     for (int i = 0; i < n[u]; ++i) {
+      if (!wanted(i, j)) continue;
       const auto node = [&](int a, int b) {
         std::array<int, 3> at{};
         at[axis] = far ? n[axis] : 0;

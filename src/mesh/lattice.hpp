@@ -1,6 +1,7 @@
 // A block that is the image of a rectangular lattice, and the words in which generators refuse parameters.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "mesh/mesh.hpp"
@@ -21,8 +22,10 @@ void add_lattice_facets(Block<2>&, int across, int up, LatticeSide, int set);
 std::vector<Cell> box_cells(const std::array<int, 3>& cells);
 
 /// Appends the facets of one side of the box, counter-clockwise seen from outside, as members of a facet set.
-/// @param axis  across which the side lies;  @param far  at its far end
-void add_box_facets(Block<3>&, const std::array<int, 3>& cells, int axis, bool far, int set);
+/// @param axis    across which the side lies;  @param far  at its far end
+/// @param wanted  which, by their cells along the two axes that follow
+void add_box_facets(Block<3>&, const std::array<int, 3>& cells, int axis, bool far, int set,
+                    const std::function<bool(int, int)>& wanted);
 
 /// A graph block by block: add(block, graph) appends the neighbours of one in ascending order, with shared vertices.
 template <class Add>

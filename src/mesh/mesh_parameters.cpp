@@ -16,6 +16,16 @@ constexpr double foot = 0.3048;  // [m] the international foot, exactly
 
 std::string in_metres(double length) { return number_text(length) + " [m]"; }
 
+std::vector<std::pair<std::string, MeshType>> mesh_types() {
+  return {{"gmsh", MeshType::gmsh},
+          {"wall", MeshType::wall},
+          {"arch", MeshType::arch},
+          {"wall in space", MeshType::wall_in_space},
+          {"prism", MeshType::prism},
+          {"dome", MeshType::dome},
+          {"barrel vault", MeshType::barrel_vault}};
+}
+
 }  // namespace
 
 void GmshParameters::declare(ParameterSection& section) {
@@ -78,26 +88,6 @@ void WallParameters::declare(ParameterSection& section) {
   section.add_family(family);
 }
 
-void WallInSpaceParameters::declare(ParameterSection& section) {
-  section.add("courses", courses, "-", between(1, 1e6), "courses from base to top, without the ground",
-              "a wall needs one", "One course of one block is a prism.");
-  section.add("blocks per course", blocks_per_course, "-", between(1, 1e6), "full blocks of courses 0, 2, ...",
-              "a course needs one", "In running bond courses 1, 3, ... begin and end with half a block.");
-  section.add("block length", block_length, "m", above(0.0), "length of a full block, along x", "a length");
-  section.add("block height", block_height, "m", above(0.0), "height of a course, along z", "a length");
-  section.add("thickness", thickness, "m", above(0.0), "of the wall and its blocks, along y", "a length");
-  section.add_choice<WallBond>("bond", bond, {{"running", WallBond::running}, {"stack", WallBond::stack}},
-                               "running: half a block from course to course; stack: head joints above each other");
-  section.add("cells along", cells_along, "-", between(1, 1e4), "cells along a full block; even in running bond",
-              "half blocks have half of them", "Give 2, 4, 6, ...");
-  section.add("cells up", cells_up, "-", between(1, 1e4), "cells over the height of a block", "a block needs one");
-  section.add("cells across", cells_across, "-", between(1, 1e4), "cells through the thickness of a block",
-              "a block needs one");
-  section.add("ground height", ground_height, "m", at_least(0.0),
-              "height of a course of full blocks below the wall, on which it stands with a joint; 0 = none", "a length",
-              "Give 0 for a wall whose base is held itself.");
-}
-
 void ArchParameters::declare(ParameterSection& section) {
   section.add("radius", radius, "m", above(0.0), "radius of the middle line", "a length");
   section.add("thickness", thickness, "m", above(0.0), "radial thickness of the ring", "a length");
@@ -121,12 +111,29 @@ void ArchParameters::declare(ParameterSection& section) {
   section.add("pier courses", pier_courses, "-", between(1, 1e6), "blocks a pier is made of", "a pier needs one");
 }
 
+const MasonryParameters* MeshParameters::masonry() const {
+  switch (type) {
+    case MeshType::wall_in_space:
+      return &wall_in_space;
+    case MeshType::prism:
+      return &prism;
+    case MeshType::dome:
+      return &dome;
+    case MeshType::barrel_vault:
+      return &barrel_vault;
+    default:
+      return nullptr;
+  }
+}
+
+std::string MeshParameters::word() const {
+  for (const auto& [word, meaning] : mesh_types())
+    if (meaning == type) return word;
+  return "";
+}
+
 void MeshParameters::declare(ParameterSection& section) {
-  section.add_choice<MeshType>("type", type,
-                               {{"gmsh", MeshType::gmsh},
-                                {"wall", MeshType::wall},
-                                {"arch", MeshType::arch},
-                                {"wall in space", MeshType::wall_in_space}},
+  section.add_choice<MeshType>("type", type, mesh_types(),
                                "where the blocks come from; only the sublist of that name may be present",
                                Presence::required);
   section.add_alternative("gmsh", gmsh, type == MeshType::gmsh, "type = gmsh",
@@ -140,10 +147,26 @@ void MeshParameters::declare(ParameterSection& section) {
                           "springing right, extrados, intrados");
   section.add_alternative(
       "wall in space", wall_in_space, type == MeshType::wall_in_space, "type = wall in space",
-      "Wall of hexahedra, one block thick: x along it from its left end, y through it from its front, z up from its "
-      "base. Sets of blocks: course 0, course 1, ..., and ground where there is one; sets of facets: base, top, left, "
-      "right, front, back, and ground: the outer faces and the upper one of the ground, which held there does not "
-      "move");
+      "Wall of hexahedra, one block thick, with returns and openings: x along it from its left end, y through it from "
+      "its front, z up from its base. Sets of blocks: course 0, course 1, ...; ground, facade, return left, return "
+      "right, lintels where there are such. Sets of facets: base, top, left, right, front, back; return left inside, "
+      "return right inside and return ends; ground: the outer faces and the upper one of the ground, which held there "
+      "does not move");
+  section.add_alternative("prism", prism, type == MeshType::prism, "type = prism",
+                          "Stack of boxes of hexahedra: x along, y across, z up, lower left front corner at the "
+                          "origin. Sets of blocks: course 0, ..., ground; sets of facets: base, top, left, right, "
+                          "front, back, ground");
+  section.add_alternative(
+      "dome", dome, type == MeshType::dome, "type = dome",
+      "Dome of hexahedra about the z axis with its centre at the origin, courses numbered from the springing upward. "
+      "Sets of blocks: course 0, course 1, ..., ground; sets of facets: base, oculus, intrados, extrados, ground");
+  section.add_alternative(
+      "barrel vault", barrel_vault, type == MeshType::barrel_vault, "type = barrel vault",
+      "Barrel vault of hexahedra: the arch of the plane x, z, with its centre at the origin, drawn out along y. "
+      "Courses "
+      "lie along y and are numbered from the right springing (x > 0). Sets of blocks: course 0, course 1, ...; ground "
+      "left, ground right where there is ground. Sets of facets: springing left, springing right, intrados, extrados, "
+      "front (y = 0), back; ground left, ground right");
 }
 
 }  // namespace voussoir

@@ -3,11 +3,12 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace voussoir {
+#include "mesh/masonry_parameters.hpp"
 
-class ParameterSection;
+namespace voussoir {
 
 /// How a block is divided; P1 triangles or Q1 quadrilaterals.
 enum class CellType { triangle, quadrilateral };
@@ -41,26 +42,6 @@ struct WallParameters {
   void declare(ParameterSection&);
 };
 
-/// Head joints of odd courses above the middles of the stones below, or above theirs.
-enum class WallBond { running, stack };
-
-/// A wall of boxes in space, one stone thick: x along it, y through it, z up. In running bond odd courses begin and end
-/// with half blocks. The ground is a course of full blocks below it.
-/// Block sets: "course 0", ..., "ground"; facet sets: "base", "top", "left", "right", "front" (y 0), "back", "ground".
-struct WallInSpaceParameters {
-  int courses = 8;
-  int blocks_per_course = 4;
-  double block_length = 0.5;   ///< [m]
-  double block_height = 0.25;  ///< [m]
-  double thickness = 0.25;     ///< [m]
-  WallBond bond = WallBond::running;
-  int cells_along = 2;  ///< cells along a full block, even in running bond
-  int cells_up = 2;
-  int cells_across = 2;
-  double ground_height = 0;  ///< [m] of the ground; 0 = none
-  void declare(ParameterSection&);
-};
-
 /// Circular arch of equal voussoirs numbered from the right springing, on optional piers.
 /// Block sets: "ring", "pier left", "pier right"; facet sets: "springing left", "springing right"
 /// (the lowest faces: of the ring, or of the piers where there are any), "extrados", "intrados".
@@ -77,7 +58,7 @@ struct ArchParameters {
   void declare(ParameterSection&);
 };
 
-enum class MeshType { gmsh, wall, arch, wall_in_space };
+enum class MeshType { gmsh, wall, arch, wall_in_space, prism, dome, barrel_vault };
 
 struct MeshParameters {
   MeshType type = MeshType::gmsh;
@@ -85,8 +66,16 @@ struct MeshParameters {
   WallParameters wall;
   ArchParameters arch;
   WallInSpaceParameters wall_in_space;
+  PrismParameters prism;
+  DomeParameters dome;
+  BarrelVaultParameters barrel_vault;
+  /// The generator in space, or none.
+  const MasonryParameters* masonry() const;
+  MasonryParameters* masonry() { return const_cast<MasonryParameters*>(std::as_const(*this).masonry()); }
+  /// The word of a scene for its type.
+  std::string word() const;
   /// Of its blocks: 2 in the plane, 3 in space.
-  int dimension() const { return type == MeshType::wall_in_space ? 3 : 2; }
+  int dimension() const { return type == MeshType::gmsh || type == MeshType::wall || type == MeshType::arch ? 2 : 3; }
   void declare(ParameterSection&);
 };
 

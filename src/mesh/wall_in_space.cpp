@@ -1,78 +1,203 @@
-// Walls of boxes in space, in running bond or with head joints above each other.
+// Walls of boxes in space, in running bond or with head joints above each other, with returns and openings.
 //
-// The lattice has blocks_per_course * cells_along columns along x, cells_across rows along y and courses * cells_up
-// storeys along z, below which the ground has one more.
+// The lattice has blocks_per_course * cells_along columns along x and cells_across rows through the wall; returns go on
+// with rows as wide. A course has cells_up storeys, and the ground below them has one.
 #include <algorithm>
-#include <limits>
+#include <set>
 
-#include "base/check.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/lattice.hpp"
+#include "mesh/lattice_in_space.hpp"
+#include "mesh/wall_openings.hpp"
 
 namespace voussoir {
 namespace {
 
-enum WallFacets { base, top, left, right, front, back, ground };
+constexpr int ground_part = 1;
 
-class WallInSpace final : public BlockSource<3> {
+/// Columns of a stone of the wall, or rows of one of a return.
+struct Piece {
+  int from, to;
+};
+
+/// What the stones of a course are in.
+struct CourseSets {
+  int course, facade, left, right, lintels;  ///< indices of sets of blocks; -1 = none
+};
+
+class Wall {
  public:
-  explicit WallInSpace(const WallInSpaceParameters&);
-
-  BlockId block_count() const override { return first_of(p_.courses); }
-  int node_count(BlockId b) const override {
-    const Box e = box(place(b));
-    return (e.to - e.from + 1) * (p_.cells_across + 1) * (e.above - e.below + 1);
-  }
-  Block<3> block(BlockId) const override;
-  const BlockGraph& graph() const override;
-  const std::vector<std::string>& block_sets() const override { return block_sets_; }
-  const std::vector<std::string>& facet_sets() const override { return facet_sets_; }
+  explicit Wall(const WallInSpaceParameters& p) : p_(p), openings_(openings_of(p)) {}
+  Masonry masonry() &&;
 
  private:
-  /// A stone of a course, which is -1 for the ground.
-  struct Place {
-    int course, stone;
-  };
-  /// Columns and storeys that a block lies between.
-  struct Box {
-    int from, to, below, above;
-  };
+  bool has_returns() const { return p_.return_left > 0 || p_.return_right > 0; }
+  int columns() const { return p_.blocks_per_course * p_.cells_along; }
+  /// Columns and rows of half a stone, which is what a wall with returns is thick.
+  int half() const { return p_.cells_along / 2; }
+  int half_rows() const { return p_.cells_across; }
+  /// Rows of a return to its end.
+  int rows(int stones) const { return 2 * half_rows() * stones; }
+  bool odd(int course) const { return p_.bond == WallBond::running && course % 2 == 1; }
 
-  bool has_ground() const { return p_.ground_height > 0; }
-  int lowest() const { return has_ground() ? -1 : 0; }
-  bool shifted(int course) const { return p_.bond == WallBond::running && course > 0 && course % 2 == 1; }
-  int stones(int course) const { return p_.blocks_per_course + (shifted(course) ? 1 : 0); }
-  /// Number of the first block of a course: of two courses in running bond one has a stone more.
-  BlockId first_of(int course) const {
-    const int more = p_.bond == WallBond::running ? std::max(course, 0) / 2 : 0;
-    return (course - lowest()) * p_.blocks_per_course + more;
+  int add_set(std::vector<std::string>& sets, const std::string& name) {
+    sets.push_back(name);
+    return static_cast<int>(sets.size()) - 1;
   }
-  Place place(BlockId b) const {
-    VOUSSOIR_EXPECT(b >= 0 && b < block_count());
-    const int n = p_.blocks_per_course, below = has_ground() ? n : 0;
-    if (b < below) return {-1, b};
-    const int pair = 2 * n + (p_.bond == WallBond::running ? 1 : 0);
-    const int rest = (b - below) % pair, odd = rest >= n ? 1 : 0;
-    return {(b - below) / pair * 2 + odd, rest - odd * n};
-  }
-  Box box(Place p) const {
-    const int columns = p_.blocks_per_course * p_.cells_along;
-    const int from = p.stone * p_.cells_along - (shifted(p.course) ? p_.cells_along / 2 : 0);
-    const int below = p.course < 0 ? -1 : p.course * p_.cells_up;
-    return {std::max(from, 0), std::min(from + p_.cells_along, columns), below, p.course < 0 ? 0 : below + p_.cells_up};
-  }
-  Vector<3> position(int column, int row, int storey) const {
-    return {p_.block_length * column / p_.cells_along, p_.thickness * row / p_.cells_across,
-            storey < 0 ? -p_.ground_height : p_.block_height * storey / p_.cells_up};
-  }
-  void add_facets(Block<3>&, const Box&, Place) const;
-  void add_neighbours(Place, int course, BlockGraph&) const;
+  int add_group(const std::string& name, std::vector<int> sets, int part = 0);
+  std::set<int> joints_of_bond(int course) const;
+  void add_wall(int course, int below, int above, int group, const CourseSets*);
+  void add_return(bool at_left, int course, int below, int above, int group);
+  void add_course(int course, const CourseSets&);
+  void add_ground(int set);
+  void add_sides();
 
   WallInSpaceParameters p_;
-  std::vector<std::string> block_sets_;
-  std::vector<std::string> facet_sets_{"base", "top", "left", "right", "front", "back"};
-  mutable BlockGraph graph_;  ///< built when first asked for
+  WallOpenings openings_;
+  Masonry m_;
 };
+
+/// Joints between stones from `begin` to `end`, with both, where one of them lies at `first`.
+std::set<int> joints_between(int begin, int end, int first, int length) {
+  std::set<int> joints{begin, end};
+  for (int joint = first; joint < end; joint += length)
+    if (joint > begin) joints.insert(joint);
+  return joints;
+}
+
+std::vector<Piece> pieces(const std::set<int>& joints) {
+  std::vector<Piece> all;
+  for (auto it = joints.begin(); std::next(it) != joints.end(); ++it) all.push_back({*it, *std::next(it)});
+  return all;
+}
+
+int Wall::add_group(const std::string& name, std::vector<int> sets, int part) {
+  sets.erase(std::remove(sets.begin(), sets.end(), -1), sets.end());
+  std::sort(sets.begin(), sets.end());
+  m_.groups.push_back({name, std::move(sets), part});
+  return static_cast<int>(m_.groups.size()) - 1;
+}
+
+/// At a return odd courses begin behind its corner stone.
+std::set<int> Wall::joints_of_bond(int course) const {
+  const int begin = odd(course) && p_.return_left > 0 ? half() : 0;
+  const int end = columns() - (odd(course) && p_.return_right > 0 ? half() : 0);
+  return joints_between(begin, end, odd(course) ? half() : 0, p_.cells_along);
+}
+
+/// The stones of a course along x. @param sets  those of a course with openings; none for the ground
+void Wall::add_wall(int course, int below, int above, int group, const CourseSets* sets) {
+  std::set<int> joints = joints_of_bond(course);
+  std::vector<WallRectangle> free, lintels;
+  if (sets) {
+    const auto here = [course](const WallRectangle& r) { return r.below <= course && course < r.above; };
+    std::copy_if(openings_.free.begin(), openings_.free.end(), std::back_inserter(free), here);
+    std::copy_if(openings_.lintels.begin(), openings_.lintels.end(), std::back_inserter(lintels), here);
+  }
+  for (const auto& lintel : lintels) joints.erase(joints.upper_bound(lintel.from), joints.lower_bound(lintel.to));
+  for (const auto* rectangles : {&free, &lintels})
+    for (const auto& r : *rectangles) joints.insert({r.from, r.to});
+  int number = 0;
+  for (const Piece& piece : pieces(joints)) {
+    const auto same = [&piece](const WallRectangle& r) { return r.from <= piece.from && piece.to <= r.to; };
+    if (std::any_of(free.begin(), free.end(), same)) continue;
+    const auto lintel = std::find_if(lintels.begin(), lintels.end(), same);
+    const int of = lintel == lintels.end()
+                       ? group
+                       : add_group("course " + std::to_string(course) + ", lintel of " + lintel->name,
+                                   {sets->course, sets->facade, sets->lintels});
+    m_.stones.push_back({{piece.from, 0, below}, {piece.to, p_.cells_across, above}, of, number++});
+  }
+}
+
+void Wall::add_return(bool at_left, int course, int below, int above, int group) {
+  const int end = rows(at_left ? p_.return_left : p_.return_right);
+  const int begin = odd(course) ? 0 : half_rows();
+  const int from = at_left ? 0 : columns() - half(), to = from + half();
+  int number = 0;
+  for (const Piece& piece : pieces(joints_between(begin, end, begin, 2 * half_rows()))) {
+    const bool back = p_.returns_to == ReturnsTo::back;
+    const int low = back ? piece.from : p_.cells_across - piece.to;
+    m_.stones.push_back({{from, low, below}, {to, low + piece.to - piece.from, above}, group, number++});
+  }
+}
+
+void Wall::add_course(int course, const CourseSets& sets) {
+  const int below = course * p_.cells_up, above = below + p_.cells_up;
+  const std::string name = "course " + std::to_string(course);
+  add_wall(course, below, above, add_group(name, {sets.course, sets.facade}), &sets);
+  if (p_.return_left > 0)
+    add_return(true, course, below, above, add_group(name + ", left return", {sets.course, sets.left}));
+  if (p_.return_right > 0)
+    add_return(false, course, below, above, add_group(name + ", right return", {sets.course, sets.right}));
+}
+
+/// Stones as those of course 0, under openings too.
+void Wall::add_ground(int set) {
+  const int group = add_group("ground", {set}, ground_part);
+  add_wall(0, -1, 0, group, nullptr);
+  if (p_.return_left > 0) add_return(true, 0, -1, 0, add_group("ground, left return", {set}, ground_part));
+  if (p_.return_right > 0) add_return(false, 0, -1, 0, add_group("ground, right return", {set}, ground_part));
+}
+
+void Wall::add_sides() {
+  const auto side = [this](const std::string& name, int axis, bool far, int plane, bool covered = false) {
+    m_.sides.push_back({add_set(m_.facet_sets, name), axis, far, plane, covered, 0});
+  };
+  side("base", 2, false, 0, true);
+  side("top", 2, true, p_.courses * p_.cells_up);
+  side("left", 0, false, 0);
+  side("right", 0, true, columns());
+  side("front", 1, false, 0);
+  side("back", 1, true, p_.cells_across);
+  if (p_.ground_height > 0) add_ground_sides(m_, "ground", ground_part);
+  if (p_.return_left > 0) side("return left inside", 0, true, half());
+  if (p_.return_right > 0) side("return right inside", 0, false, columns() - half());
+  if (!has_returns()) return;
+  const int ends = add_set(m_.facet_sets, "return ends");
+  const bool back = p_.returns_to == ReturnsTo::back;
+  for (const int stones : std::set<int>{p_.return_left, p_.return_right})
+    if (stones > 0) m_.sides.push_back({ends, 1, back, back ? rows(stones) : p_.cells_across - rows(stones), false, 0});
+}
+
+Masonry Wall::masonry() && {
+  for (int course = 0; course < p_.courses; ++course) add_set(m_.block_sets, "course " + std::to_string(course));
+  const auto set = [this](bool there, const char* name) { return there ? add_set(m_.block_sets, name) : -1; };
+  const int ground = set(p_.ground_height > 0, "ground");
+  CourseSets sets{0, set(has_returns(), "facade"), set(p_.return_left > 0, "return left"),
+                  set(p_.return_right > 0, "return right"), set(!openings_.lintels.empty(), "lintels")};
+  if (ground >= 0) add_ground(ground);
+  for (sets.course = 0; sets.course < p_.courses; ++sets.course) add_course(sets.course, sets);
+  add_sides();
+  const int depth = std::max(p_.cells_across, rows(std::max(p_.return_left, p_.return_right)));
+  const bool back = p_.returns_to == ReturnsTo::back;
+  m_.low = {0, back ? 0 : p_.cells_across - depth, -1};
+  m_.high = {columns(), back ? depth : p_.cells_across, p_.courses * p_.cells_up};
+  m_.place = [p = p_](const LatticeIndex& at) {
+    return Vector<3>{p.block_length * at[0] / p.cells_along, p.thickness * at[1] / p.cells_across,
+                     at[2] < 0 ? -p.ground_height : p.block_height * at[2] / p.cells_up};
+  };
+  return std::move(m_);
+}
+
+void validate_returns(const WallInSpaceParameters& p) {
+  const std::string wall = "wall in space > ";
+  const std::string key = wall + (p.return_left > 0 ? "return left" : "return right");
+  const std::string value = std::to_string(std::max(p.return_left, p.return_right)) + " [-]";
+  if (p.bond == WallBond::stack)
+    refuse_mesh(key, value, "is bonded into the wall course by course, which bond = stack has no room for.",
+                "Give bond = running, or return left and return right 0.");
+  // The corner stone of an odd course takes half a stone of the wall, and its bond goes on behind it. Round-off of
+  // lengths that are written as decimals is below this share.
+  if (!(std::abs(p.block_length - 2 * p.thickness) <= 1e-9 * p.block_length))
+    refuse_mesh(wall + "thickness", in_words(p.thickness) + " [m]",
+                "must be half a block, " + in_words(p.block_length / 2) +
+                    " m, in a wall with returns (corner stones lie along the wall and along the return in turn).",
+                "Give it, or block length " + in_words(2 * p.thickness) + ".");
+  if (p.blocks_per_course < 2 && p.return_left > 0 && p.return_right > 0)
+    refuse_mesh(wall + "blocks per course", std::to_string(p.blocks_per_course) + " [-]",
+                "leaves no stone between the corner stones of two returns.", "Give 2 or more.");
+}
 
 void validate(const WallInSpaceParameters& p) {
   const std::string wall = "wall in space > ";
@@ -84,92 +209,27 @@ void validate(const WallInSpaceParameters& p) {
   require_at_least(wall + "cells along", p.cells_along, p.bond == WallBond::running ? 2 : 1);
   require_at_least(wall + "cells up", p.cells_up, 1);
   require_at_least(wall + "cells across", p.cells_across, 1);
+  require_at_least(wall + "return left", p.return_left, 0);
+  require_at_least(wall + "return right", p.return_right, 0);
   if (p.bond == WallBond::running && p.cells_along % 2 != 0)
     refuse_mesh(wall + "cells along", std::to_string(p.cells_along) + " [-]",
                 "must be even in running bond (a half block has half of the cells, so that nodes of two courses meet).",
                 "Give " + std::to_string(p.cells_along + 1) + ", or bond = stack.");
   if (p.ground_height != 0) require_positive(wall + "ground height", p.ground_height, "m");
-  const double blocks = (p.blocks_per_course + 1.0) * (p.courses + 1.0);
+  const double longest = std::max(p.return_left, p.return_right);
+  const double blocks = (p.blocks_per_course + p.return_left + p.return_right + 1.0) * (p.courses + 1.0);
   require_countable(wall + "courses", p.courses, blocks,
                     std::max({p.blocks_per_course * double(p.cells_along), p.courses * double(p.cells_up),
-                              (p.cells_along + 1.0) * (p.cells_up + 1.0) * (p.cells_across + 1.0)}));
-}
-
-WallInSpace::WallInSpace(const WallInSpaceParameters& p) : p_(p) {
-  validate(p_);
-  for (int course = 0; course < p_.courses; ++course) block_sets_.push_back("course " + std::to_string(course));
-  if (!has_ground()) return;
-  block_sets_.push_back("ground");
-  facet_sets_.push_back("ground");
-}
-
-Block<3> WallInSpace::block(BlockId b) const {
-  const Place p = place(b);
-  const Box e = box(p);
-  const int columns = p_.blocks_per_course * p_.cells_along;
-  Block<3> block;
-  block.id = b;
-  block.name = "block " + std::to_string(b) + (p.course < 0 ? " (ground" : " (course " + std::to_string(p.course)) +
-               ", stone " + std::to_string(p.stone) + ")";
-  block.position.reserve(static_cast<std::size_t>(node_count(b)));
-  block.vertex.reserve(block.position.capacity());
-  for (int storey = e.below; storey <= e.above; ++storey)
-    for (int row = 0; row <= p_.cells_across; ++row)
-      for (int column = e.from; column <= e.to; ++column) {
-        block.position.push_back(position(column, row, storey));
-        const VertexId line = static_cast<VertexId>(storey + 1) * (p_.cells_across + 1) + row;
-        block.vertex.push_back(line * (columns + 1) + column);
-      }
-  block.cells = box_cells({e.to - e.from, p_.cells_across, e.above - e.below});
-  block.sets = {p.course < 0 ? p_.courses : p.course};
-  add_facets(block, e, p);
-  return block;
-}
-
-/// The ground has its outer faces and the one below the wall in a set of its own: held there it stays where it is.
-void WallInSpace::add_facets(Block<3>& block, const Box& e, Place p) const {
-  const std::array<int, 3> cells{e.to - e.from, p_.cells_across, e.above - e.below};
-  const bool is_ground = p.course < 0;
-  const auto add = [&](int axis, bool far, int set) {
-    add_box_facets(block, cells, axis, far, is_ground ? ground : set);
-  };
-  if (is_ground || p.course == 0) add(2, false, base);
-  if (is_ground || p.course == p_.courses - 1) add(2, true, top);
-  if (e.from == 0) add(0, false, left);
-  if (e.to == p_.blocks_per_course * p_.cells_along) add(0, true, right);
-  add(1, false, front);
-  add(1, true, back);
-}
-
-/// Blocks of one course that share vertices with the block at a place, in ascending order.
-void WallInSpace::add_neighbours(Place p, int course, BlockGraph& graph) const {
-  if (course < lowest() || course >= p_.courses) return;
-  const Box mine = box(p);
-  const int rows = p_.cells_across + 1;
-  // In courses of equal and of shifted bond no block reaches further than one place to either side.
-  for (int stone = std::max(p.stone - 1, 0); stone <= std::min(p.stone + 1, stones(course) - 1); ++stone) {
-    if (course == p.course && stone == p.stone) continue;
-    const Box its = box({course, stone});
-    const int columns = std::min(mine.to, its.to) - std::max(mine.from, its.from) + 1;
-    if (columns < 1) continue;
-    graph.neighbour.push_back(first_of(course) + stone);
-    graph.shared_vertices.push_back(rows * (course == p.course ? mine.above - mine.below + 1 : columns));
-  }
-}
-
-const BlockGraph& WallInSpace::graph() const {
-  if (graph_.start.empty())
-    graph_ = graph_of_blocks(block_count(), [&](BlockId b, BlockGraph& graph) {
-      const Place p = place(b);
-      for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, graph);
-    });
-  return graph_;
+                              2 * longest * p.cells_across,
+                              (p.cells_along + 1.0) * (p.cells_up + 1.0) * (2 * p.cells_across + 1.0)}));
+  if (p.return_left > 0 || p.return_right > 0) validate_returns(p);
 }
 
 }  // namespace
 
 std::unique_ptr<BlockSource<3>> make_wall_in_space(const WallInSpaceParameters& parameters) {
-  return std::make_unique<WallInSpace>(parameters);
+  validate(parameters);
+  return make_lattice_in_space(Wall(parameters).masonry());
 }
 
 }  // namespace voussoir

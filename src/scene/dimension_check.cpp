@@ -10,8 +10,8 @@ void check_plane(Scene& scene, InputProblems& problems) {
   const std::string why = "\n  is across the plane of this mesh, where nothing moves.\n  ";
   const auto check = [&](const std::string& load, const char* key, double value, const char* unit) {
     if (value != 0)
-      problems.add("scene > loads > " + load + " > " + key, " = " + number_text(value) + " [" + unit + "]" + why +
-                                                                "Leave it out, or take mesh > type = wall in space.");
+      problems.add("scene > loads > " + load + " > " + key,
+                   " = " + number_text(value) + " [" + unit + "]" + why + "Leave it out, or take a mesh in space.");
   };
   for (const auto& load : scene.loads) {
     if (const auto* a = load_as<AccelerationParameters>(load)) check(load.name, "az", a->az, "m/s2");

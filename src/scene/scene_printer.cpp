@@ -47,14 +47,7 @@ std::string mesh_text(const MeshParameters& mesh) {
            std::to_string(a.cells_radial) + " x " + std::to_string(a.cells_along) + ' ' + cells_text(a.cells) +
            (a.pier_height > 0 ? ", piers of " + number_text(a.pier_height) + " m" : "");
   }
-  if (mesh.type == MeshType::wall_in_space) {
-    const auto& w = mesh.wall_in_space;
-    return std::string("wall in space, ") + (w.bond == WallBond::running ? "running" : "stack") + " bond, " +
-           counted(w.courses, "course") + " of " + counted(w.blocks_per_course, "block") + ' ' +
-           number_text(w.block_length) + " x " + number_text(w.thickness) + " x " + number_text(w.block_height) +
-           " m, " + std::to_string(w.cells_along) + " x " + std::to_string(w.cells_across) + " x " +
-           std::to_string(w.cells_up) + " hexahedra" + (w.ground_height > 0 ? ", on a ground" : "");
-  }
+  if (const auto* masonry = mesh.masonry()) return masonry->words();
   const GmshParameters& g = mesh.gmsh;
   std::string text = g.file + ", " + cells_text(g.cells);
   if (g.element_size > 0) text += ", element size " + number_text(g.element_size) + " m";

@@ -24,13 +24,7 @@ Scene with_element_size(Scene scene, double factor) {
     mesh.arch.cells_radial = scaled(mesh.arch.cells_radial, factor);
     mesh.arch.cells_along = scaled(mesh.arch.cells_along, factor);
   }
-  if (mesh.type == MeshType::wall_in_space) {
-    auto& wall = mesh.wall_in_space;
-    const int halves = wall.bond == WallBond::running ? 2 : 1;
-    wall.cells_along = halves * scaled(wall.cells_along, halves * factor);
-    wall.cells_up = scaled(wall.cells_up, factor);
-    wall.cells_across = scaled(wall.cells_across, factor);
-  }
+  if (auto* masonry = mesh.masonry()) masonry->coarsen(factor);
   if (mesh.type != MeshType::gmsh || factor == 1) return scene;
   const std::string& file = mesh.gmsh.file;
   if (file.size() > 4 && file.compare(file.size() - 4, 4, ".msh") == 0)
@@ -47,12 +41,13 @@ Scene with_element_size(Scene scene, double factor) {
 }
 
 double element_size(const Scene& scene) {
-  const auto& [type, gmsh, wall, arch, box] = scene.mesh;
-  if (type == MeshType::wall_in_space)
-    return std::max(
-        {box.block_length / box.cells_along, box.block_height / box.cells_up, box.thickness / box.cells_across});
+  const MeshType type = scene.mesh.type;
+  const auto& wall = scene.mesh.wall;
+  const auto& arch = scene.mesh.arch;
+  if (const auto* masonry = scene.mesh.masonry()) return masonry->longest_edge();
   if (type == MeshType::wall) return std::max(wall.block_length / wall.cells_along, wall.block_height / wall.cells_up);
-  if (type == MeshType::gmsh) return gmsh.element_size > 0 ? gmsh.element_size : AccuracyRow::unknown;
+  if (type == MeshType::gmsh)
+    return scene.mesh.gmsh.element_size > 0 ? scene.mesh.gmsh.element_size : AccuracyRow::unknown;
   constexpr double radian_per_degree = 3.14159265358979323846 / 180;
   const double outer = (arch.radius + arch.thickness / 2) * arch.embrace * radian_per_degree;
   return std::max(arch.thickness / arch.cells_radial, outer / arch.voussoirs / arch.cells_along);
