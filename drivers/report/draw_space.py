@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 import draw_structure
+import hidden_lines
 from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, legend, limits, outline_width, save
 from geometry import deformation_scale, deformed, factor_text, length_text
 from read_results import OPEN, SLIP, Step, is_mechanism
@@ -62,16 +63,19 @@ def edges_seen(mesh, faces, block):
 
 
 def projected(results):
-    """The results as a plane structure, and the edges of its stones."""
+    """The results as a plane structure, and the edges of its stones that are seen as it was built."""
     mesh, axes = results.mesh, screen()
     faces, block = outer_faces(mesh)
     facing = normals(mesh, faces) @ TOWARDS_VIEWER > 1e-6
     faces, block = faces[facing], block[facing]
     order = np.argsort(mesh.coordinates[faces].mean(1) @ TOWARDS_VIEWER, kind="stable")
-    flat = replace(mesh, coordinates=mesh.coordinates @ axes, cells=faces[order], block_of_cell=block[order])
-    steps = [ProjectedStep(**{**vars(step), "displacement": np.nan_to_num(step.displacement) @ axes},
+    pieces, *between = hidden_lines.cut(edges_seen(mesh, faces, block), len(mesh.coordinates))
+    places = hidden_lines.with_new_nodes(mesh.coordinates, *between) @ np.column_stack([axes, TOWARDS_VIEWER])
+    seen = hidden_lines.seen(places[pieces].mean(1), places[faces])
+    flat = replace(mesh, coordinates=places[:, :2], cells=faces[order], block_of_cell=block[order])
+    steps = [ProjectedStep(**{**vars(step), "displacement": hidden_lines.with_new_nodes(np.nan_to_num(step.displacement), *between) @ axes},
                            largest=step.largest_displacement) for step in results.stage_ends]
-    return replace(results, mesh=flat, stage_ends=steps), edges_seen(mesh, faces, block)
+    return replace(results, mesh=flat, stage_ends=steps), pieces[seen]
 
 
 def draw_points(flat, edges, step, scale, folder):
