@@ -1,6 +1,7 @@
 // Words and numbers as people write and read them, the same for messages, scenes and the command line.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,13 @@ std::string formatted(const char* format, double);
 std::string three_digits(double);
 /// The shortest text that reads back as exactly the same double: "0.1", "2e10", "inf".
 std::string number_text(double);
+/// A place as people write it: "(1, 0.5)".
+template <std::size_t n>
+std::string place_text(const std::array<double, n>& place) {
+  std::string text;
+  for (const double x : place) text += (text.empty() ? "(" : ", ") + number_text(x);
+  return text + ")";
+}
 
 /// The whole text as a number; nothing when any part of it is not. Infinities and NaN are numbers here.
 std::optional<double> number_in(const std::string&);

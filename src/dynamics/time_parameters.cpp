@@ -36,12 +36,15 @@ void InitialVelocityParameters::declare(ParameterSection& section) {
   section.add("vx", vx, "m/s", any_number().usually(1e-9, 1000), "to the right");
   section.add("vy", vy, "m/s", any_number().usually(1e-9, 1000), "upwards; in space along y");
   section.add("vz", vz, "m/s", any_number().usually(1e-9, 1000), "upwards in space");
-  section.add("rotation", rotation, "rad/s", any_number().usually(1e-9, 1000),
-              "counter-clockwise, added to (vx, vy); in space about an axis along z");
-  section.add("about x", about_x, "m", any_number().or_infinite(),
-              "centre of the rotation; inf: the mass centre of the blocks");
-  section.add("about y", about_y, "m", any_number().or_infinite(),
-              "centre of the rotation; inf: the mass centre of the blocks");
+  turn.declare(section, "rad/s", 1e-9, 1000,
+               "counter-clockwise seen from the end of its axis, added to the velocity of all these blocks",
+               "the mass centre of the blocks");
+}
+
+std::vector<KeyOfSpace> InitialVelocityParameters::keys_of_space() const {
+  auto keys = turn.keys_of_space();
+  add_if_given(keys, "vz", vz, "m/s");
+  return keys;
 }
 
 }  // namespace voussoir

@@ -1,9 +1,10 @@
 // Time steps, damping and mass of the stages that have a duration; velocities of blocks when time begins.
 #pragma once
 
-#include <limits>
 #include <string>
+#include <vector>
 
+#include "base/rotation_parameters.hpp"
 #include "blocks/material_parameters.hpp"
 
 namespace voussoir {
@@ -25,11 +26,9 @@ struct TimeParameters {
 struct InitialVelocityParameters {
   std::string blocks = "all";
   double vx = 0, vy = 0, vz = 0;  ///< [m/s]
-  double rotation = 0;            ///< [rad/s] counter-clockwise; in space about an axis along z
-  /// Stands for a coordinate of the mass centre of the blocks.
-  static constexpr double mass_centre = std::numeric_limits<double>::infinity();
-  double about_x = mass_centre, about_y = mass_centre;  ///< [m]
+  RotationParameters turn;        ///< [rad/s] a middle stands for that of the mass of the blocks
   void declare(ParameterSection&);
+  std::vector<KeyOfSpace> keys_of_space() const;
 };
 
 }  // namespace voussoir

@@ -16,6 +16,7 @@ struct AccelerationParameters : LoadKindParameters {
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;
+  std::vector<KeyOfSpace> keys_of_space() const;
 };
 
 }  // namespace voussoir

@@ -7,7 +7,8 @@
 
 namespace voussoir {
 
-Warnings warning_of_bearer(const LoadSite<2>& site, const std::string& what, const std::string& place,
+template <int dim>
+Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, const std::string& place,
                            std::vector<BlockId> stones, BlockId bearer) {
   sort_unique(stones);
   if (stones.size() < 2) return {};
@@ -25,5 +26,10 @@ Warnings warning_of_bearer(const LoadSite<2>& site, const std::string& what, con
                site.source.block(bearer).name + " bears the load; say which one is meant by the key blocks, a set of " +
                "blocks that holds it alone" + (sets.empty() ? "" : ", such as " + list_of(sets, 3))}};
 }
+
+template Warnings warning_of_bearer<2>(const LoadSite<2>&, const std::string&, const std::string&, std::vector<BlockId>,
+                                       BlockId);
+template Warnings warning_of_bearer<3>(const LoadSite<3>&, const std::string&, const std::string&, std::vector<BlockId>,
+                                       BlockId);
 
 }  // namespace voussoir

@@ -14,7 +14,8 @@ namespace voussoir {
 /// @param what    kind of the warning
 /// @param place   "the node nearest to (1, 2) m"
 /// @param stones  that could bear it, the bearer among them; repeated and in any order
-Warnings warning_of_bearer(const LoadSite<2>&, const std::string& what, const std::string& place,
+template <int dim>
+Warnings warning_of_bearer(const LoadSite<dim>&, const std::string& what, const std::string& place,
                            std::vector<BlockId> stones, BlockId bearer);
 
 }  // namespace voussoir

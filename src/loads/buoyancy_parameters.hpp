@@ -11,8 +11,9 @@ namespace voussoir {
 struct BuoyancyParameters : LoadKindParameters {
   static constexpr const char* word = "buoyancy";
   static constexpr const char* text = "Uplift of what is below a water level: the weight of the water it displaces";
+  static constexpr bool in_space = true;
   std::string blocks = "all";  ///< a set of blocks
-  double level = 0.0;          ///< [m] height y of the water
+  double level = 0.0;          ///< [m] height of the water
   double density = 1000.0;     ///< [kg/m3] of the water
   double gravity = 9.81;       ///< [m/s2]
   void declare(ParameterSection&);

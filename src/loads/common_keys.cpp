@@ -22,7 +22,7 @@ void declare_gravity(ParameterSection& section, double& gravity) {
 }
 
 void declare_water(ParameterSection& section, double& level, double& density, double& gravity) {
-  section.add("level", level, "m", any_number(), "height y of the water");
+  section.add("level", level, "m", any_number(), "height (y, in space z) of the water");
   section.add("density", density, "kg/m3", at_least(0.0).usually(500, 2000), "of the water", "a density",
               "Fresh water has 1000.");
   declare_gravity(section, gravity);

@@ -17,7 +17,7 @@ void declare_block_set(ParameterSection&, std::string& blocks);
 void declare_gravity(ParameterSection&, double& gravity);
 
 /// Still water.
-/// @param level    [m] height y
+/// @param level    [m] height
 /// @param density  [kg/m3]
 /// @param gravity  [m/s2]
 void declare_water(ParameterSection&, double& level, double& density, double& gravity);

@@ -16,7 +16,8 @@ void EarthPressureParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
   section.add("unit weight", unit_weight, "N/m3", at_least(0.0).usually(1000, 1e5), "of the soil", "a weight",
               "Backfill has 16e3 to 20e3.");
-  section.add("surface", surface, "m", any_number(), "height y of the surface of the soil; facets above bear nothing");
+  section.add("surface", surface, "m", any_number(),
+              "height (y, in space z) of the surface of the soil; facets above bear nothing");
   section.add("surcharge", surcharge, "Pa", any_number().usually(50, 1e7), "vertical pressure on that surface");
   section.add_choice<State>(
       "state", state,
@@ -46,7 +47,7 @@ double EarthPressureParameters::coefficient() const {
 
 std::string EarthPressureParameters::summary() const {
   return "earth pressure with K " + number_text(coefficient()) + ", " + number_text(unit_weight) +
-         " N/m3 below y = " + number_text(surface) + " m, surcharge " + number_text(surcharge) + " Pa on " +
+         " N/m3 below the level " + number_text(surface) + " m, surcharge " + number_text(surcharge) + " Pa on " +
          in_quotes(on);
 }
 
@@ -60,25 +61,44 @@ std::optional<FacetsOfLoad> EarthPressureParameters::facets() const {
 
 bool EarthPressureParameters::is_zero() const { return coefficient() == 0 || (unit_weight == 0 && surcharge == 0); }
 
-template <>
-void add_earth_pressure<2>(const Structure<2>& s, const EarthPressureParameters& load, const FacetSet& facets,
-                           double factor, std::vector<double>& force) {
+template <int dim>
+void add_earth_pressure(const Structure<dim>& s, const EarthPressureParameters& load, const FacetSet& facets,
+                        double factor, std::vector<double>& force) {
+  constexpr int up = dim - 1;
   const double k = load.coefficient();
-  for (const auto& e : edges_of_set(s, facets))
-    add_along(
-        e, part_between(e, 1, -1e30, load.surface), s.model().thickness,
-        [&](const Vector<2>& x) {
-          const double vertical = load.unit_weight * (load.surface - x[1]) + load.surcharge;
-          return Vector<2>{-factor * k * vertical * e.outward[0], 0};
-        },
-        force);
+  add_on_facets(
+      s, facets, {below(up, load.surface)},
+      [&](const Vector<dim>& x, const Vector<dim>& outward) {
+        const double vertical = load.unit_weight * (load.surface - x[up]) + load.surcharge;
+        auto horizontal = outward;
+        horizontal[up] = 0;
+        return (-factor * k * vertical) * horizontal;
+      },
+      force);
 }
 
-template <>
-std::unique_ptr<Load<2>> make_load_of<2>(const EarthPressureParameters& p, const LoadSite<2>& site) {
+namespace {
+
+template <int dim>
+std::unique_ptr<Load<dim>> earth_pressure(const EarthPressureParameters& p, const LoadSite<dim>& site) {
   return pattern_of(site.structure, [&](auto& unit) {
     add_earth_pressure(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit);
   });
+}
+
+}  // namespace
+
+template void add_earth_pressure<2>(const Structure<2>&, const EarthPressureParameters&, const FacetSet&, double,
+                                    std::vector<double>&);
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const EarthPressureParameters& p, const LoadSite<2>& site) {
+  return earth_pressure(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const EarthPressureParameters& p, const LoadSite<3>& site) {
+  return earth_pressure(p, site);
 }
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-// Lateral pressure of soil on an edge: horizontal, a coefficient times the vertical stress of the soil.
+// Lateral pressure of soil on edges or faces: horizontal, a coefficient times the vertical stress of the soil.
 #pragma once
 
 #include <string>
@@ -11,11 +11,12 @@ namespace voussoir {
 struct EarthPressureParameters : LoadKindParameters {
   static constexpr const char* word = "earth pressure";
   static constexpr const char* text = "Lateral pressure of soil, horizontal: K (unit weight x depth + surcharge)";
+  static constexpr bool in_space = true;
   enum class State { at_rest, active, passive, given };
   std::string on;             ///< a set of facets
   std::string blocks;         ///< a set of blocks whose facets alone are meant; "" for all of the set
   double unit_weight = 18e3;  ///< [N/m3] of the soil
-  double surface = 0.0;       ///< [m] height y of the surface of the soil
+  double surface = 0.0;       ///< [m] height of the surface of the soil
   double surcharge = 0.0;     ///< [Pa] on that surface
   State state = State::at_rest;
   double friction_angle = 30;  ///< [degrees] of the soil

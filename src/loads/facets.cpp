@@ -34,6 +34,13 @@ std::vector<LoadedEdge> edges_of_set(const Structure<2>& s, const FacetSet& set)
 
 namespace {
 
+/// Integrals of the shape functions of a face times its normal, of a triangle the same for each [m2].
+std::array<Vector<3>, 4> shares_of(const LoadedFace& face) {
+  if (face.count == 4) return shares_of_corners(std::array<Vector<3>, 4>{face.x[0], face.x[1], face.x[2], face.x[3]});
+  const auto third = (1.0 / 6) * cross(face.x[1] - face.x[0], face.x[2] - face.x[0]);
+  return {third, third, third, Vector<3>{}};
+}
+
 /// Whether the normals point to where the cell of the face is.
 bool points_inward(const Block<3>& mesh, const TaggedFacet& facet, const Vector<3>& normal) {
   const auto& x0 = mesh.position[facet.node[0]];
@@ -41,10 +48,10 @@ bool points_inward(const Block<3>& mesh, const TaggedFacet& facet, const Vector<
     int common = 0;
     Vector<3> middle{};
     for (int i = 0; i < cell.count; ++i) {
-      common += std::count(facet.node.begin(), facet.node.end(), cell.node[i]) > 0;
+      common += std::count(facet.node.begin(), facet.node.begin() + facet.count, cell.node[i]) > 0;
       middle = middle + (1.0 / cell.count) * mesh.position[cell.node[i]];
     }
-    if (common == 4) return dot(normal, middle - x0) > 0;
+    if (common == facet.count) return dot(normal, middle - x0) > 0;
   }
   return false;
 }
@@ -57,17 +64,81 @@ std::vector<LoadedFace> faces_of_set(const Structure<3>& s, const FacetSet& set)
     for (const auto& f : b.mesh.facets) {
       if (!set.has(b.mesh, f)) continue;
       LoadedFace face{};
-      std::array<Vector<3>, 4> x;
-      for (int i = 0; i < 4; ++i) {
+      face.count = f.count;
+      for (int i = 0; i < f.count; ++i) {
         face.node[i] = b.first_local + f.node[i];
-        x[i] = b.mesh.position[f.node[i]];
+        face.x[i] = b.mesh.position[f.node[i]];
       }
-      const auto share = shares_of_corners(x);
+      const auto share = shares_of(face);
       const double side = points_inward(b.mesh, f, share[0] + share[1] + share[2] + share[3]) ? -1 : 1;
-      for (int i = 0; i < 4; ++i) face.outward[i] = side * share[i];
+      for (int i = 0; i < f.count; ++i) face.outward[i] = side * share[i];
       faces.push_back(face);
     }
   return faces;
+}
+
+namespace {
+
+/// A point of a triangle, by what each of its corners has of it.
+using Shares = std::array<double, 3>;
+
+/// What of a polygon lies in a slab, cut at its two ends.
+/// @param corner  [m] coordinates of the corners of the triangle along the axis of the slab
+std::vector<Shares> cut(std::vector<Shares> polygon, const std::array<double, 3>& corner, const Slab& slab) {
+  for (const double side : {1.0, -1.0}) {
+    const double most = side * (side > 0 ? slab.high : slab.low);
+    std::vector<Shares> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto& a = polygon[i];
+      const auto& b = polygon[(i + 1) % polygon.size()];
+      const double at_a = side * dot(a, corner), at_b = side * dot(b, corner);
+      if (at_a <= most) kept.push_back(a);
+      if ((at_a <= most) != (at_b <= most)) kept.push_back(a + ((most - at_a) / (at_b - at_a)) * (b - a));
+    }
+    polygon = std::move(kept);
+  }
+  return polygon;
+}
+
+/// Adds points for one triangle of a face; the middles of the edges of a triangle are exact to the second degree.
+void add_points(const LoadedFace& face, const std::array<int, 3>& corner, double weight, const std::vector<Slab>& slabs,
+                std::vector<FacePoint>& points) {
+  const auto& x = face.x;
+  auto normal = cross(x[corner[1]] - x[corner[0]], x[corner[2]] - x[corner[0]]);
+  const double twice = norm(normal);
+  if (twice == 0) return;
+  const bool inward = dot(normal, face.outward[0] + face.outward[1] + face.outward[2] + face.outward[3]) < 0;
+  normal = ((inward ? -1 : 1) / twice) * normal;
+  std::vector<Shares> polygon{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const auto& slab : slabs)
+    polygon =
+        cut(polygon, {x[corner[0]][slab.component], x[corner[1]][slab.component], x[corner[2]][slab.component]}, slab);
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const std::array<Shares, 3> part{polygon[0], polygon[i - 1], polygon[i]};
+    const double share = dot(part[0], cross(part[1], part[2]));  // of the area of the triangle
+    for (int edge = 0; edge < 3; ++edge) {
+      const auto middle = 0.5 * (part[edge] + part[(edge + 1) % 3]);
+      FacePoint point{{}, normal, {}};
+      for (int k = 0; k < 3; ++k) {
+        point.at = point.at + middle[k] * x[corner[k]];
+        point.area[corner[k]] = weight * share * twice / 6 * middle[k];
+      }
+      points.push_back(point);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FacePoint> points_of(const LoadedFace& face, const std::vector<Slab>& slabs) {
+  std::vector<FacePoint> points;
+  if (face.count == 3) {
+    add_points(face, {0, 1, 2}, 1, slabs, points);
+    return points;
+  }
+  for (const auto& corner : {std::array<int, 3>{0, 1, 2}, {2, 3, 0}, {1, 2, 3}, {3, 0, 1}})
+    add_points(face, corner, 0.5, slabs, points);
+  return points;
 }
 
 PartOfEdge part_between(const LoadedEdge& e, int c, double low, double high) {

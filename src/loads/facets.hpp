@@ -1,7 +1,9 @@
-// Edges and faces of a set, and forces spread along edges, for loads on facets.
+// Edges and faces of a set, and forces spread over parts of them, for loads on facets.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "blocks/structure.hpp"
@@ -30,10 +32,19 @@ std::vector<LoadedEdge> edges_of_set(const Structure<2>&, const FacetSet&);
 
 /// A face of a block on this rank or its halo.
 struct LoadedFace {
+  int count;             ///< of corners, 3 or 4
   int node[4];           ///< local node copies
+  Vector<3> x[4];        ///< [m] their positions
   Vector<3> outward[4];  ///< [m2] integral of the shape function of each times the unit normal that leaves the block
 };
 std::vector<LoadedFace> faces_of_set(const Structure<3>&, const FacetSet&);
+
+/// What lies between two values of a coordinate [m].
+struct Slab {
+  int component;
+  double low, high;
+};
+inline Slab below(int component, double high) { return {component, -std::numeric_limits<double>::infinity(), high}; }
 
 /// Share [from, to] of an edge, as s in [0, 1], where low <= component c of the position <= high; from >= to for none.
 struct PartOfEdge {
@@ -57,6 +68,46 @@ void add_along(const LoadedEdge& e, const PartOfEdge& part, double thickness, co
       force[2 * e.node[1] + c] += s * area * t[c];
     }
   }
+}
+
+/// A point of a part of a face at which tractions are summed up.
+struct FacePoint {
+  Vector<3> at;       ///< [m]
+  Vector<3> outward;  ///< unit normal that leaves the block
+  double area[4];     ///< [m2] its weight times the shape function of each corner
+};
+
+/// Points and weights that are exact for a traction that is linear over what of a face lies in all slabs. One of four
+/// corners counts as two triangles, once along each diagonal with half the weight, so that none is preferred; force and
+/// moment are exact.
+std::vector<FacePoint> points_of(const LoadedFace&, const std::vector<Slab>&);
+
+/// Adds the consistent nodal forces of a traction [Pa] on what of the facets of a set lies in all slabs. Exact for
+/// tractions that are linear along a facet.
+/// @param traction  Vector<dim>(const Vector<dim>& position, const Vector<dim>& outward)
+template <class Traction>
+void add_on_facets(const Structure<2>& s, const FacetSet& set, const std::vector<Slab>& slabs, const Traction& traction,
+                   std::vector<double>& force) {
+  for (const auto& e : edges_of_set(s, set)) {
+    PartOfEdge part;
+    for (const auto& slab : slabs) {
+      const auto other = part_between(e, slab.component, slab.low, slab.high);
+      part = {std::max(part.from, other.from), std::min(part.to, other.to)};
+    }
+    add_along(
+        e, part, s.model().thickness, [&](const Vector<2>& x) { return traction(x, e.outward); }, force);
+  }
+}
+
+template <class Traction>
+void add_on_facets(const Structure<3>& s, const FacetSet& set, const std::vector<Slab>& slabs, const Traction& traction,
+                   std::vector<double>& force) {
+  for (const auto& face : faces_of_set(s, set))
+    for (const auto& point : points_of(face, slabs)) {
+      const Vector<3> t = traction(point.at, point.outward);
+      for (int i = 0; i < face.count; ++i)
+        for (int c = 0; c < 3; ++c) force[3 * face.node[i] + c] += point.area[i] * t[c];
+    }
 }
 
 }  // namespace voussoir

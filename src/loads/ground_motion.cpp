@@ -1,7 +1,9 @@
 #include "loads/ground_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/parameter_section.hpp"
@@ -99,34 +101,42 @@ struct MotionRecord {
 };
 
 /// Mass of each node, shaken.
-class GroundMotion final : public Load<2> {
+template <int dim>
+class GroundMotion final : public Load<dim> {
  public:
-  GroundMotion(const GroundMotionParameters& p, const LoadSite<2>& site) : steady_{p.ax, p.ay} {
-    const auto& comm = *site.structure.comm();
-    if (!p.record_x.empty()) record_[0] = {p, p.record_x, {"x column", p.column_x}, site.where + " > x record", comm};
-    if (!p.record_y.empty()) record_[1] = {p, p.record_y, {"y column", p.column_y}, site.where + " > y record", comm};
+  GroundMotion(const GroundMotionParameters& p, const LoadSite<dim>& site) {
+    const std::array<ValueColumn, 3> column{
+        {{"x column", p.column_x}, {"y column", p.column_y}, {"z column", p.column_z}}};
+    const std::array<std::string, 3> file{p.record_x, p.record_y, p.record_z};
+    const std::array<double, 3> steady{p.ax, p.ay, p.az};
+    for (int c = 0; c < dim; ++c) {
+      steady_[c] = steady[c];
+      const std::string key = column[c].key.substr(0, 1) + " record";
+      if (!file[c].empty()) record_[c] = {p, file[c], column[c], site.where + " > " + key, *site.structure.comm()};
+    }
     mass_.reserve(static_cast<std::size_t>(site.structure.nodes()));
     for (const auto& b : site.structure.blocks())
-      for (const double volume : nodal_volumes(b.mesh, site.structure.model().thickness))
+      for (const double volume : nodal_volumes(b.mesh, site.structure.model()))
         mass_.push_back(b.material.density * volume);
   }
 
   void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < dim; ++c) {
       double a = 0;
       for (const auto& [time, factor] : moments) a += factor * (steady_[c] + recorded(c, time));
       if (a == 0) continue;
-      for (std::size_t i = 0; i < mass_.size(); ++i) force[2 * i + c] -= mass_[i] * a;
+      for (std::size_t i = 0; i < mass_.size(); ++i) force[dim * i + c] -= mass_[i] * a;
     }
   }
 
   std::size_t bytes() const override {
-    return sizeof(*this) + mass_.capacity() * sizeof(double) + record_[0].acceleration.bytes() +
-           record_[1].acceleration.bytes();
+    std::size_t bytes = sizeof(*this) + mass_.capacity() * sizeof(double);
+    for (const auto& record : record_) bytes += record.acceleration.bytes();
+    return bytes;
   }
 
   bool moves() const override {
-    return !record_[0].acceleration.time().empty() || !record_[1].acceleration.time().empty();
+    return std::any_of(record_.begin(), record_.end(), [](const auto& r) { return !r.acceleration.time().empty(); });
   }
 
   void add_corners(double from, double to, std::vector<double>& times) const override {
@@ -134,18 +144,26 @@ class GroundMotion final : public Load<2> {
   }
 
   double resolution() const override {
-    return std::min(record_[0].acceleration.resolution(), record_[1].acceleration.resolution());
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& record : record_) shortest = std::min(shortest, record.acceleration.resolution());
+    return shortest;
   }
 
   double resolution(double from, double to) const override {
-    return std::min(record_[0].acceleration.resolution(from, to), record_[1].acceleration.resolution(from, to));
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& record : record_) shortest = std::min(shortest, record.acceleration.resolution(from, to));
+    return shortest;
   }
 
-  std::string remark() const override { return record_[0].remark + record_[1].remark; }
+  std::string remark() const override {
+    std::string all;
+    for (const auto& record : record_) all += record.remark;
+    return all;
+  }
 
   Warnings warnings() const override {
-    auto all = record_[0].warnings;
-    all.insert(all.end(), record_[1].warnings.begin(), record_[1].warnings.end());
+    Warnings all;
+    for (const auto& record : record_) all.insert(all.end(), record.warnings.begin(), record.warnings.end());
     return all;
   }
 
@@ -157,8 +175,8 @@ class GroundMotion final : public Load<2> {
     return times.empty() || time < times.front() || time > times.back() ? 0.0 : record(time);
   }
 
-  Vector<2> steady_;
-  MotionRecord record_[2];
+  Vector<dim> steady_{};
+  std::array<MotionRecord, dim> record_;
   std::vector<double> mass_;  ///< [kg] per local node
 };
 
@@ -166,32 +184,48 @@ class GroundMotion final : public Load<2> {
 
 void GroundMotionParameters::declare(ParameterSection& section) {
   section.add("x record", record_x, "file with accelerations of the ground to the right over time");
-  section.add("y record", record_y, "file with accelerations of the ground upwards over time");
+  section.add("y record", record_y, "file with accelerations of the ground upwards over time; in space along y");
+  section.add("z record", record_z, "file with accelerations of the ground upwards over time, in space");
   layout.declare(section);
-  for (const auto& [key, column] : {std::pair{"x column", &column_x}, std::pair{"y column", &column_y}})
+  for (const auto& [key, column] :
+       {std::pair{"x column", &column_x}, std::pair{"y column", &column_y}, std::pair{"z column", &column_z}})
     section.add(key, *column, "-", between(0, 1000), "of its record, where rows hold more than two numbers, from 1");
-  layout.check(section, {{"x column", column_x, !record_x.empty()}, {"y column", column_y, !record_y.empty()}});
+  layout.check(section, {{"x column", column_x, !record_x.empty()},
+                         {"y column", column_y, !record_y.empty()},
+                         {"z column", column_z, !record_z.empty()}});
   section.add_choice<AccelerationUnit>("unit", unit, acceleration_units(),
-                                       "of both records; g is 9.80665 m/s2, gal is cm/s2");
+                                       "of all records; g is 9.80665 m/s2, gal is cm/s2");
   section.add("scale", scale, "-", any_number(), "times every value of the file");
   section.add_choice<bool>("baseline", corrected, {{"as recorded", false}, {"corrected", true}},
                            "corrected takes off the linear acceleration that leaves the ground at rest where it began");
   section.add("ax", ax, "m/s2", any_number().usually(1e-4, 1000), "acceleration to the right; 0.15 g = 1.4715");
-  section.add("ay", ay, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards");
+  section.add("ay", ay, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards; in space along y");
+  section.add("az", az, "m/s2", any_number().usually(1e-4, 1000), "acceleration upwards in space");
 }
 
 std::string GroundMotionParameters::summary() const {
   std::string words = "ground motion";
   if (!record_x.empty()) words += ", x record " + record_x;
   if (!record_y.empty()) words += ", y record " + record_y;
+  if (!record_z.empty()) words += ", z record " + record_z;
   if (words.find("record") != std::string::npos)
     words += std::string(" in ") + word_of(unit) + " times " + number_text(scale);
-  if (ax != 0 || ay != 0) words += ", (" + number_text(ax) + ", " + number_text(ay) + ") m/s2";
+  if (az != 0)
+    words += ", " + place_text(Vector<3>{ax, ay, az}) + " m/s2";
+  else if (ax != 0 || ay != 0)
+    words += ", " + place_text(Vector<2>{ax, ay}) + " m/s2";
   return words;
 }
 
 bool GroundMotionParameters::is_zero() const {
-  return ax == 0 && ay == 0 && (scale == 0 || (record_x.empty() && record_y.empty()));
+  return ax == 0 && ay == 0 && az == 0 && (scale == 0 || (record_x.empty() && record_y.empty() && record_z.empty()));
+}
+
+std::vector<KeyOfSpace> GroundMotionParameters::keys_of_space() const {
+  std::vector<KeyOfSpace> keys;
+  if (!record_z.empty()) keys.push_back({"z record", " = " + in_quotes(record_z)});
+  add_if_given(keys, "az", az, "m/s2");
+  return keys;
 }
 
 double Drift::share() const {
@@ -238,7 +272,12 @@ PiecewiseLinear with_corrected_baseline(const PiecewiseLinear& acceleration) {
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const GroundMotionParameters& p, const LoadSite<2>& site) {
-  return std::make_unique<GroundMotion>(p, site);
+  return std::make_unique<GroundMotion<2>>(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const GroundMotionParameters& p, const LoadSite<3>& site) {
+  return std::make_unique<GroundMotion<3>>(p, site);
 }
 
 }  // namespace voussoir

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/rotation_parameters.hpp"
 #include "base/tensor.hpp"
 
 namespace voussoir {
@@ -46,6 +47,8 @@ struct LoadKindParameters {
   std::vector<SetOfLoad> sets() const { return {}; }
   std::vector<FileOfLoad> files() { return {}; }
   std::optional<FacetsOfLoad> facets() const { return {}; }
+  /// What a scene gives it that means something in space alone.
+  std::vector<KeyOfSpace> keys_of_space() const { return {}; }
 
  protected:
   /// The sets of a load on facets.

@@ -80,6 +80,10 @@ bool LoadParameters::in_space() const {
   return std::visit([](const auto& k) { return k.in_space; }, kind);
 }
 
+std::vector<KeyOfSpace> LoadParameters::keys_of_space() const {
+  return std::visit([](const auto& k) { return k.keys_of_space(); }, kind);
+}
+
 std::vector<SetOfLoad> LoadParameters::sets() const {
   return std::visit([](const auto& k) { return k.sets(); }, kind);
 }

@@ -41,6 +41,7 @@ struct LoadParameters {
   bool is_zero() const;
   /// It acts in space, too.
   bool in_space() const;
+  std::vector<KeyOfSpace> keys_of_space() const;
   std::vector<SetOfLoad> sets() const;
   /// Nothing for a load that acts on no facets.
   std::optional<FacetsOfLoad> facets() const;

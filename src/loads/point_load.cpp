@@ -15,8 +15,11 @@ namespace voussoir {
 void PointLoadParameters::declare(ParameterSection& section) {
   section.add("x", x, "m", any_number(), "the point");
   section.add("y", y, "m", any_number(), "the point");
-  section.add("fx", fx, "N", any_number().usually(10, 1e9), "force to the right, on the modelled thickness");
-  section.add("fy", fy, "N", any_number().usually(10, 1e9), "force upwards, on the modelled thickness");
+  section.add("z", z, "m", any_number(), "the point, in space");
+  section.add("fx", fx, "N", any_number().usually(10, 1e9),
+              "force to the right, in the plane on the modelled thickness");
+  section.add("fy", fy, "N", any_number().usually(10, 1e9), "force upwards; in space along y");
+  section.add("fz", fz, "N", any_number().usually(10, 1e9), "force upwards in space");
   section.add("tolerance", tolerance, "m", at_least(0.0), "largest distance from the point to the nearest node",
               "a distance", "Half the element size is enough on the outside of the structure.");
   section.add("blocks", blocks, "set of blocks whose nodes are looked at: says which stone bears a load on a joint",
@@ -24,14 +27,35 @@ void PointLoadParameters::declare(ParameterSection& section) {
 }
 
 std::string PointLoadParameters::summary() const {
-  return "point load (" + number_text(fx) + ", " + number_text(fy) + ") N at (" + number_text(x) + ", " +
-         number_text(y) + ") m";
+  if (!keys_of_space().empty())
+    return "point load " + place_text(std::array<double, 3>{fx, fy, fz}) + " N at " +
+           place_text(std::array<double, 3>{x, y, z}) + " m";
+  return "point load " + place_text(Vector<2>{fx, fy}) + " N at " + place_text(Vector<2>{x, y}) + " m";
 }
 
-bool PointLoadParameters::is_zero() const { return fx == 0 && fy == 0; }
+bool PointLoadParameters::is_zero() const { return fx == 0 && fy == 0 && fz == 0; }
 
-template <>
-NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point, const std::vector<char>& among) {
+std::vector<KeyOfSpace> PointLoadParameters::keys_of_space() const {
+  std::vector<KeyOfSpace> keys;
+  add_if_given(keys, "z", z, "m");
+  add_if_given(keys, "fz", fz, "N");
+  return keys;
+}
+
+namespace {
+
+template <int dim>
+Vector<dim> first_of(double x, double y, double z) {
+  const std::array<double, 3> all{x, y, z};
+  Vector<dim> some{};
+  std::copy_n(all.begin(), dim, some.begin());
+  return some;
+}
+
+}  // namespace
+
+template <int dim>
+NearestNode nearest_node(const Structure<dim>& s, const Vector<dim>& point, const std::vector<char>& among) {
   double mine = std::numeric_limits<double>::max();
   NearestNode nearest;
   const auto counts = [&](int i) { return among.empty() || among[i]; };
@@ -48,18 +72,18 @@ NearestNode nearest_node<2>(const Structure<2>& s, const Vector<2>& point, const
   return nearest;
 }
 
-template <>
-void add_point_load<2>(const Structure<2>& s, const PointLoadParameters& load, double factor, const std::string& where,
-                       std::vector<double>& force, const std::vector<char>& among) {
-  const auto node = nearest_node(s, Vector<2>{load.x, load.y}, among);
+template <int dim>
+void add_point_load(const Structure<dim>& s, const PointLoadParameters& load, double factor, const std::string& where,
+                    std::vector<double>& force, const std::vector<char>& among) {
+  const auto at = first_of<dim>(load.x, load.y, load.z), given = first_of<dim>(load.fx, load.fy, load.fz);
+  const auto node = nearest_node(s, at, among);
   if (node.distance > load.tolerance)
     throw InputError(where + " > tolerance = " + number_text(load.tolerance) +
-                     " [m]\n  is exceeded: the node nearest to (" + number_text(load.x) + ", " + number_text(load.y) +
-                     ") m is " + number_text(node.distance) +
+                     " [m]\n  is exceeded: the node nearest to " + place_text(at) + " m is " +
+                     number_text(node.distance) +
                      " m away.\n  Move the point to the outside of the structure, or give a larger tolerance.");
   if (node.local < 0) return;
-  force[2 * node.local] += factor * load.fx;
-  force[2 * node.local + 1] += factor * load.fy;
+  for (int c = 0; c < dim; ++c) force[dim * node.local + c] += factor * given[c];
 }
 
 namespace {
@@ -67,10 +91,11 @@ namespace {
 // Nodes as near as the nearest but for round-off: places are rounded to 1e-16 of coordinates and 1e-9 as text.
 constexpr double round_off = 1e-9;  // of the size of the structure
 
-class PointLoad final : public PatternLoad<2> {
+template <int dim>
+class PointLoad final : public PatternLoad<dim> {
  public:
   PointLoad(const std::vector<double>& unit, Warnings warnings)
-      : PatternLoad<2>(unit), warnings_(std::move(warnings)) {}
+      : PatternLoad<dim>(unit), warnings_(std::move(warnings)) {}
   Warnings warnings() const override { return warnings_; }
 
  private:
@@ -78,7 +103,8 @@ class PointLoad final : public PatternLoad<2> {
 };
 
 /// The stones of all nodes that are as near as the nearest; the bearer first. Collective.
-std::vector<BlockId> stones_near(const Structure<2>& s, const Vector<2>& point, const std::vector<char>& among) {
+template <int dim>
+std::vector<BlockId> stones_near(const Structure<dim>& s, const Vector<dim>& point, const std::vector<char>& among) {
   const auto nearest = nearest_node(s, point, among);
   std::vector<BlockId> bearer, others;
   for (int i = 0; i < s.owned_nodes(); ++i) {
@@ -92,21 +118,36 @@ std::vector<BlockId> stones_near(const Structure<2>& s, const Vector<2>& point, 
   return stones;
 }
 
-}  // namespace
-
-template <>
-std::unique_ptr<Load<2>> make_load_of<2>(const PointLoadParameters& p, const LoadSite<2>& site) {
+template <int dim>
+std::unique_ptr<Load<dim>> point_load(const PointLoadParameters& p, const LoadSite<dim>& site) {
   const auto& s = site.structure;
   std::vector<char> among(s.nodes(), 0);
   for (const auto& b : s.blocks())
     if (site.in_block_set(b.mesh, p.blocks)) std::fill_n(among.begin() + b.first_local, b.mesh.position.size(), 1);
-  std::vector<double> unit(2 * static_cast<std::size_t>(s.nodes()), 0.0);
+  std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
   add_point_load(s, p, 1.0, site.where, unit, among);
-  const auto stones = stones_near(s, {p.x, p.y}, among);
-  return std::make_unique<PointLoad>(
-      unit, warning_of_bearer(site, "load_on_several_stones",
-                              "the node nearest to (" + number_text(p.x) + ", " + number_text(p.y) + ") m", stones,
+  const auto at = first_of<dim>(p.x, p.y, p.z);
+  const auto stones = stones_near(s, at, among);
+  return std::make_unique<PointLoad<dim>>(
+      unit, warning_of_bearer(site, "load_on_several_stones", "the node nearest to " + place_text(at) + " m", stones,
                               stones.front()));
+}
+
+}  // namespace
+
+template NearestNode nearest_node<2>(const Structure<2>&, const Vector<2>&, const std::vector<char>&);
+template NearestNode nearest_node<3>(const Structure<3>&, const Vector<3>&, const std::vector<char>&);
+template void add_point_load<2>(const Structure<2>&, const PointLoadParameters&, double, const std::string&,
+                                std::vector<double>&, const std::vector<char>&);
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const PointLoadParameters& p, const LoadSite<2>& site) {
+  return point_load(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const PointLoadParameters& p, const LoadSite<3>& site) {
+  return point_load(p, site);
 }
 
 }  // namespace voussoir

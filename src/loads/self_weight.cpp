@@ -25,6 +25,12 @@ std::string AccelerationParameters::summary() const {
 }
 bool AccelerationParameters::is_zero() const { return ax == 0 && ay == 0 && az == 0; }
 
+std::vector<KeyOfSpace> AccelerationParameters::keys_of_space() const {
+  std::vector<KeyOfSpace> keys;
+  add_if_given(keys, "az", az, "m/s2");
+  return keys;
+}
+
 template <int dim>
 void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration, double factor,
                        std::vector<double>& force) {

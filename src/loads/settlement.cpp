@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
 #include "linalg/reduce.hpp"
+#include "loads/facets.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
 
@@ -13,57 +14,80 @@ void SettlementParameters::declare(ParameterSection& section) {
   section.add("support", support, "name of the support of this scene that moves; only its held components do",
               Presence::required, "Give a name from the section \"supports\".");
   section.add("ux", ux, "m", any_number().usually(1e-9, 2), "displacement to the right");
-  section.add("uy", uy, "m", any_number().usually(1e-9, 2), "displacement upwards; a settlement is negative");
-  section.add("rotation", rotation, "rad", any_number().usually(1e-9, 1.6),
-              "rotation, counter-clockwise; a small one unless model > rotations is finite");
-  section.add("about x", about_x, "m", any_number().or_infinite(),
-              "centre of the rotation; inf: the middle of the support's edges");
-  section.add("about y", about_y, "m", any_number().or_infinite(),
-              "centre of the rotation; inf: the middle of the support's edges");
+  section.add("uy", uy, "m", any_number().usually(1e-9, 2),
+              "displacement upwards, in space along y; a settlement is negative");
+  section.add("uz", uz, "m", any_number().usually(1e-9, 2), "displacement upwards in space");
+  turn.declare(section, "rad", 1e-9, 1.6,
+               "counter-clockwise seen from the end of its axis; a small one unless model > rotations is finite",
+               "the middle of the support's edges or faces");
 }
 
 std::string SettlementParameters::summary() const {
   const auto coordinate = [](double x) { return std::isinf(x) ? "its middle" : number_text(x); };
-  return "settlement of " + in_quotes(support) + " by (" + number_text(ux) + ", " + number_text(uy) + ") m" +
-         (rotation == 0 ? ""
-                        : ", turned by " + number_text(rotation) + " rad about (" + coordinate(about_x) + ", " +
-                              coordinate(about_y) + ") m");
+  std::string words = "settlement of " + in_quotes(support) + " by (" + number_text(ux) + ", " + number_text(uy) +
+                      (uz == 0 ? "" : ", " + number_text(uz)) + ") m";
+  if (turn.rotation == 0) return words;
+  words += ", turned by " + number_text(turn.rotation) + " rad about (" + coordinate(turn.about[0]) + ", " +
+           coordinate(turn.about[1]);
+  if (turn.keys_of_space().empty()) return words + ") m";
+  return words + ", " + coordinate(turn.about[2]) + ") m, axis " + place_text(turn.axis);
 }
 
-bool SettlementParameters::is_zero() const { return ux == 0 && uy == 0 && rotation == 0; }
+bool SettlementParameters::is_zero() const { return ux == 0 && uy == 0 && uz == 0 && turn.rotation == 0; }
 
-template <>
-void add_settlement<2>(const Structure<2>& s, const SettlementParameters& load, const SupportParameters& support,
-                       const FacetSet& facets, double factor, std::vector<double>& displacement) {
+std::vector<KeyOfSpace> SettlementParameters::keys_of_space() const {
+  auto keys = turn.keys_of_space();
+  add_if_given(keys, "uz", uz, "m");
+  return keys;
+}
+
+template <int dim>
+void add_settlement(const Structure<dim>& s, const SettlementParameters& load, const SupportParameters& support,
+                    const FacetSet& facets, double factor, std::vector<double>& displacement) {
+  const auto direction = load.turn.direction();
   std::vector<char> moved(s.nodes(), 0);  // a node of two facets moves once
   for_each_node_on(s, facets, [&](int node) {
     if (moved[node]) return;
     moved[node] = 1;
-    const auto& x = s.drawn_position()[node];
-    Vector<2> u{load.ux, load.uy};
-    if (load.rotation != 0) u = u + load.rotation * Vector<2>{load.about_y - x[1], x[0] - load.about_x};
-    for (int c = 0; c < 2; ++c)
-      if (holds(support, c)) displacement[2 * node + c] += factor * u[c];
+    Vector<dim> u{}, arm{};
+    for (int c = 0; c < dim; ++c) {
+      u[c] = load.along(c);
+      arm[c] = s.drawn_position()[node][c] - load.turn.about[c];
+    }
+    if (load.turn.rotation != 0) u = u + load.turn.rotation * spin(direction, arm);
+    for (int c = 0; c < dim; ++c)
+      if (holds(support, c)) displacement[dim * node + c] += factor * u[c];
   });
 }
 
 namespace {
 
-/// The middle of the edges of a support, by their length [m]. Collective.
-Vector<2> middle_of_edges(const Structure<2>& s, const FacetSet& facets) {
-  std::array<double, 3> mine{};  // lengths, and their moments about the middle of the structure
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto& block = s.blocks()[b];
-    for (const auto& facet : block.mesh.facets) {
-      if (!facets.has(block.mesh, facet)) continue;
-      const auto from = s.drawn_position()[block.first_local + facet.node[0]] - s.middle();
-      const auto to = s.drawn_position()[block.first_local + facet.node[1]] - s.middle();
-      const auto middle = 0.5 * (from + to);
-      mine = mine + norm(to - from) * std::array<double, 3>{1, middle[0], middle[1]};
-    }
+/// Length of an edge or area of a face, and its moments about the middle of the structure.
+void add_middle(const Structure<2>& s, const LoadedEdge& e, std::array<double, 3>& sum) {
+  const auto middle = 0.5 * (e.x[0] + e.x[1]) - s.middle();
+  sum = sum + e.length * std::array<double, 3>{1, middle[0], middle[1]};
+}
+
+void add_middle(const Structure<3>& s, const LoadedFace& face, std::array<double, 4>& sum) {
+  for (int i = 0; i < face.count; ++i) {
+    const auto arm = face.x[i] - s.middle();
+    sum = sum + norm(face.outward[i]) * std::array<double, 4>{1, arm[0], arm[1], arm[2]};
   }
+}
+
+std::vector<LoadedEdge> facets_of(const Structure<2>& s, const FacetSet& set) { return edges_of_set(s, set); }
+std::vector<LoadedFace> facets_of(const Structure<3>& s, const FacetSet& set) { return faces_of_set(s, set); }
+
+/// The middle of the edges or faces of a support, by their size [m]. Collective.
+template <int dim>
+Vector<dim> middle_of_facets(const Structure<dim>& s, const FacetSet& facets) {
+  std::array<double, dim + 1> mine{};
+  for (const auto& facet : facets_of(s, facets))
+    if (facet.node[0] < s.owned_nodes()) add_middle(s, facet, mine);
   const auto all = total_of_each(*s.comm(), mine);
-  return all[0] > 0 ? s.middle() + Vector<2>{all[1] / all[0], all[2] / all[0]} : s.middle();
+  auto middle = s.middle();
+  for (int c = 0; c < dim && all[0] > 0; ++c) middle[c] += all[c + 1] / all[0];
+  return middle;
 }
 
 /// A support that turns by a finite rotation: its nodes keep their distances, so their motion is no multiple of a
@@ -72,11 +96,11 @@ class TurningSupport : public Load<2> {
  public:
   /// @param moves  1 for the components [2 x local node copies] that the support takes along
   TurningSupport(const Structure<2>& s, const SettlementParameters& p, const std::vector<char>& moves)
-      : translation_{p.ux, p.uy}, rotation_(p.rotation) {
+      : translation_{p.ux, p.uy}, rotation_(p.turn.rotation) {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       if (!moves[i]) continue;
       index_.push_back(static_cast<int>(i));
-      arm_.push_back(s.drawn_position()[i / 2] - Vector<2>{p.about_x, p.about_y});
+      arm_.push_back(s.drawn_position()[i / 2] - Vector<2>{p.turn.about[0], p.turn.about[1]});
     }
   }
   void add(const std::vector<LoadMoment>& moments, std::vector<double>&,
@@ -97,33 +121,56 @@ class TurningSupport : public Load<2> {
   std::vector<Vector<2>> arm_;  ///< [m] from the centre
 };
 
+/// What a settlement moves: displacements for factor 1, and 1 for the components that its support takes along.
+/// A node of two supports moves with the first.
+template <int dim>
+struct MovedNodes {
+  std::vector<double> unit;
+  std::vector<char> moves;
+
+  MovedNodes(const SettlementParameters& p, const LoadSite<dim>& site)
+      : unit(dim * static_cast<std::size_t>(site.structure.nodes()), 0.0), moves(unit.size(), 0) {
+    std::vector<char> moved(unit.size(), 0);
+    for (const auto& [name, support] : site.supports) {
+      const auto set = site.facet_set(support.on, support.blocks);
+      if (name == p.support) {
+        add_settlement(site.structure, p, support, set, 1.0, unit);
+        hold(site.structure, support, set, moves);
+        for (std::size_t i = 0; i < unit.size(); ++i)
+          if (moved[i]) unit[i] = moves[i] = 0;
+        break;
+      }
+      hold(site.structure, support, set, moved);
+    }
+  }
+};
+
+template <int dim>
+std::unique_ptr<Load<dim>> settlement(SettlementParameters p, const LoadSite<dim>& site) {
+  const auto& s = site.structure;
+  for (const auto& [name, support] : site.supports)
+    if (name == p.support && p.turn.rotation != 0)
+      p.turn.set_middle(middle_of_facets(s, site.facet_set(support.on, support.blocks)));
+  const MovedNodes<dim> nodes(p, site);
+  if constexpr (dim == 2)
+    if (p.turn.rotation != 0 && s.model().rotations == Rotations::finite)
+      return std::make_unique<TurningSupport>(s, p, nodes.moves);
+  return std::make_unique<PatternLoad<dim>>(nodes.unit, PatternLoad<dim>::Of::displacements);
+}
+
 }  // namespace
 
+template void add_settlement<2>(const Structure<2>&, const SettlementParameters&, const SupportParameters&,
+                                const FacetSet&, double, std::vector<double>&);
+
 template <>
-std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& given, const LoadSite<2>& site) {
-  const auto& s = site.structure;
-  auto p = given;
-  for (const auto& [name, support] : site.supports)
-    if (name == p.support && p.rotation != 0) {
-      const auto middle = middle_of_edges(s, site.facet_set(support.on, support.blocks));
-      if (std::isinf(p.about_x)) p.about_x = middle[0];
-      if (std::isinf(p.about_y)) p.about_y = middle[1];
-    }
-  std::vector<double> unit(2 * s.nodes(), 0.0);
-  std::vector<char> moved(unit.size(), 0), moves(unit.size(), 0);  // a node of two supports moves with the first
-  for (const auto& [name, support] : site.supports) {
-    const auto set = site.facet_set(support.on, support.blocks);
-    if (name == p.support) {
-      add_settlement(s, p, support, set, 1.0, unit);
-      hold(s, support, set, moves);
-      for (std::size_t i = 0; i < unit.size(); ++i)
-        if (moved[i]) unit[i] = moves[i] = 0;
-      break;
-    }
-    hold(s, support, set, moved);
-  }
-  if (p.rotation != 0 && s.model().rotations == Rotations::finite) return std::make_unique<TurningSupport>(s, p, moves);
-  return std::make_unique<PatternLoad<2>>(unit, PatternLoad<2>::Of::displacements);
+std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& p, const LoadSite<2>& site) {
+  return settlement(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const SettlementParameters& p, const LoadSite<3>& site) {
+  return settlement(p, site);
 }
 
 }  // namespace voussoir

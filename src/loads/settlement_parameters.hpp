@@ -1,7 +1,6 @@
-// Prescribed motion of a support: translation and small rotation about a point.
+// Prescribed motion of a support: translation and rotation, in space about any axis.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,15 +11,16 @@ namespace voussoir {
 struct SettlementParameters : LoadKindParameters {
   static constexpr const char* word = "settlement";
   static constexpr const char* text = "Prescribed motion of a support";
-  std::string support;        ///< name of a support of the scene; only its held components move
-  double ux = 0.0, uy = 0.0;  ///< [m]
-  double rotation = 0.0;      ///< [rad] counter-clockwise
-  /// Stands for a coordinate of the middle of the support's edges.
-  static constexpr double middle = std::numeric_limits<double>::infinity();
-  double about_x = middle, about_y = middle;  ///< [m] centre of rotation
+  static constexpr bool in_space = true;
+  std::string support;                  ///< name of a support of the scene; only its held components move
+  double ux = 0.0, uy = 0.0, uz = 0.0;  ///< [m] uz in space
+  RotationParameters turn;              ///< [rad] a middle stands for that of the support's edges or faces
+  /// [m] along an axis
+  double along(int c) const { return c == 0 ? ux : c == 1 ? uy : uz; }
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;
+  std::vector<KeyOfSpace> keys_of_space() const;
 };
 
 }  // namespace voussoir

@@ -29,15 +29,22 @@ std::optional<FacetsOfLoad> TractionParameters::facets() const {
 
 bool TractionParameters::is_zero() const { return tx == 0 && ty == 0 && tz == 0 && pressure == 0; }
 
+std::vector<KeyOfSpace> TractionParameters::keys_of_space() const {
+  std::vector<KeyOfSpace> keys;
+  add_if_given(keys, "tz", tz, "Pa");
+  return keys;
+}
+
 template <>
 void add_traction<2>(const Structure<2>& s, const TractionParameters& load, const FacetSet& facets, double factor,
                      std::vector<double>& force) {
-  for (const auto& e : edges_of_set(s, facets)) {
-    const Vector<2> traction{factor * (load.tx - load.pressure * e.outward[0]),
-                             factor * (load.ty - load.pressure * e.outward[1])};
-    add_along(
-        e, {0, 1}, s.model().thickness, [&](const Vector<2>&) { return traction; }, force);
-  }
+  add_on_facets(
+      s, facets, {},
+      [&](const Vector<2>&, const Vector<2>& outward) {
+        return Vector<2>{factor * (load.tx - load.pressure * outward[0]),
+                         factor * (load.ty - load.pressure * outward[1])};
+      },
+      force);
 }
 
 template <>
@@ -45,7 +52,7 @@ void add_traction<3>(const Structure<3>& s, const TractionParameters& load, cons
                      std::vector<double>& force) {
   const Vector<3> dead{load.tx, load.ty, load.tz};
   for (const auto& face : faces_of_set(s, facets))
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < face.count; ++i)
       for (int c = 0; c < 3; ++c)
         force[3 * face.node[i] + c] += factor * (norm(face.outward[i]) * dead[c] - load.pressure * face.outward[i][c]);
 }

@@ -19,6 +19,7 @@ struct TractionParameters : LoadKindParameters {
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;
+  std::vector<KeyOfSpace> keys_of_space() const;
   std::vector<SetOfLoad> sets() const { return sets_of(on, blocks); }
   std::optional<FacetsOfLoad> facets() const;
 };

@@ -15,7 +15,7 @@ void WaterPressureParameters::declare(ParameterSection& section) {
 }
 
 std::string WaterPressureParameters::summary() const {
-  return "water pressure of " + number_text(density) + " kg/m3 below y = " + number_text(level) + " m on " +
+  return "water pressure of " + number_text(density) + " kg/m3 below the level " + number_text(level) + " m on " +
          in_quotes(on);
 }
 
@@ -27,21 +27,39 @@ std::optional<FacetsOfLoad> WaterPressureParameters::facets() const {
 
 bool WaterPressureParameters::is_zero() const { return density == 0 || gravity == 0; }
 
-template <>
-void add_water_pressure<2>(const Structure<2>& s, const WaterPressureParameters& load, const FacetSet& facets,
-                           double factor, std::vector<double>& force) {
-  for (const auto& e : edges_of_set(s, facets))
-    add_along(
-        e, part_between(e, 1, -1e30, load.level), s.model().thickness,
-        [&](const Vector<2>& x) { return (-factor * load.density * load.gravity * (load.level - x[1])) * e.outward; },
-        force);
+template <int dim>
+void add_water_pressure(const Structure<dim>& s, const WaterPressureParameters& load, const FacetSet& facets,
+                        double factor, std::vector<double>& force) {
+  constexpr int up = dim - 1;
+  const double weight = factor * load.density * load.gravity;
+  add_on_facets(
+      s, facets, {below(up, load.level)},
+      [&](const Vector<dim>& x, const Vector<dim>& outward) { return (-weight * (load.level - x[up])) * outward; },
+      force);
 }
 
-template <>
-std::unique_ptr<Load<2>> make_load_of<2>(const WaterPressureParameters& p, const LoadSite<2>& site) {
+namespace {
+
+template <int dim>
+std::unique_ptr<Load<dim>> water_pressure(const WaterPressureParameters& p, const LoadSite<dim>& site) {
   return pattern_of(site.structure, [&](auto& unit) {
     add_water_pressure(site.structure, p, site.facet_set(p.on, p.blocks), 1.0, unit);
   });
+}
+
+}  // namespace
+
+template void add_water_pressure<2>(const Structure<2>&, const WaterPressureParameters&, const FacetSet&, double,
+                                    std::vector<double>&);
+
+template <>
+std::unique_ptr<Load<2>> make_load_of<2>(const WaterPressureParameters& p, const LoadSite<2>& site) {
+  return water_pressure(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const WaterPressureParameters& p, const LoadSite<3>& site) {
+  return water_pressure(p, site);
 }
 
 }  // namespace voussoir

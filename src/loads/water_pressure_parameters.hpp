@@ -1,4 +1,4 @@
-// Pressure of still water on an edge.
+// Pressure of still water on edges or faces.
 #pragma once
 
 #include <string>
@@ -11,9 +11,10 @@ namespace voussoir {
 struct WaterPressureParameters : LoadKindParameters {
   static constexpr const char* word = "water pressure";
   static constexpr const char* text = "Pressure of still water on facets below its level";
+  static constexpr bool in_space = true;
   std::string on;           ///< a set of facets
   std::string blocks;       ///< a set of blocks whose facets alone are meant; "" for all of the set
-  double level = 0.0;       ///< [m] height y of the water
+  double level = 0.0;       ///< [m] height of the water
   double density = 1000.0;  ///< [kg/m3]
   double gravity = 9.81;    ///< [m/s2]
   void declare(ParameterSection&);

@@ -180,7 +180,7 @@ template <int dim>
 Vector<dim> ModelOfBlocks<dim>::centre_of_rotation(const InitialVelocityParameters& given) const {
   const auto& s = *structure_;
   auto centre = s.middle();
-  if (given.rotation == 0) return centre;
+  if (given.turn.rotation == 0) return centre;
   std::array<double, dim + 1> mine{};  // moments of the mass about the middle of the structure, and the mass
   for (int n = 0; n < s.owned_blocks(); ++n) {
     const auto& b = s.blocks()[n];
@@ -193,8 +193,10 @@ Vector<dim> ModelOfBlocks<dim>::centre_of_rotation(const InitialVelocityParamete
     }
   }
   const auto all = total_of_each(*s.comm(), mine);
-  const double given_at[] = {given.about_x, given.about_y};
-  for (int c = 0; c < 2; ++c) centre[c] = std::isinf(given_at[c]) ? centre[c] + all[c] / all[dim] : given_at[c];
+  auto turn = given.turn;
+  for (int c = 0; c < dim; ++c) centre[c] += all[c] / all[dim];
+  turn.set_middle(centre);
+  std::copy_n(turn.about.begin(), dim, centre.begin());
   return centre;
 }
 
@@ -204,11 +206,13 @@ std::vector<double> ModelOfBlocks<dim>::initial_velocities() const {
   std::vector<double> v(dim * static_cast<std::size_t>(s.nodes()), 0.0);
   for (const auto& [name, given] : settings_.velocities) {
     const auto centre = centre_of_rotation(given);
+    const auto direction = given.turn.direction();
+    const std::array<double, 3> along{given.vx, given.vy, given.vz};
     for (const auto& b : s.blocks()) {
       if (!in_set(source_, b.mesh, given.blocks)) continue;
       for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
-        const auto there = velocity(given, b.mesh.position[i] - centre);
-        for (int c = 0; c < dim; ++c) v[dim * (b.first_local + i) + c] = there[c];
+        const auto there = given.turn.rotation * spin(direction, b.mesh.position[i] - centre);
+        for (int c = 0; c < dim; ++c) v[dim * (b.first_local + i) + c] = along[c] + there[c];
       }
     }
   }

@@ -30,8 +30,6 @@ class ModelOfBlocks : public Model {
   std::vector<char> between_supports() const;
   double stiffness_beside(int node) const override;
   Vector<dim> centre_of_rotation(const InitialVelocityParameters&) const;
-  /// Of a place an arm away from the centre of rotation [m/s].
-  static Vector<dim> velocity(const InitialVelocityParameters&, const Vector<dim>& arm);
 
   const BlockSource<dim>& source_;
   std::unique_ptr<Structure<dim>> structure_;
@@ -50,10 +48,6 @@ template <>
 double ModelOfBlocks<2>::stiffness_beside(int) const;
 template <>
 double ModelOfBlocks<3>::stiffness_beside(int) const;
-template <>
-Vector<2> ModelOfBlocks<2>::velocity(const InitialVelocityParameters&, const Vector<2>&);
-template <>
-Vector<3> ModelOfBlocks<3>::velocity(const InitialVelocityParameters&, const Vector<3>&);
 extern template class ModelOfBlocks<2>;
 extern template class ModelOfBlocks<3>;
 

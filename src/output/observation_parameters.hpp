@@ -11,9 +11,9 @@ struct ObservationParameters {
   enum class Place { nearest_node, mean, support };
   std::string blocks = "all";  ///< a set of blocks
   Place place = Place::nearest_node;
-  double x = 0.0, y = 0.0;  ///< [m] of the nearest node, undeformed
-  double tolerance = 0.05;  ///< [m] largest distance to a node
-  std::string support;      ///< of the scene, where the place is one
+  double x = 0.0, y = 0.0, z = 0.0;  ///< [m] of the nearest node, undeformed; z in space
+  double tolerance = 0.05;           ///< [m] largest distance to a node
+  std::string support;               ///< of the scene, where the place is one
   void declare(ParameterSection&);
 };
 

@@ -1,6 +1,7 @@
 #include "results/observations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "base/check.hpp"
@@ -21,23 +22,19 @@ constexpr const char* axis[] = {"x", "y", "z"};
 /// Nodes of this rank with their weights.
 using Weights = std::vector<std::pair<int, double>>;
 
-Weights node_near(const ObservationParameters& p, const std::string& where, const Structure<2>& s,
+template <int dim>
+Weights node_near(const ObservationParameters& p, const std::string& where, const Structure<dim>& s,
                   const std::vector<char>& observed) {
-  const auto node = nearest_node(s, Vector<2>{p.x, p.y}, observed);
+  Vector<dim> at;
+  std::copy_n(std::array<double, 3>{p.x, p.y, p.z}.begin(), dim, at.begin());
+  const auto node = nearest_node(s, at, observed);
   if (node.distance > p.tolerance)
     throw InputError(where + " > tolerance = " + number_text(p.tolerance) +
-                     " [m]\n  is exceeded: the node nearest to (" + number_text(p.x) + ", " + number_text(p.y) +
-                     ") m is " + number_text(node.distance) +
+                     " [m]\n  is exceeded: the node nearest to " + place_text(at) + " m is " +
+                     number_text(node.distance) +
                      " m away.\n  Move the point to the structure, or give a larger tolerance.");
   if (node.local < 0 || node.local >= s.owned_nodes()) return {};
   return {{node.local, 1.0}};
-}
-
-Weights node_near(const ObservationParameters&, const std::string& where, const Structure<3>&,
-                  const std::vector<char>&) {
-  throw InputError(where +
-                   " > place = nearest node\n  is sought at (x, y), which is no place in space.\n  Take place = mean "
-                   "and a set of blocks, or place = support.");
 }
 
 /// Of some nodes by what they weigh, [local node copies].

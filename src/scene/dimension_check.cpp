@@ -8,19 +8,17 @@ namespace {
 /// Keys of space that a plane scene gives.
 void check_plane(Scene& scene, InputProblems& problems) {
   const std::string why = "\n  is across the plane of this mesh, where nothing moves.\n  ";
-  const auto check = [&](const std::string& load, const char* key, double value, const char* unit) {
-    if (value != 0)
-      problems.add("scene > loads > " + load + " > " + key,
-                   " = " + number_text(value) + " [" + unit + "]" + why + "Leave it out, or take a mesh in space.");
+  const auto check = [&](const std::string& section, const std::vector<KeyOfSpace>& given) {
+    for (const auto& [key, value] : given)
+      problems.add("scene > " + section + " > " + key, value + why + "Leave it out, or take a mesh in space.");
   };
-  for (const auto& load : scene.loads) {
-    if (const auto* a = load_as<AccelerationParameters>(load)) check(load.name, "az", a->az, "m/s2");
-    if (const auto* t = load_as<TractionParameters>(load)) check(load.name, "tz", t->tz, "Pa");
+  for (const auto& load : scene.loads) check("loads > " + load.name, load.keys_of_space());
+  for (const auto& [name, velocity] : scene.velocities) check("initial velocities > " + name, velocity.keys_of_space());
+  for (const auto& [name, place] : scene.observations) {
+    std::vector<KeyOfSpace> keys;
+    add_if_given(keys, "z", place.z, "m");
+    check("observations > " + name, keys);
   }
-  for (const auto& [name, velocity] : scene.velocities)
-    if (velocity.vz != 0)
-      problems.add("scene > initial velocities > " + name + " > vz",
-                   " = " + number_text(velocity.vz) + " [m/s]" + why + "Leave it out, or take a mesh in space.");
   for (const auto& [name, support] : scene.supports)
     if (support.components.find('z') != std::string::npos)
       problems.add("scene > supports > " + name + " > components",

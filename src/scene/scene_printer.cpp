@@ -136,8 +136,9 @@ std::string joint_text(const JointLawParameters& j) {
 }
 
 std::string velocity_text(const InitialVelocityParameters& v) {
-  return in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) + ") m/s" +
-         (v.rotation == 0 ? "" : ", turning by " + number_text(v.rotation) + " rad/s");
+  return in_quotes(v.blocks) + ": (" + number_text(v.vx) + ", " + number_text(v.vy) +
+         (v.vz == 0 ? "" : ", " + number_text(v.vz)) + ") m/s" +
+         (v.turn.rotation == 0 ? "" : ", turning by " + number_text(v.turn.rotation) + " rad/s");
 }
 
 std::string construction_text(const ConstructionParameters& c) {

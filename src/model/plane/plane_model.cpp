@@ -32,9 +32,4 @@ double ModelOfBlocks<2>::stiffness_beside(int node) const {
   return structure_->blocks()[structure_->block_of_node()[node]].material.young_modulus * structure_->model().thickness;
 }
 
-template <>
-Vector<2> ModelOfBlocks<2>::velocity(const InitialVelocityParameters& given, const Vector<2>& arm) {
-  return {given.vx - given.rotation * arm[1], given.vy + given.rotation * arm[0]};
-}
-
 }  // namespace voussoir

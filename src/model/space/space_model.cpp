@@ -28,9 +28,4 @@ double ModelOfBlocks<3>::stiffness_beside(int node) const {
   return structure_->blocks()[structure_->block_of_node()[node]].material.young_modulus * (*cell_size_)[node];
 }
 
-template <>
-Vector<3> ModelOfBlocks<3>::velocity(const InitialVelocityParameters& given, const Vector<3>& arm) {
-  return {given.vx - given.rotation * arm[1], given.vy + given.rotation * arm[0], given.vz};
-}
-
 }  // namespace voussoir

@@ -154,9 +154,9 @@ TEUCHOS_UNIT_TEST(Settlement, MovesAndTurnsTheHeldComponentsOnceAtEveryNode) {
   SettlementParameters load;
   load.ux = 1e-3;
   load.uy = -2e-3;
-  load.rotation = 1e-2;
-  load.about_x = 0.5;
-  load.about_y = -0.25;
+  load.turn.rotation = 1e-2;
+  load.turn.about[0] = 0.5;
+  load.turn.about[1] = -0.25;
   for (const std::string components : {"x", "y", "xy"}) {
     auto u = nothing(s);
     for (const double factor : {0.25, 0.5})  // added: three quarters in all

@@ -46,7 +46,7 @@ TEUCHOS_UNIT_TEST(SpaceModel, VelocitiesAtTheStartAreThoseOfTheScene) {
   given.vx = 1;
   given.vy = 2;
   given.vz = 3;
-  given.rotation = 4;
+  given.turn.rotation = 4;
   scene.velocities.push_back({"spin", given});
   const ExperimentInSpace experiment(scene);
   const auto v = experiment.model().initial_velocities();
