@@ -9,6 +9,7 @@ import numpy as np
 
 import draw_structure
 import hidden_lines
+import view_in_space
 from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, legend, limits, outline_width, save
 from geometry import deformation_scale, deformed, factor_text, length_text
 from read_results import OPEN, SLIP, Step, is_mechanism
@@ -97,6 +98,10 @@ def add_space_sections(page, results, folder, attempt):
     flat, edges = projected(results)
     view = "in parallel projection from the front, the right and above (x along, y into the picture, z up); the bar holds along the picture"
     page.section("The structure")
+    try:
+        attempt(page, "The view of the structure", lambda: view_in_space.add_view(page, results))
+    except view_in_space.NoScripts as problem:
+        page.words(f"There is no view to be turned: {problem}.")
     attempt(page, "The undeformed structure", lambda: page.picture(
         draw_structure.draw_undeformed(flat.mesh, edges, folder), f"The structure as built: {flat.mesh.blocks} stones, {view}."))
     step = flat.last

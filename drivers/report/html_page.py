@@ -27,10 +27,14 @@ th { vertical-align: bottom; font-weight: 600; white-space: normal; border-botto
 /* Words break between words: "anywhere" would let a narrow table shrink them to a letter a line. A wide table scrolls. */
 th.words, td.words { text-align: left; white-space: normal; overflow-wrap: break-word; min-width: 6rem; }
 th.long, td.long { min-width: 14rem; }
+#view-in-space .controls { display: flex; flex-wrap: wrap; gap: .4rem 1.1rem; align-items: center; font-size: .9rem; }
+#view-in-space .frame { border: 1px solid var(--line); margin: .5rem 0; touch-action: none; }
+#view-in-space canvas { display: block; width: 100%; } #view-in-space .said { margin: .2rem 0; font-size: .9rem; min-height: 1.3em; }
+#view-in-space select { max-width: 12rem; } #view-in-space button { font: inherit; padding: .1rem .7rem; }
 .remarks { background: #fdf3d8; border-left: 4px solid #e69f00; padding: .6rem 1rem; margin: 1rem 0; }
 .remarks ul { margin: .3rem 0; padding-left: 1.2rem; }
 footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .85rem; }
-@media print { @page { size: A4; margin: 15mm; } body { max-width: none; padding: 0; font-size: 10.5pt; }
+@media print { #view-in-space { display: none; } @page { size: A4; margin: 15mm; } body { max-width: none; padding: 0; font-size: 10.5pt; }
   figure, tr, dl div, .remarks { break-inside: avoid; } h2, h3 { break-after: avoid; } .table { overflow: visible; }
   table { font-size: 7.5pt; } th, td { padding: .1rem .3rem; } * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 """
@@ -94,6 +98,27 @@ class Page:
         data = base64.b64encode(path.read_bytes()).decode("ascii")
         self.parts.append(f'<figure><img alt="{escape(caption)}" src="data:image/gif;base64,{data}">'
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
+
+    def view_in_space(self, data, scripts, stages, ways, caption):
+        """A structure to be turned: data as JSON, scripts that draw it, what the reader chooses from."""
+        options = lambda words: "".join(f'<option value="{k}">{escape(word)}</option>' for k, word in enumerate(words))
+        boxes = "".join(f'<label><input type="checkbox" name="{name}"{" checked" if on else ""}> {words}</label>' for name, words, on in (
+            ("points", "points that open or slip", True), ("closed", "and those that stick", False), ("forces", "resultants", False),
+            ("through", "see through", False), ("built", "as built", False)))
+        self.parts.append(
+            '<figure id="view-in-space"><div class="controls">'
+            f'<label>Stage <select name="stage">{options(stages)}</select></label>'
+            f'<label>Colours <select name="set">{options(ways)}</select></label>'
+            '<label>Magnified <input type="range" name="scale" min="0" max="100" value="60"></label>'
+            f'{boxes}<button type="button" name="play">Move</button><button type="button" name="home">From the front</button></div>'
+            '<div class="frame"></div><p class="said"><output name="stage-words"></output>; <output name="scale-words"></output></p>'
+            f'<p class="said stone" aria-live="polite"></p><figcaption>{escape(caption)}</figcaption></figure>')
+        body = data.replace("<", "\\u003c")  # names in it must not end the element
+        self.parts.append(f'<script type="application/json" id="view-in-space-data">{body}</script>')
+        for script in scripts:
+            if "</script" in script.lower():
+                raise ValueError("a script that would end its own element")
+            self.parts.append(f"<script>{script}</script>")
 
     def table(self, columns, rows, words=()):
         """columns: headings; words: numbers of the columns that hold text and are set flush left."""

@@ -69,6 +69,7 @@ class Step:
     tangential_force: np.ndarray  # [points] N
     status: np.ndarray            # [points] OPEN, STICK, SLIP or BONDED
     selected: np.ndarray          # [points] bool
+    force: np.ndarray             # [points, 3] N of block_i on block_j in space; None in the plane
     damage: np.ndarray            # [points] share of the strength that is lost; None where joints have none to lose
 
     @property
@@ -188,6 +189,7 @@ def read_step(name, group, points):
                 float(group.attrs.get("load_factor", np.nan)), group["displacement"][()], group["stress"][()],
                 value("joint_gap_m"), value("joint_slip_m"), value("joint_normal_force_N"),
                 value("joint_tangential_force_N"), status, selected,
+                group["joint_force_N"][()].reshape(-1, 3) if "joint_force_N" in group else None,
                 value("joint_damage") if "joint_damage" in group else None)
 
 
@@ -278,8 +280,8 @@ def read_results(folder):
             ("scene.xml", read_title, "the title is taken from the name of the folder or of the scene")):
         path = results.folder / name
         if not path.exists():
-            if name == "joints.csv" and "statics" not in results.result:
-                continue  # a run that ends in time, or whose first step failed
+            if name == "joints.csv" and "hinges" not in (results.result.get("statics") or {}):
+                continue  # a run that ends in time, whose first step failed, or in space, where margins are not told
             results.remarks.append(f"{name} is missing: {loss}.")
             continue
         try:

@@ -88,7 +88,7 @@ def facts_asked_first(results):
          "of the pattern: the first stands" + ("" if upper is None else ", above the second nothing stands" if by_theorem(results)
                                                else ", the second collapses"))]
     statics = results.result.get("statics")
-    if isinstance(statics, dict):
+    if isinstance(statics, dict) and "hinges" in statics:
         asked += [("Hinges / sliding joints", f"{count_text(statics.get('hinges'))} / {count_text(statics.get('sliding_joints'))}", "in the last equilibrium"),
                   ("Least margins", f"{margin_text(statics.get('least_edge_margin'))} / {margin_text(statics.get('least_friction_margin'))}",
                    "of a resultant from its edge, of the joint's length; of friction")]

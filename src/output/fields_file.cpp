@@ -155,6 +155,7 @@ void FieldsFile::write_step(const StepRows& step) {
   write(group + "/joint_slip_m", points_, step.slip, 1, "m");
   write(group + "/joint_normal_force_N", points_, step.normal_force, 1, "N", "compression > 0");
   write(group + "/joint_tangential_force_N", points_, step.tangential_force, 1, "N");
+  if (dim_ == 3) write_vectors(group + "/joint_force_N", points_, step.force, "N");
   write(group + "/joint_status", points_, step.status, 1, "-", "0 open, 1 stick, 2 slip, 3 bonded");
   if (step.damage) write(group + "/joint_damage", points_, *step.damage, 1, "-", "0 sound, 1 all strength is lost");
   xdmf_.damage = step.damage.has_value();

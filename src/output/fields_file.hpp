@@ -58,6 +58,7 @@ struct StepRows {
   std::vector<double> slip;              ///< [m]
   std::vector<double> normal_force;      ///< [N] compression > 0
   std::vector<double> tangential_force;  ///< [N]
+  std::vector<double> force;             ///< [N] points x 3 in space: of block i on block j; none in the plane
   std::vector<int> status;               ///< 0 open, 1 stick, 2 slip, 3 bonded
   std::vector<int> selected;             ///< 1 treated as contact, 0 not
   /// [-] share of its strength that a point has lost; of runs in which joints have strength to lose, on all ranks

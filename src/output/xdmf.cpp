@@ -62,6 +62,8 @@ class Writer {
     scalar("slip [m]", Number::real, "joint_slip_m");
     scalar("normal force [N]", Number::real, "joint_normal_force_N");
     scalar("tangential force [N]", Number::real, "joint_tangential_force_N");
+    if (content_.dim == 3)
+      attribute("force on block j [N]", "Vector", "Node", Number::real, points, 3, group + "/joint_force_N");
     scalar("status", Number::integer, "joint_status");
     scalar("selected", Number::integer, "joint_selected");
     if (content_.damage) scalar("damage", Number::real, "joint_damage");

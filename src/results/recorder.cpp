@@ -28,6 +28,13 @@ constexpr int open = static_cast<int>(PointStatus::open), stick = static_cast<in
 // Of stones that are not there, and of their joints.
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
+/// Appends a force that is given along the axes of a point.
+void add_force(const ContactPoint& point, const double* along_axes, std::vector<double>& forces) {
+  Vector<3> force{};
+  for (int a = 0; a < 3; ++a) force = force + along_axes[a] * point.axis[a];
+  forces.insert(forces.end(), force.begin(), force.end());
+}
+
 double tangential(const PointField& f, int k, int dim) {
   if (dim == 2) return f[2 * k + 1];  // signed: along the one tangent
   double sum = 0;
@@ -119,6 +126,7 @@ void Recorder::write_step(const ContactState& state, const std::vector<double>& 
     rows.slip.push_back(joined ? tangential(gap, k, dim) : nothing);
     rows.normal_force.push_back(state.lambda[dim * k]);
     rows.tangential_force.push_back(tangential(state.lambda, k, dim));
+    if (dim == 3) add_force(model_.points().points()[k], &state.lambda[3 * static_cast<std::size_t>(k)], rows.force);
     rows.selected.push_back(joined ? state.selected[k] : 0);
   }
   rows.status = status;
