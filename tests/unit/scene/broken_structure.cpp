@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(BrokenScenes, AMissingKeyIsNamed) {
            "<Parameter name=\"type\" type=\"string\" value=\"wall\"/>",
            "",
            {"scene > mesh > type is missing", "where the blocks come from",
-            "Give one of gmsh, wall, arch, wall in space."}},
+            "Give one of gmsh, wall, arch, wall in space"}},
           {"wall",
            "<Parameter name=\"on\" type=\"string\" value=\"base\"/>",
            "",
