@@ -101,6 +101,16 @@ class MasonryInSpace(program.SceneTest):
         self.assertEqual([row["load_factor"] for row in run.history if row["load_factor"] == 1], [1] * (1 + len(shares)))
         self.assertLessEqual(max(row["linear_solves"] for row in run.history), most)
 
+    def test_a_straight_wall_falls_where_its_weight_passes_over_its_edge(self):
+        loads = {"push": {"type": "acceleration", "ay": -GRAVITY}}
+        run = self.run_scene(scene(FIELD, loads, stages(), kind="wall in space", model={"hexahedra": "plain"},
+                                   load_factor={"pattern": {"push": 1.0}, "accuracy": 0.01}))
+        self.assertEqual(run.code, 0, run.said)
+        bracket = run.result["collapse"]
+        self.assertLessEqual(bracket["lower"], 0.1 * (1 + 1e-6))
+        self.assertGreaterEqual(bracket["upper"], 0.1)
+        self.assertLess(bracket["upper"] - bracket["lower"], 0.011 * 0.1)
+
     def test_a_wall_with_one_return_is_pushed_outwards(self):
         self.pushes(L_WALL, "wall in space", (0, -0.2193), (0.3, 0.6, 0.8), 150)
 
