@@ -15,7 +15,9 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-import program  # noqa: E402  (a folder of its own)
+import h5py  # noqa: E402  (folders of their own)
+import numpy as np  # noqa: E402
+import program  # noqa: E402
 from wall_in_space import DENSITY, GRAVITY, scene, stages  # noqa: E402
 
 COARSE = {"cells along": 2, "cells up": 1, "cells across": 1}
@@ -123,6 +125,8 @@ class MasonryInSpace(program.SceneTest):
     def test_a_barrel_vault_of_one_row_is_the_arch_of_the_plane(self):
         ring = {"radius": 2.0, "thickness": 0.4, "embrace": 160.0, "voussoirs": 11, "cells radial": 2}
         loads, steps = pushed(0.05, 0, (1.0,))
+        loads["spreading"] = {"type": "settlement", "support": "springing left", "ux": -1e-4}
+        steps["spreading"] = {"loads": {"weight": 1.0, "spreading": 1.0}}
         held = {f"springing {side}": {"on": f"springing {side}", "components": "all"} for side in ("left", "right")}
         seen = {side: {"place": "support", "support": f"springing {side}"} for side in ("left", "right")}
         common = {"selection": {"mode": "all"}, "observations": seen}
@@ -158,6 +162,25 @@ class MasonryInSpace(program.SceneTest):
         for c, force in expected.items():
             found = run.history[-1][f"f{c}_N of ground"] - run.history[0][f"f{c}_N of ground"]
             self.assertLess(abs(found - force), 1e-8 * wall_volume(house) * DENSITY * GRAVITY, c)
+
+    def test_a_vault_whose_abutment_moves_out_has_three_hinges(self):
+        run = self.run_scene(pathlib.Path(__file__).resolve().parents[2] / "xml" / "barrel-vault-spreading.xml")
+        self.assertEqual(run.outcome, "equilibrium", run.said)
+        before, after = run.history
+        self.assertLess(after["fx_N of left"], 0.9 * before["fx_N of left"])  # the least thrust
+        self.assertLess(abs(after["fz_N of left"] - before["fz_N of left"]), 1e-3 * before["fz_N of left"])
+        self.assertLess(abs(after["ux_m of crown"] + 0.005), 1e-5)  # half of the way of one abutment
+        self.assertLess(after["uz_m of crown"], -0.004)
+        with h5py.File(run.folder / "fields.h5") as fields:
+            open_ = fields["steps/0002/joint_gap_m"][:] > 5e-4
+            places = fields["mesh/coordinates"][:][fields["joints/node_j"][:][open_]]
+        angle = np.degrees(np.arctan2(places[:, 0], places[:, 2]))
+        radius = np.hypot(places[:, 0], places[:, 2])
+        crown = np.abs(angle) < 6
+        self.assertTrue(crown.any() and (radius[crown] < 2.51).all())
+        self.assertTrue((radius[~crown] > 2.49).all())
+        for side in (-1, 1):
+            self.assertTrue((side * angle > 55).any())
 
     def test_a_prism_stands_and_tips_where_statics_says(self):
         prism = {"length": 1.0, "width": 0.6, "height": 2.0, "stones": 1, "ground height": 0.5}
