@@ -17,6 +17,9 @@ from read_results import OPEN, SLIP, Step, is_mechanism
 TOWARDS_VIEWER = np.array([0.55, -1.0, 0.6]) / np.linalg.norm([0.55, -1.0, 0.6])
 # Corners of the faces of a hexahedron, counter-clockwise seen from outside.
 FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+# Those of a tetrahedron, as quadrilaterals whose last two corners are one.
+TRIANGLES = np.array([[0, 2, 1, 1], [0, 1, 3, 3], [1, 2, 3, 3], [2, 0, 3, 3]])
+SAME_SIDE = np.cos(np.radians(10))  # faces of one side of a stone, between whose normals there is no more
 ROUND_OFF = 1e-9  # of the size of the structure: places that are one
 
 
@@ -37,13 +40,21 @@ def screen():
     return np.stack([right, np.cross(TOWARDS_VIEWER, right)], 1)
 
 
+def all_faces(mesh):
+    """Faces of all cells, [faces, 4] nodes, and their stones. A tetrahedron in a table of width 8 repeats its last node."""
+    solid = np.zeros(len(mesh.cells), bool) if mesh.cells.shape[1] == 4 else mesh.cells[:, 4] != mesh.cells[:, 7]
+    faces = np.concatenate([mesh.cells[~solid][:, TRIANGLES].reshape(-1, 4)] + ([mesh.cells[solid][:, FACES].reshape(-1, 4)] if solid.any() else []))
+    return faces, np.concatenate([np.repeat(mesh.block_of_cell[~solid], len(TRIANGLES)), np.repeat(mesh.block_of_cell[solid], len(FACES))])
+
+
 def outer_faces(mesh):
     """Faces of one cell alone that lie on no other stone, [faces, 4] nodes, and their stones."""
-    faces = mesh.cells[:, FACES].reshape(-1, 4)
-    block = np.repeat(mesh.block_of_cell, len(FACES))
+    faces, block = all_faces(mesh)
     size = np.ptp(mesh.coordinates, axis=0).max()
     _, place = np.unique(np.round(mesh.coordinates / (ROUND_OFF * size)).astype(np.int64), axis=0, return_inverse=True)
-    _, first, count = np.unique(np.sort(place.reshape(-1)[faces], 1), axis=0, return_index=True, return_counts=True)
+    corners = place.reshape(-1)[faces]
+    corners[faces[:, 2] == faces[:, 3], 3] = -1  # which corner a triangle has twice tells nothing
+    _, first, count = np.unique(np.sort(corners, 1), axis=0, return_index=True, return_counts=True)
     alone = first[count == 1]
     return faces[alone], block[alone]
 
@@ -54,13 +65,19 @@ def normals(mesh, faces):
     return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
 
 
-def edges_seen(mesh, faces, block):
-    """Edges of these faces but for those within one side of one stone, [edges, 2] nodes."""
-    side = np.round(normals(mesh, faces), 3)
-    rows = np.concatenate([np.column_stack([np.sort(faces[:, [k, (k + 1) % 4]], 1), block, side]) for k in range(4)])
-    _, first, count = np.unique(rows, axis=0, return_index=True, return_counts=True)
-    edges = np.concatenate([faces[:, [k, (k + 1) % 4]] for k in range(4)])
-    return edges[first[count == 1]]
+def edges_seen(mesh, faces):
+    """Edges of these faces but for those within one side of one stone, [edges, 2] nodes; stones share no nodes."""
+    edges = np.sort(np.concatenate([faces[:, [k, (k + 1) % 4]] for k in range(4)]), 1)
+    face = np.tile(np.arange(len(faces)), 4)
+    real = edges[:, 0] != edges[:, 1]
+    order = np.lexsort(edges[real].T)
+    edges, face = edges[real][order], face[real][order]
+    pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(1))  # an edge and the one after it
+    normal = normals(mesh, faces)
+    inner = pairs[(normal[face[pairs]] * normal[face[pairs + 1]]).sum(1) > SAME_SIDE]
+    seen = np.ones(len(edges), bool)
+    seen[inner] = seen[inner + 1] = False
+    return edges[seen]
 
 
 def projected(results):
@@ -70,10 +87,14 @@ def projected(results):
     facing = normals(mesh, faces) @ TOWARDS_VIEWER > 1e-6
     faces, block = faces[facing], block[facing]
     order = np.argsort(mesh.coordinates[faces].mean(1) @ TOWARDS_VIEWER, kind="stable")
-    pieces, *between = hidden_lines.cut(edges_seen(mesh, faces, block), len(mesh.coordinates))
+    pieces, *between = hidden_lines.cut(edges_seen(mesh, faces), len(mesh.coordinates))
     places = hidden_lines.with_new_nodes(mesh.coordinates, *between) @ np.column_stack([axes, TOWARDS_VIEWER])
     seen = hidden_lines.seen(places[pieces].mean(1), places[faces])
-    flat = replace(mesh, coordinates=places[:, :2], cells=faces[order], block_of_cell=block[order])
+    # Where every stone has a name of its own, colours are for sets of several.
+    kinds = {name.split()[0] for name in mesh.sets if name.split()}
+    named = len(kinds) <= len(draw_structure.SET_COLOURS)
+    sets = {name: blocks for name, blocks in mesh.sets.items() if named or len(blocks) > 1}
+    flat = replace(mesh, sets=sets, coordinates=places[:, :2], cells=faces[order], block_of_cell=block[order])
     steps = [ProjectedStep(**{**vars(step), "displacement": hidden_lines.with_new_nodes(np.nan_to_num(step.displacement), *between) @ axes},
                            largest=step.largest_displacement) for step in results.stage_ends]
     return replace(results, mesh=flat, stage_ends=steps), pieces[seen]

@@ -24,7 +24,7 @@ UNREADABLE = (OSError, ValueError, KeyError, IndexError, csv.Error, ElementTree.
 class Mesh:
     """Nodes and cells of all blocks; every block has its own copies of the nodes on its joints."""
     coordinates: np.ndarray    # [nodes, 2 or 3] m
-    cells: np.ndarray          # [cells, 3, 4 or 8] nodes; a triangle in a table of width 4 repeats its last node
+    cells: np.ndarray          # [cells, 3, 4 or 8] nodes; a cell in a table of more repeats its last node
     block_of_cell: np.ndarray  # [cells]
     blocks: int
     rank_of_block: np.ndarray  # [blocks]

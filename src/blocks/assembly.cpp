@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
 #include "blocks/element_matrices.hpp"
-#include "blocks/hexahedron.hpp"
+#include "blocks/solid_matrices.hpp"
 
 namespace voussoir {
 
@@ -18,9 +18,8 @@ std::array<Vector<2>, 4> cell_positions(const Block<2>& block, const Cell& cell)
 }
 
 std::array<Vector<3>, 8> cell_positions(const Block<3>& block, const Cell& cell) {
-  VOUSSOIR_EXPECT(cell.count == 8);
-  std::array<Vector<3>, 8> x;
-  for (int i = 0; i < 8; ++i) x[i] = block.position[cell.node[i]];
+  std::array<Vector<3>, 8> x{};
+  for (int i = 0; i < cell.count; ++i) x[i] = block.position[cell.node[i]];
   return x;
 }
 
@@ -92,7 +91,7 @@ LocalCsr block_stiffness(const Block<2>& block, const Material& material, Plane 
 
 LocalCsr block_stiffness(const Block<3>& block, const Material& material, Hexahedra kind) {
   return sum_of_cells(
-      block, [&](const Cell& cell) { return hexahedron_stiffness(cell_positions(block, cell), material, kind); });
+      block, [&](const Cell& cell) { return solid_stiffness(cell, cell_positions(block, cell), material, kind); });
 }
 
 LocalCsr block_mass(const Block<2>& block, double density, double thickness, Mass kind) {
@@ -103,7 +102,7 @@ LocalCsr block_mass(const Block<2>& block, double density, double thickness, Mas
 
 LocalCsr block_mass(const Block<3>& block, double density, Mass kind) {
   return mass_of_cells(block, density, kind,
-                       [&](const Cell& cell) { return hexahedron_products(cell_positions(block, cell)); });
+                       [&](const Cell& cell) { return solid_products(cell, cell_positions(block, cell)); });
 }
 
 LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr& b) {
@@ -116,7 +115,7 @@ LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr
 std::vector<double> cell_sizes(const Block<3>& block) {
   std::vector<double> size(block.position.size(), 0.0), cells(size.size(), 0.0);
   for (const auto& cell : block.cells) {
-    const auto share = hexahedron_volumes(cell_positions(block, cell));
+    const auto share = solid_volumes(cell, cell_positions(block, cell));
     const double volume = std::accumulate(share.begin(), share.end(), 0.0);
     for (int i = 0; i < cell.count; ++i) {
       size[cell.node[i]] += volume;
@@ -139,8 +138,8 @@ std::vector<double> nodal_volumes(const Block<2>& block, double thickness) {
 std::vector<double> nodal_volumes(const Block<3>& block) {
   std::vector<double> volume(block.position.size(), 0.0);
   for (const auto& cell : block.cells) {
-    const auto share = hexahedron_volumes(cell_positions(block, cell));
-    for (int i = 0; i < 8; ++i) volume[cell.node[i]] += share[i];
+    const auto share = solid_volumes(cell, cell_positions(block, cell));
+    for (int i = 0; i < cell.count; ++i) volume[cell.node[i]] += share[i];
   }
   return volume;
 }

@@ -9,7 +9,7 @@
 
 namespace voussoir {
 
-/// Positions of a cell's nodes [m].
+/// Positions of a cell's nodes [m]; those that a cell does not have are 0.
 std::array<Vector<2>, 4> cell_positions(const Block<2>&, const Cell&);
 std::array<Vector<3>, 8> cell_positions(const Block<3>&, const Cell&);
 

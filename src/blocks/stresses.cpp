@@ -2,7 +2,7 @@
 
 #include "blocks/assembly.hpp"
 #include "blocks/element_matrices.hpp"
-#include "blocks/hexahedron.hpp"
+#include "blocks/solid_matrices.hpp"
 
 namespace voussoir {
 namespace {
@@ -20,7 +20,7 @@ std::array<double, 6> stress_of(const Structure<3>&, const LocalBlock<3>& block,
                                 const std::array<Vector<3>, 8>& u, double free_strain) {
   const auto& m = block.material;
   const double free = free_strain * m.young_modulus / (1 - 2 * m.poisson_ratio);
-  auto value = hexahedron_stress(cell_positions(block.mesh, cell), u, m);
+  auto value = solid_stress(cell, cell_positions(block.mesh, cell), u, m);
   for (const int c : {0, 3, 5}) value[c] -= free;
   return value;
 }

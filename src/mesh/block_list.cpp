@@ -33,6 +33,7 @@ class ListedBlocks final : public BlockSource<dim> {
   const std::vector<std::string>& block_sets() const override { return list_.block_sets; }
   const std::vector<std::string>& facet_sets() const override { return list_.facet_sets; }
   Warnings warnings() const override { return list_.warnings; }
+  std::vector<std::string> report() const override { return list_.report; }
 
  private:
   BlockList<dim> list_;
@@ -130,6 +131,7 @@ void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
   broadcast_strings(comm, list.block_sets);
   broadcast_strings(comm, list.facet_sets);
   broadcast_warnings(comm, list.warnings);
+  broadcast_strings(comm, list.report);
   packed.broadcast(comm);
   if (comm.getRank() != 0) list.blocks = packed.unpacked();
 }

@@ -14,7 +14,8 @@ struct BlockList {
   std::vector<Block<dim>> blocks;  ///< block b has id b
   std::vector<std::string> block_sets;
   std::vector<std::string> facet_sets;
-  Warnings warnings;  ///< of the source
+  Warnings warnings;                ///< of the source
+  std::vector<std::string> report;  ///< of the source
 };
 
 /// Gives every rank the list of rank 0. Collective.

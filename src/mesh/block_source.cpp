@@ -1,5 +1,6 @@
 #include "mesh/block_source.hpp"
 
+#include "base/check.hpp"
 #include "linalg/agree.hpp"
 #include "mesh/cell_count.hpp"
 #include "mesh/generators.hpp"
@@ -18,6 +19,7 @@ std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parame
         "Give another mesh.");
   on_first_rank(comm, [&] { refuse_too_many_cells(parameters); });  // machines of ranks may differ
   if constexpr (dim == 3) {
+    VOUSSOIR_CHECK(parameters.type != MeshType::stones);  // which stones/ reads
     if (parameters.type == MeshType::prism) return make_prism(parameters.prism);
     if (parameters.type == MeshType::dome) return make_dome(parameters.dome);
     if (parameters.type == MeshType::barrel_vault) return make_barrel_vault(parameters.barrel_vault);

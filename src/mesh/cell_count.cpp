@@ -86,7 +86,7 @@ double cells_of(const MeshParameters& p) {
     return all;
   };
   if (p.type == MeshType::wall) return product({w.courses, w.blocks_per_course, w.cells_along, w.cells_up});
-  if (p.type == MeshType::gmsh) return 0;
+  if (p.from_file()) return 0;
   if (const auto* masonry = p.masonry()) return masonry->cells();
   const double piers = a.pier_height > 0 ? 2.0 * a.pier_courses : 0;
   return product({a.cells_radial, a.cells_along}) * (a.voussoirs + piers);

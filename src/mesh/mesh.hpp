@@ -16,7 +16,8 @@
 namespace voussoir {
 
 /// P1 or Q1 cell: `count` local node numbers. In 2D counter-clockwise, 3 = triangle, 4 = quadrilateral. In 3D
-/// 8 = hexahedron: four of one face, counter-clockwise seen from the other four, which lie across from them.
+/// 8 = hexahedron: four of one face, counter-clockwise seen from the other four, which lie across from them;
+/// 4 = tetrahedron: three of one face, counter-clockwise seen from the fourth.
 struct Cell {
   std::array<int, 8> node{};
   int count = 0;
@@ -24,8 +25,8 @@ struct Cell {
 
 /// A facet (edge in 2D) on the surface of a block that belongs to a named set.
 struct TaggedFacet {
-  std::array<int, 4> node{};  ///< local node numbers
-  int count = 0;              ///< 2 in 2D
+  std::array<int, 4> node{};  ///< local node numbers; a triangle has its last one twice
+  int count = 0;              ///< 2 in 2D, 3 or 4 in 3D
   int set = 0;                ///< index into BlockSource::facet_sets()
 };
 
@@ -69,6 +70,8 @@ class BlockSource {
   virtual const std::vector<std::string>& facet_sets() const = 0;
   /// What the source cannot vouch for; `where` is a key of the scene.
   virtual Warnings warnings() const { return {}; }
+  /// What was found and made of what was given, line by line, for the user.
+  virtual std::vector<std::string> report() const { return {}; }
 };
 
 /// First node of each block in the global numbering of nodes, and the total at the end: [blocks + 1].

@@ -32,7 +32,7 @@ std::vector<BlockId> groups_of_joined_blocks(const BlockGraph& graph) {
 }
 
 /// The first of a group of blocks that nothing holds.
-InputError without_support(const std::string& name, int blocks, bool meets_in_a_point,
+InputError without_support(const std::string& name, int blocks, bool meets_in_a_point, const std::string& facet,
                            const std::vector<FacetNames>& supported) {
   std::string message = "mesh: " + name;
   if (blocks > 1)
@@ -41,9 +41,9 @@ InputError without_support(const std::string& name, int blocks, bool meets_in_a_
     message += " has neither support nor joint";
   message += "\n  (nothing holds ";
   message += blocks > 1 ? "them" : meets_in_a_point ? "it; it touches other blocks in single points only" : "it";
-  message += ", so there is no equilibrium).\n  Add one of its curves to a supported set (now: ";
+  message += ", so there is no equilibrium).\n  Add one of its " + facet + "s to a supported set (now: ";
   for (std::size_t k = 0; k < supported.size(); ++k) message += (k == 0 ? "" : ", ") + supported[k].on;
-  return InputError(message + "), or let it share a curve with a neighbour.");
+  return InputError(message + "), or let it share a " + facet + " with a neighbour.");
 }
 
 }  // namespace
@@ -70,7 +70,8 @@ void check_supports(const BlockSource<dim>& source, const std::vector<FacetNames
   }
   for (BlockId b = 0; b < source.block_count(); ++b)
     if (group[b] == b && !held[b])
-      throw without_support(source.block(b).name, size[b], graph.start[b + 1] > graph.start[b], supported);
+      throw without_support(source.block(b).name, size[b], graph.start[b + 1] > graph.start[b],
+                            dim == 2 ? "curve" : "face", supported);
 }
 
 template <int dim>

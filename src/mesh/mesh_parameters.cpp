@@ -23,7 +23,8 @@ std::vector<std::pair<std::string, MeshType>> mesh_types() {
           {"wall in space", MeshType::wall_in_space},
           {"prism", MeshType::prism},
           {"dome", MeshType::dome},
-          {"barrel vault", MeshType::barrel_vault}};
+          {"barrel vault", MeshType::barrel_vault},
+          {"stones", MeshType::stones}};
 }
 
 }  // namespace
@@ -167,6 +168,14 @@ void MeshParameters::declare(ParameterSection& section) {
       "lie along y and are numbered from the right springing (x > 0). Sets of blocks: course 0, course 1, ...; ground "
       "left, ground right where there is ground. Sets of facets: springing left, springing right, intrados, extrados, "
       "front (y = 0), back; ground left, ground right");
+  section.add_alternative(
+      "stones", stones, type == MeshType::stones, "type = stones",
+      "Stones in space from a file that holds their surfaces; where they touch there are joints. Sets of blocks: the "
+      "name of every stone (object or group of the file); one neighbour: those that touch one other; supports: those "
+      "that a file of COMPAS says are held. Sets of facets: base and top: free faces that look down or up, of the "
+      "lowest and "
+      "the highest stones; faces: all of every stone, by which with blocks = a set of stones those stones are held "
+      "whole");
 }
 
 }  // namespace voussoir

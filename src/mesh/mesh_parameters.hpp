@@ -1,4 +1,4 @@
-// Where the blocks come from: a gmsh file or a generator.
+// Where the blocks come from: a file or a generator.
 #pragma once
 
 #include <map>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/masonry_parameters.hpp"
+#include "stones/stones_parameters.hpp"
 
 namespace voussoir {
 
@@ -58,7 +59,7 @@ struct ArchParameters {
   void declare(ParameterSection&);
 };
 
-enum class MeshType { gmsh, wall, arch, wall_in_space, prism, dome, barrel_vault };
+enum class MeshType { gmsh, wall, arch, wall_in_space, prism, dome, barrel_vault, stones };
 
 struct MeshParameters {
   MeshType type = MeshType::gmsh;
@@ -69,6 +70,7 @@ struct MeshParameters {
   PrismParameters prism;
   DomeParameters dome;
   BarrelVaultParameters barrel_vault;
+  StonesParameters stones;
   /// The generator in space, or none.
   const MasonryParameters* masonry() const;
   MasonryParameters* masonry() { return const_cast<MasonryParameters*>(std::as_const(*this).masonry()); }
@@ -76,6 +78,8 @@ struct MeshParameters {
   std::string word() const;
   /// Of its blocks: 2 in the plane, 3 in space.
   int dimension() const { return type == MeshType::gmsh || type == MeshType::wall || type == MeshType::arch ? 2 : 3; }
+  /// Whether they are read from a file, which says what it likes.
+  bool from_file() const { return type == MeshType::gmsh || type == MeshType::stones; }
   void declare(ParameterSection&);
 };
 

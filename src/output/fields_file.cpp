@@ -111,6 +111,7 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   cells_ = counted(mesh.cell);
   write("/mesh/cells", cells_, padded_corners(mesh, xdmf_.corners), xdmf_.corners, "-",
         "nodes of each cell; a cell with fewer corners repeats its last node");
+  write_mixed_cells(mesh);
   write("/mesh/block_of_cell", cells_, mesh.block_of_cell, 1, "-");
   write("/mesh/rank_of_cell", cells_, std::vector<int>(mesh.cell.size(), comm_->getRank()), 1, "-");
 
@@ -123,6 +124,28 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   if (!file_.has("/mesh/block_set_names")) file_.write_texts("/mesh/block_set_names", mesh.block_set_names);
   xdmf_.nodes = nodes_.total;
   xdmf_.cells = cells_.total;
+}
+
+/// Viewers take no cells that repeat a node for cells of another kind, so mixed kinds have a table of their own. In the
+/// plane a quadrilateral whose last two corners are one is drawn as the triangle it is.
+void FieldsFile::write_mixed_cells(const MeshRows& mesh) {
+  int least = xdmf_.corners;
+  for (const int count : mesh.corner_count) least = std::min(least, count);
+  if (dim_ == 2 || least_over_ranks(*comm_, static_cast<long long>(least)) == xdmf_.corners) return;
+  VOUSSOIR_EXPECT(mesh.place_of_cell.size() == mesh.cell.size());
+  std::vector<long long> places, numbers;
+  auto corner = mesh.corners.begin();
+  for (std::size_t k = 0; k < mesh.cell.size(); ++k) {
+    const int count = mesh.corner_count[k];
+    numbers.push_back(xdmf_kind_of_solid(count));
+    numbers.insert(numbers.end(), corner, corner + count);
+    corner += count;
+    for (int n = 0; n <= count; ++n) places.push_back(mesh.place_of_cell[k] + n);
+  }
+  const Rows rows = counted(places);
+  write(mixed_cells, rows, numbers, 1, "-",
+        "for viewers: of each cell its kind, 6 tetrahedron, 9 hexahedron, and its nodes");
+  xdmf_.mixed = rows.total;
 }
 
 void FieldsFile::write_joints(const JointRows& joints) {

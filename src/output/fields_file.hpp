@@ -26,6 +26,9 @@ struct MeshRows {
   std::vector<int> corner_count;  ///< per cell: 3 or 4 in 2D, 4 or 8 in 3D
   std::vector<NodeId> corners;    ///< corner_count[0] nodes of the first cell, then the next; counter-clockwise
   std::vector<int> block_of_cell;
+  /// Per cell: numbers before its own in a list that holds for every cell a kind and its corners; where cells have
+  /// different numbers of corners in 3D.
+  std::vector<long long> place_of_cell;
 
   std::vector<long long> block;              ///< owned blocks
   std::vector<int> block_set;                ///< per owned block: the first set it is in, -1 for none
@@ -93,6 +96,7 @@ class FieldsFile {
   template <class T>
   void write(const std::string& path, const Rows&, const std::vector<T>& values, int columns, const std::string& unit,
              const std::string& text = "");
+  void write_mixed_cells(const MeshRows&);
   /// A vector field, with a view of three components beside it in 2D.
   void write_vectors(const std::string& path, const Rows&, const std::vector<double>& values, const std::string& unit);
 

@@ -34,7 +34,10 @@ class Writer {
 
   void blocks(const XdmfContent::Step& step) {
     const auto& group = step.group;
-    topology(cell_name(), content_.cells, content_.corners, "/mesh/cells");
+    if (content_.mixed > 0)
+      topology("Mixed", content_.cells, content_.mixed, 1, mixed_cells);
+    else
+      topology(cell_name(), content_.cells, content_.cells, content_.corners, "/mesh/cells");
     geometry("/mesh/coordinates", content_.nodes);
     attribute("displacement [m]", "Vector", "Node", Number::real, content_.nodes, 3,
               vectors_for_viewers(group + "/displacement", content_.dim));
@@ -52,7 +55,7 @@ class Writer {
   void joints(const XdmfContent::Step& step) {
     const auto& group = step.group;
     const long long points = content_.points;
-    topology("Polyvertex", points, 1, "/joints/point");
+    topology("Polyvertex", points, points, 1, "/joints/point");
     geometry("/joints/position", points);
     attribute("normal", "Vector", "Node", Number::real, points, 3, vectors_for_viewers("/joints/normal", content_.dim));
     const auto scalar = [&](const char* name, Number number, const char* table) {
@@ -74,11 +77,11 @@ class Writer {
     return content_.corners == 4 ? "Tetrahedron" : "Hexahedron";
   }
 
-  void topology(const char* type, long long count, int corners, const std::string& table) {
+  void topology(const std::string& type, long long count, long long rows, int corners, const std::string& table) {
     text_ << "<Topology TopologyType=\"" << type << "\" NumberOfElements=\"" << count << '"';
-    if (corners == 1) text_ << " NodesPerElement=\"1\"";
+    if (type == "Polyvertex") text_ << " NodesPerElement=\"1\"";
     text_ << ">\n";
-    item(Number::long_integer, count, corners, table);
+    item(Number::long_integer, rows, corners, table);
     text_ << "</Topology>\n";
   }
 
@@ -108,6 +111,12 @@ class Writer {
 };
 
 }  // namespace
+
+long long xdmf_kind_of_solid(int corners) {
+  constexpr long long tetrahedron = 6, hexahedron = 9;
+  VOUSSOIR_EXPECT(corners == 4 || corners == 8);
+  return corners == 4 ? tetrahedron : hexahedron;
+}
 
 std::string xdmf_text(const XdmfContent& content) {
   VOUSSOIR_EXPECT(content.dim == 2 || content.dim == 3);

@@ -20,10 +20,15 @@ struct XdmfContent {
   long long nodes = 0;
   long long cells = 0;
   int corners = 3;       ///< columns of /mesh/cells
+  long long mixed = 0;   ///< numbers in /mesh/mixed_cells; 0 where all cells have as many corners
   bool damage = false;   ///< points have a damage
   long long points = 0;  ///< without contact points there is no collection "joints"
   std::vector<Step> steps;
 };
+
+/// Table of cells of different kinds: for each the number of its kind in XDMF, then its nodes.
+constexpr const char* mixed_cells = "/mesh/mixed_cells";
+long long xdmf_kind_of_solid(int corners);
 
 /// The whole file.
 std::string xdmf_text(const XdmfContent&);

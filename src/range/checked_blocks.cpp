@@ -7,8 +7,19 @@
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
 #include "range/plane/joint_sides.hpp"
+#include "stones/stone_source.hpp"
 
 namespace voussoir {
+namespace {
+
+template <int dim>
+std::unique_ptr<BlockSource<dim>> blocks_of(const MeshParameters& mesh, const Teuchos::Comm<int>& comm, Trust trust) {
+  if constexpr (dim == 3)
+    if (mesh.type == MeshType::stones) return read_stone_blocks(mesh.stones, comm);
+  return make_block_source<dim>(mesh, comm, trust);
+}
+
+}  // namespace
 
 template <int dim>
 std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
@@ -16,7 +27,7 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
   Phase phase("mesh");
   std::unique_ptr<BlockSource<dim>> source;
   try {
-    source = make_block_source<dim>(scene.mesh, *comm, trust);
+    source = blocks_of<dim>(scene.mesh, *comm, trust);
     check_fit(scene, *source);
     if constexpr (dim == 2) check_sides(scene, *source);
     std::vector<FacetNames> supported;
@@ -31,8 +42,12 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
     std::string what = error.what();
     if (what.rfind(scene.file, 0) == 0) throw;
     const std::string mesh = "mesh: ";
-    if (scene.mesh.type == MeshType::gmsh && what.rfind(mesh, 0) == 0)
-      what = "mesh > gmsh > file = " + scene.mesh.gmsh.file + "\n  " + what.substr(mesh.size());
+    if (scene.mesh.from_file() && what.rfind(mesh, 0) == 0) {
+      const bool stones = scene.mesh.type == MeshType::stones;
+      what = std::string("mesh > ") + (stones ? "stones" : "gmsh") +
+             " > file = " + (stones ? scene.mesh.stones.file : scene.mesh.gmsh.file) + "\n  " +
+             what.substr(mesh.size());
+    }
     throw InputError(scene.file + ": " + what);
   }
   return source;

@@ -65,9 +65,23 @@ double extent(const Block<dim>& block) {
   return longest;
 }
 
+/// Which key says in what a mesh is drawn, and what to ask where stones have a size that none has.
+struct UnitOfMesh {
+  std::string key = "mesh", question = "; lengths of a scene are in metres";
+
+  explicit UnitOfMesh(const MeshParameters& mesh) {
+    if (!mesh.from_file()) return;
+    const bool stones = mesh.type == MeshType::stones;
+    const double unit = stones ? mesh.stones.unit : mesh.gmsh.unit;
+    key = stones ? "mesh > stones > unit" : "mesh > gmsh > unit";
+    question = "; is the file drawn in metres? If not say so by " + key + (stones ? "" : " = mm, cm or ft") +
+               " (now: " + (unit == 1 ? "m" : number_text(unit) + " m") + ")";
+  }
+};
+
 template <int dim>
 void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings& all) {
-  const bool from_file = scene.mesh.type == MeshType::gmsh;
+  const bool from_file = scene.mesh.from_file();
   double largest = 0;
   BlockId where = 0;
   long long large = 0;
@@ -80,21 +94,17 @@ void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings&
       where = b;
     }
   }
-  const std::string key = from_file ? "mesh > gmsh > unit" : "mesh";
+  const UnitOfMesh unit(scene.mesh);
   const std::string size = number_text(largest) + " m", name = source.block(where).name;
-  const std::string question =
-      from_file ? "; is the file drawn in metres? If not say so by mesh > gmsh > unit = mm, cm or ft (now: " +
-                      std::string(scene.mesh.gmsh.unit == 1 ? "m" : number_text(scene.mesh.gmsh.unit) + " m") + ")"
-                : "; lengths of a scene are in metres";
   if (large > 0)
     all.push_back(
-        {"large_stones", scene.file + ": scene > " + key, "", largest,
+        {"large_stones", scene.file + ": scene > " + unit.key, "", largest,
          name + " is " + size + " long" +
              (large > 1 && from_file ? " and " + std::to_string(large - 1) + " more exceed " : ", more than ") +
-             number_text(large_stone) + " m" + question});
+             number_text(large_stone) + " m" + unit.question});
   else if (largest < small_stone)
-    all.push_back({"small_stones", scene.file + ": scene > " + key, "", largest,
-                   "the largest stone, " + name + ", is " + size + " long" + question});
+    all.push_back({"small_stones", scene.file + ": scene > " + unit.key, "", largest,
+                   "the largest stone, " + name + ", is " + size + " long" + unit.question});
 }
 
 /// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
@@ -112,6 +122,8 @@ void warn_of_lone_stones(const Scene& scene, const BlockSource<dim>& source, War
     first = b;
   }
   if (lone == 0 || lone == blocks) return;  // where all stand alone there are no joints, which is said
+  const auto told = [](const Warning& w) { return w.what == "stones_without_joint"; };
+  if (std::any_of(all.begin(), all.end(), told)) return;  // by the source, which knows how far they are from others
   all.push_back({"stones_without_joint", scene.file + ": scene > mesh", "", static_cast<double>(lone),
                  source.block(first).name +
                      (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +

@@ -1,28 +1,39 @@
 #include "results/mesh_rows.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
 namespace {
 
-/// Cells are numbered block by block, like nodes: the first of each block. Collective.
-template <int dim>
-std::vector<long long> first_cells(const Structure<dim>& s) {
+/// Things are numbered block by block, like nodes: the first of each block. Collective.
+/// @param count  of a block
+template <int dim, class Count>
+std::vector<long long> first_of_each(const Structure<dim>& s, const Count& count) {
   std::vector<long long> mine(s.owner_of_block().size(), 0);
-  for (int b = 0; b < s.owned_blocks(); ++b)
-    mine[s.blocks()[b].mesh.id] = static_cast<long long>(s.blocks()[b].mesh.cells.size());
-  const auto cells = total_of_each(*s.comm(), mine);
-  std::vector<long long> first(cells.size() + 1, 0);
-  for (std::size_t b = 0; b < cells.size(); ++b) first[b + 1] = first[b] + cells[b];
+  for (int b = 0; b < s.owned_blocks(); ++b) mine[s.blocks()[b].mesh.id] = count(s.blocks()[b].mesh);
+  const auto all = total_of_each(*s.comm(), mine);
+  std::vector<long long> first(all.size() + 1, 0);
+  for (std::size_t b = 0; b < all.size(); ++b) first[b + 1] = first[b] + all[b];
   return first;
 }
 
+/// Of each cell its kind and its corners.
 template <int dim>
-void add_cells(const LocalBlock<dim>& block, long long number, MeshRows& rows) {
+long long numbers_of_cells(const Block<dim>& block) {
+  return std::accumulate(block.cells.begin(), block.cells.end(), 0LL,
+                         [](long long sum, const Cell& cell) { return sum + 1 + cell.count; });
+}
+
+/// @param place  of the first in the list that MeshRows tells of
+template <int dim>
+void add_cells(const LocalBlock<dim>& block, long long number, long long place, MeshRows& rows) {
   for (const auto& cell : block.mesh.cells) {
     rows.cell.push_back(number++);
+    rows.place_of_cell.push_back(std::exchange(place, place + 1 + cell.count));
     rows.corner_count.push_back(cell.count);
     rows.block_of_cell.push_back(block.mesh.id);
     for (int i = 0; i < cell.count; ++i) rows.corners.push_back(block.first_node + cell.node[i]);
@@ -38,7 +49,8 @@ MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, cons
   std::size_t most = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) most = std::max(most, s.blocks()[b].mesh.sets.size());
   rows.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<long long>(most)));
-  const auto first = first_cells(s);
+  const auto first = first_of_each(s, [](const auto& mesh) { return static_cast<long long>(mesh.cells.size()); });
+  const auto first_place = first_of_each(s, [](const auto& mesh) { return numbers_of_cells(mesh); });
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
     rows.block.push_back(block.mesh.id);
@@ -52,7 +64,7 @@ MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, cons
       rows.held.push_back(std::any_of(held, held + dim, [](char one) { return one != 0; }));
       rows.coordinates.insert(rows.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
     }
-    add_cells(block, first[block.mesh.id], rows);
+    add_cells(block, first[block.mesh.id], first_place[block.mesh.id], rows);
   }
   return rows;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "mesh/geo_commands.hpp"
 #include "model/model.hpp"
@@ -25,6 +26,8 @@ class SceneBlocks {
 
   virtual ~SceneBlocks() = default;
   virtual BlockId count() const = 0;
+  /// What was found and made of what the mesh was given, line by line.
+  virtual std::vector<std::string> report() const = 0;
   /// What scene and mesh leave open.
   virtual Warnings warnings(const Scene&) const = 0;
   /// What a run would cost.

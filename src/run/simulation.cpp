@@ -58,6 +58,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   Teuchos::Time clock("total", true);
   print_scene(say, scene, options.verbose);
   const auto blocks = blocks_of(scene, comm, options.trust);
+  for (const auto& line : blocks->report()) say << "  " << line << "\n";
   if (const auto seen = only_looked_at(scene, options, *blocks, comm, say)) return *seen;
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
   std::optional<BranchedFolder> branched;

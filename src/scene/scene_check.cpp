@@ -26,7 +26,9 @@ void require_members(std::size_t count, const std::string& path, const std::stri
 }
 
 /// Makes the path of a file absolute, so that a scene written elsewhere finds it again.
-void find_file(const Scene& scene, std::string& file, const std::string& path, InputProblems& problems) {
+/// @param or_folder  a folder of files will do
+void find_file(const Scene& scene, std::string& file, const std::string& path, InputProblems& problems,
+               bool or_folder = false) {
   if (file.empty() || problems.concern(path)) return;
   std::error_code error;
   const fs::path folder = fs::absolute(scene.file, error).lexically_normal().parent_path();
@@ -34,7 +36,7 @@ void find_file(const Scene& scene, std::string& file, const std::string& path, I
   if (fs::path(file).is_absolute()) places = {file};
   std::vector<std::string> sought;
   for (const fs::path& place : places) {
-    if (fs::is_regular_file(place, error)) {
+    if (fs::is_regular_file(place, error) || (or_folder && fs::is_directory(place, error))) {
       file = place.lexically_normal().string();
       return;
     }
@@ -54,6 +56,8 @@ void find_files(Scene& scene, InputProblems& problems) {
                              "  Export the mesh from gmsh in the format .msh 4.1.");
     find_file(scene, mesh, path, problems);
   }
+  if (scene.mesh.type == MeshType::stones)
+    find_file(scene, scene.mesh.stones.file, "scene > mesh > stones > file", problems, true);
   for (LoadParameters& load : scene.loads)
     for (const auto& of_load : load.files())
       find_file(scene, *of_load.file, "scene > loads > " + load.name + " > " + of_load.key, problems);

@@ -48,6 +48,12 @@ std::string mesh_text(const MeshParameters& mesh) {
            (a.pier_height > 0 ? ", piers of " + number_text(a.pier_height) + " m" : "");
   }
   if (const auto* masonry = mesh.masonry()) return masonry->words();
+  if (mesh.type == MeshType::stones) {
+    const StonesParameters& s = mesh.stones;
+    return "stones of " + s.file + ", unit " + number_text(s.unit) + " m" +
+           (s.element_size > 0 ? ", element size " + number_text(s.element_size) + " m" : "") +
+           (s.cells == StoneCells::tetrahedra ? ", tetrahedra" : "");
+  }
   const GmshParameters& g = mesh.gmsh;
   std::string text = g.file + ", " + cells_text(g.cells);
   if (g.element_size > 0) text += ", element size " + number_text(g.element_size) + " m";
@@ -59,7 +65,8 @@ std::string model_text(const Scene& scene) {
   const auto& model = scene.model;
   if (scene.mesh.dimension() == 3)
     return std::string("space, ") +
-           (model.hexahedra == Hexahedra::plain ? "plain hexahedra" : "hexahedra with incompatible modes");
+           (model.hexahedra == Hexahedra::plain ? "plain hexahedra" : "hexahedra with incompatible modes") +
+           (scene.mesh.type == MeshType::stones ? ", linear tetrahedra" : "");
   return std::string("plane ") + (model.plane == Plane::stress ? "stress" : "strain") + ", thickness " +
          number_text(model.thickness) + " m";
 }

@@ -65,6 +65,7 @@ Scene example() {
   Scene scene;
   scene.title = "Every parameter of a scene, shown on Clare College Bridge";
   scene.mesh.gmsh.file = "clare-college-bridge.geo";
+  scene.mesh.stones.file = "vault.obj";
   scene.mesh.gmsh.geometry = {{"deformed", 0.0}};
   scene.model.thickness = 0.2;
   scene.materials = {{"stone", {}}};

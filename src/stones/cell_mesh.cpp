@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "mesh/border.hpp"
 #include "stones/box_mesh.hpp"
 
 namespace voussoir {
@@ -173,6 +174,12 @@ void add_free_triangles(const StoneStructure& s, const Skins& skins, const std::
   }
 }
 
+/// The set "faces".
+void add_all_faces(Block<3>& block) {
+  for (const auto& face : border_faces({block}))
+    block.facets.push_back({face.node, face.node[3] == face.node[2] ? 3 : 4, 2});
+}
+
 [[noreturn]] void refuse_unfilled(const std::vector<std::string>& faults, std::size_t stones) {
   std::string message = "mesh > stones: " + std::to_string(faults.size()) + " of " + std::to_string(stones) +
                         " stones cannot be filled with cells:";
@@ -213,7 +220,7 @@ void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, 
 
 StoneMeshes mesh_stones(const StoneStructure& s) {
   StoneMeshes result;
-  result.list.facet_sets = {"base", "top"};
+  result.list.facet_sets = {"base", "top", "faces"};
   result.list.warnings = s.warnings;
   const Ends ends(s);
   BoxMeshes boxes;
@@ -232,6 +239,7 @@ StoneMeshes mesh_stones(const StoneStructure& s) {
     for (const auto& face : boxes.free_faces[k]) ends.add(face, static_cast<int>(k), result.list);
   }
   add_tetrahedra(s, boxes.vertices, ends, result);
+  for (auto& block : result.list.blocks) add_all_faces(block);
   add_sets(s, result.list);
   return result;
 }

@@ -40,7 +40,7 @@ struct StoneMeshes {
 /// Every stone becomes a block, in the order of the stones: of hexahedra where box_mesh.hpp says so, else of tetrahedra
 /// (cells of 4 nodes, the first three counter-clockwise seen from the fourth). Sets of blocks: the names of stones,
 /// "supports" (where the file has flags), "one neighbour". Sets of facets: "base", "top": free faces that look down or
-/// up, of stones whose lowest or highest point is within a hundredth of the height of all from it.
+/// up, of stones whose lowest or highest point is within a hundredth of the height of all from it; "faces": all.
 /// Throws InputError for stones that cannot be filled, naming them.
 StoneMeshes mesh_stones(const StoneStructure&);
 

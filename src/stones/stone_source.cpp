@@ -22,20 +22,17 @@ std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
 
 }  // namespace
 
-StoneBlocks read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm) {
+std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm) {
   BlockList<3> list;
-  StoneBlocks result;
   on_first_rank(comm, [&] {
     auto structure = structure_of(p);
     auto meshes = mesh_stones(structure);
     list = std::move(meshes.list);
-    result.report = std::move(structure.report);
-    result.report.push_back(of_meshes(meshes.quality, structure.stones.size()));
+    list.report = std::move(structure.report);
+    list.report.push_back(of_meshes(meshes.quality, structure.stones.size()));
   });
   broadcast_blocks(comm, list);
-  broadcast_strings(comm, result.report);
-  result.source = make_source(std::move(list));
-  return result;
+  return make_source(std::move(list));
 }
 
 }  // namespace voussoir

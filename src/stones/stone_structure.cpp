@@ -41,8 +41,8 @@ void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) 
   if (found.empty()) return;
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
   std::string message =
-      "mesh > stones: " + counted(found.size(), "pairs of stones lie in each other by more than the ") +
-      "joint tolerance of " + metres(tolerance) + ":";
+      "mesh > stones: " + counted(found.size(), found.size() == 1 ? "pair of stones lies" : "pairs of stones lie") +
+      " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
   for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
     const auto& [pair, depth, place] = found[k];
     message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +
@@ -86,9 +86,11 @@ class Teller {
   void of_tolerances() {
     const auto counts = count_joints(s_.stones, s_.tolerance);
     std::string line;
-    for (const auto& c : counts)
-      line += (line.empty() ? "" : "; ") + std::to_string(c.joints) + " (" + six_digits(c.area) + " m2) at " +
-              metres(c.tolerance);
+    for (std::size_t from = 0, to = 0; from < counts.size(); from = to) {
+      while (to < counts.size() && counts[to].joints == counts[from].joints) ++to;
+      line += (line.empty() ? "" : "; ") + std::to_string(counts[from].joints) + " at " +
+              (to > from + 1 ? six_digits(counts[from].tolerance) + " to " : "") + metres(counts[to - 1].tolerance);
+    }
     say("joints by tolerance: " + line);
     const double proposed = tolerance_on_plateau(counts);
     const auto at = [&](double tolerance) {

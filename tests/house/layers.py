@@ -25,7 +25,7 @@ SEES = {
     "step": ["ties"],
     "time": ["step"],
     "results": ["time", "statics"],
-    "range": ["results"],
+    "range": ["results", "stones"],
     "run": ["range"],
     "study": ["run"],
     "drivers": ["study"],

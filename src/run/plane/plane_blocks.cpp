@@ -14,6 +14,7 @@ class PlaneBlocks final : public SceneBlocks {
  public:
   explicit PlaneBlocks(std::unique_ptr<BlockSource<2>> source) : source_(std::move(source)) {}
   BlockId count() const override { return source_->block_count(); }
+  std::vector<std::string> report() const override { return source_->report(); }
   Warnings warnings(const Scene& scene) const override { return mesh_warnings(scene, *source_); }
   void predict(const Scene& scene, const Comm& comm, std::ostream& say) const override {
     voussoir::predict(scene, *source_, comm, say);

@@ -27,6 +27,7 @@ class SpaceBlocks final : public SceneBlocks {
  public:
   explicit SpaceBlocks(std::unique_ptr<BlockSource<3>> source) : source_(std::move(source)) {}
   BlockId count() const override { return source_->block_count(); }
+  std::vector<std::string> report() const override { return source_->report(); }
   Warnings warnings(const Scene& scene) const override { return mesh_warnings(scene, *source_); }
   void predict(const Scene& scene, const Comm& comm, std::ostream& say) const override {
     voussoir::predict(scene, *source_, comm, say);

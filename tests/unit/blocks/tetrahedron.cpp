@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "blocks/assembly.hpp"
 #include "unit/blocks/rigid_motions.hpp"
 
 namespace {
@@ -48,6 +49,44 @@ TEUCHOS_UNIT_TEST(Tetrahedron, SharesItsVolumeAndMassAmongItsNodes) {
   TEST_FLOATING_EQUALITY(std::accumulate(product.begin(), product.end(), 0.0), volume(), 1e-14);
   for (int i = 0; i < 4; ++i)  // shape functions sum to 1
     TEST_FLOATING_EQUALITY(std::accumulate(product.begin() + 4 * i, product.begin() + 4 * i + 4, 0.0), share[i], 1e-14);
+}
+
+/// A cube of side 1, a hexahedron, under one of six tetrahedra.
+Block<3> cube_under_six_tetrahedra() {
+  Block<3> block;
+  for (int k = 0; k < 3; ++k)
+    for (const auto& at : std::array<Vector<2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}})
+      block.position.push_back({at[0], at[1], double(k)});
+  block.cells.push_back({{0, 1, 2, 3, 4, 5, 6, 7}, 8});
+  for (const auto& [a, b] : std::array<std::array<int, 2>, 6>{{{5, 6}, {6, 7}, {7, 11}, {11, 8}, {8, 9}, {9, 5}}})
+    block.cells.push_back({{4, a, b, 10}, 4});
+  return block;
+}
+
+TEUCHOS_UNIT_TEST(Tetrahedron, SharesABlockWithHexahedra) {
+  const auto block = cube_under_six_tetrahedra();
+  const auto volume = nodal_volumes(block);
+  TEST_FLOATING_EQUALITY(std::accumulate(volume.begin(), volume.end(), 0.0), 2.0, 1e-14);
+  TEST_FLOATING_EQUALITY(volume[0], 1 / 8.0, 1e-14);
+  TEST_FLOATING_EQUALITY(volume[4], 1 / 8.0 + 1 / 4.0, 1e-14);  // a corner of all six
+  TEST_FLOATING_EQUALITY(volume[8], 2 / 24.0, 1e-14);
+  const auto size = cell_sizes(block);
+  TEST_FLOATING_EQUALITY(size[0], 1.0, 1e-14);
+  TEST_FLOATING_EQUALITY(size[8], std::cbrt(1 / 6.0), 1e-14);
+  for (const auto kind : {Mass::consistent, Mass::lumped}) {
+    const auto mass = block_mass(block, 3.0, kind);
+    TEST_FLOATING_EQUALITY(std::accumulate(mass.value.begin(), mass.value.end(), 0.0), 3 * 2 * 3.0, 1e-14);
+  }
+  // Uniform strain costs as much in all cells.
+  const auto k = block_stiffness(block, stone, Hexahedra{});
+  std::vector<double> u, force(36);
+  for (const auto& x : block.position)
+    for (const double c : uniform_strain(x)) u.push_back(c);
+  k.multiply(u.data(), force.data());
+  const double e = stone.young_modulus, nu = stone.poisson_ratio;
+  const double lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), mu = e / (2 * (1 + nu));
+  const double density = lambda * 2 * 2 / 2 + mu * (9 + 4 + 1 + (1 + 4 + 9) / 2.0);
+  TEST_FLOATING_EQUALITY(std::inner_product(u.begin(), u.end(), force.begin(), 0.0) / 2, 2 * density, 1e-13);
 }
 
 }  // namespace

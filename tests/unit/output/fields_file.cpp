@@ -189,6 +189,46 @@ TEUCHOS_UNIT_TEST(FieldsFile, AStructureWithoutJointsInThreeDimensionsIsWrittenT
   TEST_ASSERT(!contains(xdmf, "_xyz"));
 }
 
+// A hexahedron of rank 0 and a tetrahedron of the last.
+TEUCHOS_UNIT_TEST(FieldsFile, ViewersAreGivenCellsOfTwoKindsInATableOfTheirOwn) {
+  const std::string folder = fresh_folder("solids");
+  MeshRows mesh;
+  const auto add = [&](int block, long long place, int corners, long long first_node) {
+    for (int n = 0; n < corners; ++n) {
+      mesh.node.push_back(first_node + n);
+      mesh.corners.push_back(first_node + n);
+      mesh.coordinates.insert(mesh.coordinates.end(), {double(n), 0.0, 0.0});
+      mesh.block_of_node.push_back(block);
+      mesh.held.push_back(0);
+    }
+    mesh.cell.push_back(block);
+    mesh.place_of_cell.push_back(place);
+    mesh.corner_count.push_back(corners);
+    mesh.block_of_cell.push_back(block);
+    mesh.block.push_back(block);
+    mesh.block_set.push_back(-1);
+  };
+  if (rank() == 0) add(0, 0, 8, 0);
+  if (rank() == last_rank()) add(1, 9, 4, 8);
+  StepRows step;
+  step.number = 1;
+  step.displacement.assign(3 * mesh.node.size(), 0.5);
+  step.stress.assign(6 * mesh.cell.size(), 1.0);
+  {
+    FieldsFile fields(folder + "/fields.h5", world(), 3);
+    fields.write_mesh(mesh);
+    fields.write_joints({});
+    fields.write_step(step);
+  }
+  const Hdf5File file(folder + "/fields.h5", world(), Hdf5File::Mode::read);
+  TEST_ASSERT(file.read_rows<long long>("/mesh/mixed_cells", first(14)) ==
+              (std::vector<long long>{9, 0, 1, 2, 3, 4, 5, 6, 7, 6, 8, 9, 10, 11}));
+  TEST_ASSERT(file.read_rows<long long>("/mesh/cells", {1}) == (std::vector<long long>{8, 9, 10, 11, 11, 11, 11, 11}));
+  const std::string xdmf = content(folder + "/fields.xdmf");
+  TEST_ASSERT(contains(xdmf, "TopologyType=\"Mixed\" NumberOfElements=\"2\""));
+  TEST_ASSERT(contains(xdmf, "Dimensions=\"14\""));
+}
+
 TEUCHOS_UNIT_TEST(Xdmf, TrianglesAloneAreCalledTriangles) {
   XdmfContent only_triangles;
   only_triangles.fields = "fields.h5";

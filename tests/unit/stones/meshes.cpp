@@ -149,16 +149,18 @@ TEUCHOS_UNIT_TEST(StoneMeshes, NameSetsOfStonesAndOfTheirEnds) {
   const auto list = mesh_stones(structure_of(stones, tetrahedra())).list;
   TEST_ASSERT((list.block_sets == std::vector<std::string>{"a", "b", "c", "d", "far", "supports"}));
   TEST_ASSERT((list.blocks[1].sets == std::vector<int>{1, 5}));
-  TEST_ASSERT((list.facet_sets == std::vector<std::string>{"base", "top"}));
+  TEST_ASSERT((list.facet_sets == std::vector<std::string>{"base", "top", "faces"}));
   for (std::size_t b = 0; b < list.blocks.size(); ++b) {
-    double base = 0, top = 0;
+    double base = 0, top = 0, all = 0;
     for (const auto& facet : list.blocks[b].facets) {
       const auto x = [&](int k) { return list.blocks[b].position[facet.node[k]]; };
-      (facet.set == 0 ? base : top) += norm(cross(x(1) - x(0), x(2) - x(0))) / 2;
-      TEST_EQUALITY(x(0)[2], facet.set == 0 ? 0.0 : 0.4);
+      (facet.set == 0 ? base : facet.set == 1 ? top : all) += norm(cross(x(1) - x(0), x(2) - x(0))) / 2;
+      if (facet.set < 2) TEST_EQUALITY(x(0)[2], facet.set == 0 ? 0.0 : 0.4);
     }
     TEST_FLOATING_EQUALITY(base, b < 2 ? 0.08 : 0.0, 1e-10);
     TEST_FLOATING_EQUALITY(top, b == 2 ? 0.08 : b > 2 ? 0.04 : 0.0, 1e-10);
+    const double length = b < 3 ? 0.4 : 0.2;
+    TEST_FLOATING_EQUALITY(all, 4 * 0.2 * length + 2 * 0.2 * 0.2, 1e-10);
   }
 }
 

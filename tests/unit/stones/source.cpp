@@ -35,18 +35,18 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
   StonesParameters p;
   p.file = "corner.obj";
   const auto read = read_stone_blocks(p, *comm);
-  TEST_EQUALITY(read.source->block_count(), 3);
-  TEST_ASSERT(!read.report.empty());
-  TEST_ASSERT((read.source->block_sets() == std::vector<std::string>{"L", "inner", "below"}));
+  TEST_EQUALITY(read->block_count(), 3);
+  TEST_ASSERT(!read->report().empty());
+  TEST_ASSERT((read->block_sets() == std::vector<std::string>{"L", "inner", "below"}));
   double sum = 0;
   for (BlockId b = 0; b < 3; ++b) {
-    const auto block = read.source->block(b);
-    TEST_EQUALITY(read.source->node_count(b), static_cast<int>(block.position.size()));
+    const auto block = read->block(b);
+    TEST_EQUALITY(read->node_count(b), static_cast<int>(block.position.size()));
     for (std::size_t n = 0; n < block.position.size(); ++n)
       sum += static_cast<double>(block.vertex[n]) + block.position[n][0];
   }
   TEST_EQUALITY(largest_over_ranks(*comm, sum), least_over_ranks(*comm, sum));
-  TEST_EQUALITY(read.source->graph().neighbour.size(), 6u);
+  TEST_EQUALITY(read->graph().neighbour.size(), 6u);
 }
 
 TEUCHOS_UNIT_TEST(StoneSource, RefusesOnEveryRank) {

@@ -57,7 +57,7 @@ TEUCHOS_UNIT_TEST(Structure, OverlappingStonesAreRefusedByNameAndPlace) {
   TEST_ASSERT(holds(error, "stone \"a\" (drawn) and stone \"c\" (drawn) by 0.02 m"));
   stones = running_bond();
   stones.push_back(stones[1]);
-  TEST_ASSERT(holds(input_error([&] { structure_of(stones, {}); }), "1 pairs of stones lie in each other"));
+  TEST_ASSERT(holds(input_error([&] { structure_of(stones, {}); }), "1 pair of stones lies in each other"));
 }
 
 TEUCHOS_UNIT_TEST(Structure, ChoosesNumbersByTheSizeOfStonesAndTellsWhatItFinds) {
