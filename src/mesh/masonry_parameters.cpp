@@ -12,11 +12,12 @@ void add_bond(ParameterSection& section, WallBond& bond, const std::string& text
   section.add_choice<WallBond>("bond", bond, {{"running", WallBond::running}, {"stack", WallBond::stack}}, text);
 }
 
-void add_faces(ParameterSection& section, StoneFaces& faces) {
+void add_faces(ParameterSection& section, StoneFaces& faces, const std::string& of_bond) {
   section.add_choice<StoneFaces>(
       "faces", faces, {{"round", StoneFaces::round}, {"plane", StoneFaces::plane}},
       "round: corners of all cells lie on round surfaces; plane: faces are stretched between "
-      "the corners of stones, in running bond of half stones");
+      "the corners of stones" +
+          of_bond);
 }
 
 void add_cells(ParameterSection& section, const std::string& name, int& cells, const std::string& text) {
@@ -108,7 +109,7 @@ void DomeParameters::declare(ParameterSection& section) {
   section.add("lunes", lunes, "-", between(3, 1e6), "stones of a course", "fewer than three go round no axis");
   add_bond(section, bond,
            "running: odd courses are turned by half a stone; stack: head joints above each other, whole lunes part");
-  add_faces(section, faces);
+  add_faces(section, faces, ", in running bond of half stones");
   add_cells(section, "cells radial", cells_radial, "cells from intrados to extrados");
   add_cells(section, "cells round", cells_round, "cells of a stone along its course; even in running bond");
   add_cells(section, "cells up", cells_up, "cells of a stone along the meridian");
@@ -130,7 +131,7 @@ void BarrelVaultParameters::declare(ParameterSection& section) {
   section.add("stones along", stones_along, "-", between(1, 1e6), "full stones of courses 0, 2, ... along y",
               "a course needs one", "In running bond courses 1, 3, ... begin and end with half a stone.");
   add_bond(section, bond, "running: half a stone from course to course; stack: arches beside each other");
-  add_faces(section, faces);
+  add_faces(section, faces, "");
   add_cells(section, "cells radial", cells_radial, "cells from intrados to extrados");
   add_cells(section, "cells round", cells_round, "cells of a stone from springing to springing");
   add_cells(section, "cells along", cells_along, "cells of a full stone along y; even in running bond");
