@@ -26,7 +26,7 @@
 #include "base/leaks.hpp"
 #include "mesh/generators.hpp"
 #include "model/plane/plane_model.hpp"
-#include "run/plane/rigid_limits.hpp"
+#include "run/rigid_limits.hpp"
 #include "scene/scene.hpp"
 #include "step/adaptive_step.hpp"
 

@@ -214,7 +214,9 @@ def add_rigid(page, results, folder):
     page.figures_asked_first(rigid_report.facts(results))
     page.remarks(results.remarks)
     rigid_report.add_verdict(page, results)
-    if results.mesh:
+    if results.mesh and results.mesh.in_space:
+        draw_space.add_space_sections(page, results, folder, attempt)
+    elif results.mesh:
         mesh, joints, step = results.mesh, results.joints, results.last
         edges = outline_edges(mesh)
         found = attempt(page, "The arches", chains.find_chains, mesh, joints, results.standing) or []

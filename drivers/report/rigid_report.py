@@ -38,6 +38,9 @@ def facts(results):
     rows = []
     if certified is not None:
         rows.append(("No equilibrium above", tables.short(certified, 6), "times the pattern of loads, by the static theorem"))
+    found = number(rigid.get("forces_found_up_to"))
+    if found is not None and certified is not None and found < certified * (1 - 1e-6):
+        rows.append(("Forces are found up to", tables.short(found, 6), "times the pattern, where slip dilates"))
     if estimate is not None:
         rows.append(("Where slip does not dilate", tables.short(estimate, 5), "an estimate, no bound on either side"))
     if str(tree.get("outcome")) == "equilibrium" or certified is not None:
@@ -62,8 +65,10 @@ def add_ranges(page, results):
     page.words("Rigid stones leave open which of all forces in balance is the real one; those of every support lie between these ends. "
                "Where nothing bounds them, as between two supports that hold against each other, there is no end.")
     text = lambda value: "no end" if number(value) is None else force_text(number(value)) if abs(number(value)) > 0 else "0"
-    page.table(["support", "least to the right", "most to the right", "least upwards", "most upwards"],
-               [[name] + [text(r.get(key)) for key in ("least_x_N", "most_x_N", "least_y_N", "most_y_N")]
+    space = any("least_z_N" in r for r in ranges.values() if isinstance(r, dict))
+    ways = {"x": "along x", "y": "along y", "z": "upwards"} if space else {"x": "to the right", "y": "upwards"}
+    page.table(["support", *(f"{end} {way}" for way in ways.values() for end in ("least", "most"))],
+               [[name] + [text(r.get(f"{end}_{axis}_N")) for axis in ways for end in ("least", "most")]
                 for name, r in sorted(ranges.items()) if isinstance(r, dict)])
 
 

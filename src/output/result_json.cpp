@@ -79,12 +79,14 @@ Json rigid_forces(const RigidSummary& rigid) {
   Json json{{"free_share_of_joints", rigid.free_share},
             {"free_share_is_at_least", rigid.at_least},
             {"geometric_factor_of_safety", rigid.factor},
+            {"forces_found_up_to", rigid.borne},
             {"reactions", Json::object()}};
   for (const auto& [support, range] : rigid.reactions)
-    json["reactions"][support] = {{"least_x_N", range[0].least},
-                                  {"most_x_N", range[0].most},
-                                  {"least_y_N", range[1].least},
-                                  {"most_y_N", range[1].most}};
+    for (int c = 0; c < rigid.components; ++c) {
+      const auto along = std::string("_") + "xyz"[c] + "_N";
+      json["reactions"][support]["least" + along] = range[c].least;
+      json["reactions"][support]["most" + along] = range[c].most;
+    }
   return json;
 }
 

@@ -55,9 +55,11 @@ struct RigidSummary {
     double least = 0, most = 0;  ///< [N] of a reaction; infinite where it has no end
   };
   double free_share = 0;  ///< [-] of dry joints, from their edges, that forces can leave
-  std::map<std::string, std::array<Range, 2>> reactions;  ///< along x and y, by name of the support
-  bool at_least = false;                                  ///< more of the share was not looked for
-  double factor = NAN;  ///< [-] Heyman's geometric factor of safety; not a number where the share tells none
+  std::map<std::string, std::array<Range, 3>> reactions;  ///< along x, y and z, by name of the support
+  int components = 2;                                     ///< of reactions; 3 in space
+  double borne = NAN;     ///< [-] factor of the pattern for which admissible forces are found; not a number: none asked
+  bool at_least = false;  ///< more of the share was not looked for
+  double factor = NAN;    ///< [-] Heyman's geometric factor of safety; not a number where the share tells none
 };
 
 /// Force of a support on the structure.

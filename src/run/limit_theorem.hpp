@@ -34,8 +34,8 @@ struct RigidVerdict {
 class LimitTheorem {
  public:
   virtual ~LimitTheorem() = default;
-  /// Whether admissible forces balance the loads that stay. Collective.
-  virtual RigidVerdict bears(const RigidTask&) const = 0;
+  /// Whether it is proven that no admissible forces balance the loads that stay: refused, else unknown. Collective.
+  virtual RigidVerdict refuses(const RigidTask&) const = 0;
   /// Up to which factor they do. Collective.
   /// @param estimates  whether the factor of slip that does not dilate is estimated too
   virtual RigidVerdict largest_factor(const RigidTask&, double largest, bool estimates) const = 0;

@@ -17,13 +17,22 @@ namespace {
 
 using Numbers = StaticTheoremParameters;
 
+/// So many stones are asked of the theorem; and so few that asking costs next to nothing.
+int most_stones(const Model& model) {
+  return model.components() == 2 ? Numbers::most_stones : Numbers::most_stones_in_space;
+}
+bool has_few_stones(const Model& model) {
+  return model.block_count() <=
+         (model.components() == 2 ? Numbers::most_stones_at_ends : Numbers::most_stones_at_ends_in_space);
+}
+
 bool follows(const Model& model) { return model.settings().rotations == Rotations::finite; }
 
 }  // namespace
 
 bool theorem_applies(const Model& model, const LimitTheorem* theorem) {
   return theorem && model.settings().selection.mode != SelectionMode::bonded && model.points().total() > 0 &&
-         model.block_count() <= Numbers::most_stones;
+         model.block_count() <= most_stones(model);
 }
 
 void StaticTheorem::begin(const std::vector<char>& absent, const ContactState& before,
@@ -48,7 +57,7 @@ GoOn StaticTheorem::after_solve() {
     if (++places_ > 1) asked_ = !applies_ || !follows(model_);
     solves_here_ = 0;
   }
-  const bool few = places_ > 1 && model_.block_count() <= Numbers::most_stones_at_ends;
+  const bool few = places_ > 1 && has_few_stones(model_);
   const int enough = few ? Numbers::solves_before_asking_few : Numbers::solves_before_asking;
   return !asked_ && ++solves_here_ >= enough && refuses() ? GoOn::no : GoOn::yes;
 }
@@ -56,7 +65,7 @@ GoOn StaticTheorem::after_solve() {
 StepReport StaticTheorem::solve(AdaptiveStep& step, Model& model, ContactState& state,
                                 const std::vector<double>& prescribed) {
   VOUSSOIR_EXPECT(state_ && load_ && "a step has begun");
-  const bool asks_first = follows(model_) && model_.block_count() <= Numbers::most_stones_at_ends;
+  const bool asks_first = follows(model_) && has_few_stones(model_);
   const bool at_once = asks_first && nothing_has_moved() && refuses();
   StepReport report;
   if (!at_once) report = solve_load_step(model, step, state, *load_, prescribed);
@@ -91,8 +100,7 @@ bool StaticTheorem::nothing_has_moved() const {
 bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state) const {
   if (!at_the_start()) return false;
   if (report.newton.outcome == NewtonOutcome::not_converged) return true;
-  return report.newton.outcome == NewtonOutcome::converged && ends_stage_ &&
-         model_.block_count() <= Numbers::most_stones_at_ends &&
+  return report.newton.outcome == NewtonOutcome::converged && ends_stage_ && has_few_stones(model_) &&
          count_selected(model_, state) < model_.points().total();
 }
 
@@ -100,7 +108,7 @@ bool StaticTheorem::in_doubt(const StepReport& report, const ContactState& state
 bool StaticTheorem::refuses() {
   if (std::exchange(asked_, true)) return refusal_.has_value();
   // What strength the step takes is not known: strengths count as at its beginning, which admits more.
-  auto answer = theorem_->bears({absent_, state_, *load_, {}});
+  auto answer = theorem_->refuses({absent_, state_, *load_, {}});
   if (answer.verdict != LimitVerdict::refused) return false;
   refusal_ = Refusal{0, std::move(answer.mechanism), answer.dilates, std::move(answer.lambda)};
   auto more = *load_;
@@ -134,7 +142,7 @@ std::string StaticTheorem::along_the_mechanism(Model& model, const ContactState&
     const double far = share * model_.structure().size();
     for (std::size_t i = 0; i < there.size(); ++i) there[i] += far * refusal_->mechanism[i];
     model.move_geometry(there);
-    if (theorem_->bears({absent_, state_, *load_, {}}).verdict != LimitVerdict::refused)
+    if (theorem_->refuses({absent_, state_, *load_, {}}).verdict != LimitVerdict::refused)
       return "moved on by " + six_digits(far) + " m they may come to rest, which load steps do not follow them to";
     at += (at.empty() ? "" : " and ") + six_digits(far) + " m";
   }

@@ -14,24 +14,24 @@ namespace voussoir {
 namespace {
 
 constexpr double none = LimitAnalysisParameters::no_motion;
+const double quarter = RoundConeParameters::pi / 2;
+const double side = RoundConeParameters::side;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-double power(const Wrench& load, const Wrench& motion) {
-  return load[0] * motion[0] + load[1] * motion[1] + load[2] * motion[2];
-}
-
-/// Stones that move as one have three components of motion: those of its first stone, the turn times its radius.
+/// Stones that move as one have the components of motion of its first stone, turns times its radius.
 struct Part {
   int first_stone = 0;
   double radius = 0;  ///< [m] of the farthest place from the middle of that stone
 };
 
+template <int dim>
 class MotionProgramme {
  public:
-  MotionProgramme(const RigidStructure& s, const std::vector<Wrench>& mechanism, const std::vector<Wrench>& driving)
+  MotionProgramme(const RigidStructure<dim>& s, const std::vector<Wrench<dim>>& mechanism,
+                  const std::vector<Wrench<dim>>& driving)
       : s_(s), mechanism_(mechanism) {
     join_stones();
-    for (std::size_t k = 0; k < 3 * parts_.size(); ++k) rows_of_column_.emplace_back();
+    for (std::size_t k = 0; k < n * parts_.size(); ++k) rows_of_column_.emplace_back();
     for (const auto& c : s_.contacts) add_contact(c);
     for (const auto& h : s_.supports) add_row(terms_of(h.stone, h.arm, h.direction, 1), -none, none);
     add_driving(driving);
@@ -41,7 +41,7 @@ class MotionProgramme {
   bool slides() const { return !sliding_.empty(); }
 
   /// Nothing where what slides cannot stay closed.
-  std::vector<Wrench> solve() {
+  std::vector<Wrench<dim>> solve() {
     for (std::size_t k = 0; k < rows_of_column_.size(); ++k)
       lp_.add_column(std::move(rows_of_column_[k]), -endless, endless, -cost_[k]);
     for (const auto& [row, sign] : distances_) lp_.add_column({{row, sign}}, 0, endless, 0);
@@ -58,13 +58,11 @@ class MotionProgramme {
 
  private:
   using Terms = std::vector<std::pair<int, double>>;  ///< column, factor
+  static const std::size_t n = freedoms<dim>;
 
   double radius(int stone) const { return s_.stones[static_cast<std::size_t>(stone)].radius; }
-  const Wrench& moves(int stone) const { return mechanism_[static_cast<std::size_t>(stone)]; }
-  bool rests(int stone) const {
-    const auto& v = moves(stone);
-    return std::hypot(v[0], v[1]) + std::abs(v[2]) * radius(stone) <= none;
-  }
+  const Wrench<dim>& moves(int stone) const { return mechanism_[static_cast<std::size_t>(stone)]; }
+  bool rests(int stone) const { return reach_of(moves(stone), radius(stone)) <= none; }
 
   /// Parts of stones that touch and turn alike, without what rests.
   void join_stones() {
@@ -76,7 +74,7 @@ class MotionProgramme {
       return b;
     };
     for (const auto& c : s_.contacts) {
-      const double turn = std::abs(moves(c.stone_i)[2] - moves(c.stone_j)[2]);
+      const double turn = length(moment_of(moves(c.stone_i)) - moment_of(moves(c.stone_j)));
       if (norm(relative_velocity(c, mechanism_)) > none || turn * std::min(radius(c.stone_i), radius(c.stone_j)) > none)
         continue;
       const int a = find(c.stone_i), b = find(c.stone_j);
@@ -95,20 +93,21 @@ class MotionProgramme {
   }
 
   /// The middle of a stone from that of the first of its part [m].
-  Vector<2> from_first(int stone) const {
+  Vector<dim> from_first(int stone) const {
     const auto first = parts_[static_cast<std::size_t>(part_[static_cast<std::size_t>(stone)])].first_stone;
     return s_.stones[static_cast<std::size_t>(stone)].middle - s_.stones[static_cast<std::size_t>(first)].middle;
   }
 
   /// Velocity of a place of a stone along a direction; nothing of one that rests.
-  Terms terms_of(int stone, const Vector<2>& arm, const Vector<2>& direction, double sign) const {
+  Terms terms_of(int stone, const Vector<dim>& arm, const Vector<dim>& direction, double sign) const {
     const int part = part_[static_cast<std::size_t>(stone)];
     if (part < 0) return {};
-    const auto place = from_first(stone) + arm;
+    const auto w = wrench_of(from_first(stone) + arm, direction);
     const double reach = parts_[static_cast<std::size_t>(part)].radius;
-    return {{3 * part, sign * direction[0]},
-            {3 * part + 1, sign * direction[1]},
-            {3 * part + 2, sign * cross(place, direction) / reach}};
+    Terms terms;
+    for (std::size_t c = 0; c < n; ++c)
+      terms.emplace_back(static_cast<int>(n) * part + static_cast<int>(c), c < dim ? sign * w[c] : sign * w[c] / reach);
+    return terms;
   }
 
   int add_row(const Terms& terms, double lower, double upper) {
@@ -119,45 +118,59 @@ class MotionProgramme {
     return row;
   }
 
-  void add_contact(const RigidContact& c) {
+  void add_contact(const RigidContact<dim>& c) {
     if (part_[static_cast<std::size_t>(c.stone_i)] == part_[static_cast<std::size_t>(c.stone_j)]) return;
-    const auto relative = [&](const Vector<2>& axis) {
+    const auto relative = [&](const Vector<dim>& axis) {
       auto terms = terms_of(c.stone_j, c.arm_j, axis, 1);
       const auto less = terms_of(c.stone_i, c.arm_i, axis, -1);
       terms.insert(terms.end(), less.begin(), less.end());
       return terms;
     };
     const auto v = relative_velocity(c, mechanism_);
+    const double slip = length(tangential(v));
     const double friction = c.law.friction < LimitAnalysisParameters::endless_friction ? c.law.friction : 0;
+    // As a pyramid around the cone may have it: by friction times slip, and up to its edges.
+    const double edge = dim == 2 ? friction : friction / std::cos(side / 2);
     if (norm(v) <= none) {
       for (const auto& axis : c.axis) add_row(relative(axis), -none, none);
-    } else if (std::abs(v[1]) > none && std::abs(v[0] - friction * std::abs(v[1])) <= none) {
+    } else if (slip > none && v[0] >= friction * slip - none && v[0] <= edge * slip + none) {
       const auto opening = relative(c.axis[0]);
       sliding_.push_back(add_row(opening, -none, endless));
       cost_.resize(rows_of_column_.size(), 0.0);
       for (const auto& [column, factor] : opening) cost_[static_cast<std::size_t>(column)] += factor;
-      if (v[1] > 0)
-        add_row(relative(c.axis[1]), 0, endless);
-      else
-        add_row(relative(c.axis[1]), -endless, 0);
+      keep_way(c, v, relative);
     } else {
       add_row(relative(c.axis[0]), -none, endless);
     }
   }
 
+  template <class Relative>
+  void keep_way(const RigidContact<2>& c, const Vector<2>& v, const Relative& relative) {
+    if (v[1] > 0)
+      add_row(relative(c.axis[1]), 0, endless);
+    else
+      add_row(relative(c.axis[1]), -endless, 0);
+  }
+  /// Within half a side of a pyramid to both sides of it.
+  template <class Relative>
+  void keep_way(const RigidContact<3>& c, const Vector<3>& v, const Relative& relative) {
+    const double way = std::atan2(v[2], v[1]);
+    for (const double aside : {way + quarter - side / 2, way - quarter + side / 2})
+      add_row(relative(std::cos(aside) * c.axis[1] + std::sin(aside) * c.axis[2]), 0, endless);
+  }
+
   /// The loads do the same work as along the mechanism.
-  void add_driving(const std::vector<Wrench>& driving) {
+  void add_driving(const std::vector<Wrench<dim>>& driving) {
     double all = 0;
     std::vector<double> sum(rows_of_column_.size(), 0.0);
     for (std::size_t b = 0; b < part_.size(); ++b) {
       if (part_[b] < 0) continue;
-      all += power(driving[b], mechanism_[b]);
-      const auto place = from_first(static_cast<int>(b));
+      all += dot(driving[b], mechanism_[b]);
       const auto part = static_cast<std::size_t>(part_[b]);
       const auto& load = driving[b];
-      sum[3 * part] += load[0];
-      sum[3 * part + 1] += load[1];
-      sum[3 * part + 2] += (cross(place, {load[0], load[1]}) + load[2]) / parts_[part].radius;
+      const auto moment = wrench_of(from_first(static_cast<int>(b)), force_of(load));
+      for (std::size_t c = 0; c < n; ++c)
+        sum[n * part + c] += c < dim ? load[c] : (moment[c] + load[c]) / parts_[part].radius;
     }
     Terms terms;
     for (std::size_t k = 0; k < sum.size(); ++k) terms.emplace_back(static_cast<int>(k), sum[k] / all);
@@ -168,8 +181,8 @@ class MotionProgramme {
   void add_distance() {
     cost_.resize(rows_of_column_.size(), 0.0);
     for (std::size_t k = 0; k < rows_of_column_.size(); ++k) {
-      const auto& part = parts_[k / 3];
-      const double here = moves(part.first_stone)[k % 3] * (k % 3 == 2 ? part.radius : 1);
+      const auto& part = parts_[k / n];
+      const double here = moves(part.first_stone)[k % n] * (k % n < dim ? 1 : part.radius);
       const int row = lp_.add_row(here, here);
       rows_of_column_[k].push_back({row, 1});
       distances_.emplace_back(row, 1.0);
@@ -177,20 +190,21 @@ class MotionProgramme {
     }
   }
 
-  std::vector<Wrench> motions(const std::vector<double>& x) const {
-    std::vector<Wrench> all(part_.size(), Wrench{});
+  std::vector<Wrench<dim>> motions(const std::vector<double>& x) const {
+    std::vector<Wrench<dim>> all(part_.size(), Wrench<dim>{});
     for (std::size_t b = 0; b < part_.size(); ++b) {
       if (part_[b] < 0) continue;
-      const auto k = 3 * static_cast<std::size_t>(part_[b]);
-      const double turn = x[k + 2] / parts_[k / 3].radius;
-      const auto v = velocity_at({x[k], x[k + 1], turn}, from_first(static_cast<int>(b)));
-      all[b] = {v[0], v[1], turn};
+      const auto part = static_cast<std::size_t>(part_[b]);
+      auto& motion = all[b];
+      for (std::size_t c = 0; c < n; ++c) motion[c] = c < dim ? x[n * part + c] : x[n * part + c] / parts_[part].radius;
+      const auto v = velocity_at(motion, from_first(static_cast<int>(b)));
+      std::copy(v.begin(), v.end(), motion.begin());
     }
     return all;
   }
 
-  const RigidStructure& s_;
-  const std::vector<Wrench>& mechanism_;
+  const RigidStructure<dim>& s_;
+  const std::vector<Wrench<dim>>& mechanism_;
   std::vector<int> part_;  ///< of a stone; -1 for one that rests
   std::vector<Part> parts_;
   LinearProgramme lp_;
@@ -202,15 +216,21 @@ class MotionProgramme {
 
 }  // namespace
 
-CoulombMotion coulomb_motion(const RigidStructure& s, const std::vector<Wrench>& mechanism,
-                             const std::vector<Wrench>& driving) {
+template <int dim>
+CoulombMotion<dim> coulomb_motion(const RigidStructure<dim>& s, const std::vector<Wrench<dim>>& mechanism,
+                                  const std::vector<Wrench<dim>>& driving) {
   VOUSSOIR_EXPECT(mechanism.size() == s.stones.size() && "mechanism: per stone");
   VOUSSOIR_EXPECT(driving.size() == s.stones.size() && "driving loads: per stone");
-  MotionProgramme programme(s, mechanism, driving);
+  MotionProgramme<dim> programme(s, mechanism, driving);
   if (!programme.slides()) return {mechanism, false};
   auto motion = programme.solve();
   if (motion.empty()) return {mechanism, true};
   return {std::move(motion), false};
 }
+
+template CoulombMotion<2> coulomb_motion(const RigidStructure<2>&, const std::vector<Wrench<2>>&,
+                                         const std::vector<Wrench<2>>&);
+template CoulombMotion<3> coulomb_motion(const RigidStructure<3>&, const std::vector<Wrench<3>>&,
+                                         const std::vector<Wrench<3>>&);
 
 }  // namespace voussoir

@@ -14,39 +14,14 @@ namespace {
 
 using Numbers = LimitAnalysisParameters;
 
-double size_of(const Wrench& w, double radius) { return std::max(std::hypot(w[0], w[1]), std::abs(w[2]) / radius); }
-
-/// Whether contacts [first, last) of an order are dry and on one line.
-bool on_a_line(const RigidStructure& s, const std::vector<int>& order, std::size_t first, std::size_t last) {
-  const auto& a = s.contacts[static_cast<std::size_t>(order[first])];
-  const double radius = s.stones[static_cast<std::size_t>(a.stone_i)].radius;
-  for (std::size_t k = first; k < last; ++k) {
-    const auto& c = s.contacts[static_cast<std::size_t>(order[k])];
-    if (!dry(c.law) || c.law.friction != a.law.friction || norm(c.axis[0] - a.axis[0]) > Numbers::straight ||
-        std::abs(dot(c.arm_i - a.arm_i, a.axis[0])) > Numbers::straight * radius ||
-        std::abs(dot(c.arm_j - a.arm_j, a.axis[0])) > Numbers::straight * radius)
-      return false;
-  }
-  return true;
-}
-
-/// Velocities of the stones as prices of a programme tell them, the largest motion 1.
-std::vector<Wrench> motion_of(const RigidStructure& s, const std::vector<double>& price) {
-  std::vector<Wrench> motion;
-  double size = 0;
-  for (std::size_t b = 0; b < s.stones.size(); ++b) {
-    const double r = s.stones[b].radius;
-    motion.push_back({price[3 * b], price[3 * b + 1], price[3 * b + 2] / r});
-    size = std::max(size, std::hypot(motion[b][0], motion[b][1]) + std::abs(motion[b][2]) * r);
-  }
-  if (!(size > 0)) return {};
-  for (auto& w : motion)
-    for (auto& v : w) v /= size;
-  return motion;
+template <std::size_t n>
+double size_of(const std::array<double, n>& w, double radius) {
+  return std::max(length(force_of(w)), length(moment_of(w)) / radius);
 }
 
 /// By how much stones of a motion move into each other, or what is held moves.
-double closes(const RigidStructure& s, const std::vector<Wrench>& motion) {
+template <int dim>
+double closes(const RigidStructure<dim>& s, const std::vector<Wrench<dim>>& motion) {
   double most = 0;
   for (const auto& c : s.contacts) most = std::max(most, -relative_velocity(c, motion)[0]);
   for (const auto& h : s.supports)
@@ -55,14 +30,19 @@ double closes(const RigidStructure& s, const std::vector<Wrench>& motion) {
 }
 
 /// The contract of a structure.
-void expect_structure(const RigidStructure& s) {
+template <int dim>
+void expect_structure(const RigidStructure<dim>& s) {
   const auto is_stone = [&](int stone) { return stone >= 0 && stone < static_cast<int>(s.stones.size()); };
-  const auto is_unit = [](const Vector<2>& v) { return std::abs(norm(v) - 1) < Numbers::straight; };
+  const auto is_unit = [](const Vector<dim>& v) { return std::abs(norm(v) - 1) < Numbers::straight; };
   for (const auto& stone : s.stones) VOUSSOIR_EXPECT(stone.radius > 0 && "radius of a stone: positive");
   for (const auto& c : s.contacts) {
     VOUSSOIR_EXPECT(is_stone(c.stone_i) && is_stone(c.stone_j) && "stones of a contact: of the structure");
-    VOUSSOIR_EXPECT(is_unit(c.axis[0]) && is_unit(c.axis[1]) && "axes of a contact: of length one");
-    VOUSSOIR_EXPECT(std::abs(dot(c.axis[0], c.axis[1])) < Numbers::straight && "axes of a contact: at right angles");
+    for (std::size_t a = 0; a < dim; ++a) {
+      VOUSSOIR_EXPECT(is_unit(c.axis[a]) && "axes of a contact: of length one");
+      for (std::size_t b = 0; b < a; ++b)
+        VOUSSOIR_EXPECT(std::abs(dot(c.axis[a], c.axis[b])) < Numbers::straight &&
+                        "axes of a contact: at right angles");
+    }
   }
   for (const auto& held : s.supports) {
     VOUSSOIR_EXPECT(is_stone(held.stone) && "stone of a support: of the structure");
@@ -72,34 +52,29 @@ void expect_structure(const RigidStructure& s) {
 
 }  // namespace
 
-/// Contacts that bear whatever all of them can bear, in pairs where a joint is dry and straight.
-void LimitAnalysis::keep_ends_of_joints() {
-  const auto& s = s_;
-  std::vector<int> order(s.contacts.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
-  const auto at = [&](int k) -> const RigidContact& { return s.contacts[static_cast<std::size_t>(k)]; };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a).joint < at(b).joint; });
-  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    while (last < order.size() && at(order[last]).joint == at(order[first]).joint) ++last;
-    const auto begin = order.begin() + static_cast<long>(first), end = order.begin() + static_cast<long>(last);
-    if (last - first > 1 && on_a_line(s, order, first, last)) {
-      const auto tangent = at(*begin).axis[1];
-      const auto ends = std::minmax_element(
-          begin, end, [&](int a, int b) { return dot(at(a).arm_i, tangent) < dot(at(b).arm_i, tangent); });
-      for (const auto& [one, other] : {ends, std::make_pair(ends.second, ends.first)}) {
-        kept_.push_back(*one);
-        partner_.push_back(*other);
-      }
-    } else {
-      kept_.insert(kept_.end(), begin, end);
-      partner_.resize(kept_.size(), -1);
-    }
+/// Velocities of the stones as prices of a programme tell them, the largest motion 1.
+template <int dim>
+std::vector<Wrench<dim>> LimitAnalysis<dim>::motion_of(const std::vector<double>& price) const {
+  const std::size_t n = freedoms<dim>;
+  std::vector<Wrench<dim>> motion;
+  double size = 0;
+  for (std::size_t b = 0; b < s_.stones.size(); ++b) {
+    const double r = s_.stones[b].radius;
+    Wrench<dim> w;
+    for (std::size_t c = 0; c < n; ++c) w[c] = c < dim ? price[n * b + c] : price[n * b + c] / r;
+    size = std::max(size, reach_of(w, r));
+    motion.push_back(w);
   }
+  if (!(size > 0)) return {};
+  for (auto& w : motion)
+    for (auto& v : w) v /= size;
+  return motion;
 }
 
-LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
+template <int dim>
+LimitAnalysis<dim>::LimitAnalysis(RigidStructure<dim> s) : s_(std::move(s)) {
   expect_structure(s_);
-  keep_ends_of_joints();
+  corners_ = joint_corners(s_);
   for (const auto& stone : s_.stones) {
     unit_ = std::max(unit_, size_of(stone.fixed, stone.radius));
     raised_unit_ = std::max(raised_unit_, size_of(stone.raised, stone.radius));
@@ -109,33 +84,32 @@ LimitAnalysis::LimitAnalysis(RigidStructure s) : s_(std::move(s)) {
 }
 
 /// Forces of contacts as a programme has them, and by how much they and what holds leave stones out of balance.
-void LimitAnalysis::tell_forces(const Programme& p, const ProgrammeSolution& found, double factor,
-                                LimitAnswer& answer) const {
-  answer.force.assign(s_.contacts.size(), Vector<2>{});
-  std::vector<Wrench> left(s_.stones.size());
-  for (std::size_t b = 0; b < left.size(); ++b)
-    for (std::size_t c = 0; c < 3; ++c) left[b][c] = s_.stones[b].fixed[c] + factor * s_.stones[b].raised[c];
-  const auto push = [&](int stone, const Wrench& w, double amount) {
-    for (std::size_t c = 0; c < 3; ++c) left[static_cast<std::size_t>(stone)][c] += amount * w[c];
+template <int dim>
+void LimitAnalysis<dim>::tell_forces(const Programme& p, const ProgrammeSolution& found, double factor,
+                                     LimitAnswer<dim>& answer) const {
+  answer.force.assign(s_.contacts.size(), Vector<dim>{});
+  std::vector<Wrench<dim>> left(s_.stones.size());
+  for (std::size_t b = 0; b < left.size(); ++b) left[b] = s_.stones[b].fixed + factor * s_.stones[b].raised;
+  const auto push = [&](int stone, const Wrench<dim>& w, double amount) {
+    left[static_cast<std::size_t>(stone)] = left[static_cast<std::size_t>(stone)] + amount * w;
   };
-  for (std::size_t k = 0; k < kept_.size(); ++k) {
-    const auto& c = s_.contacts[static_cast<std::size_t>(kept_[k])];
+  for (std::size_t k = 0; k < corners_.kept.size(); ++k) {
+    const auto& c = s_.contacts[static_cast<std::size_t>(corners_.kept[k])];
     const auto f = p.force(k, found.x, unit_);
-    const Vector<2> force = f[0] * c.axis[0] + f[1] * c.axis[1];
-    // A force between the ends of its joint is told as its equivalent at both.
-    const double at_other = partner_[k] >= 0 ? p.move : 0;
-    auto& here = answer.force[static_cast<std::size_t>(kept_[k])];
-    here = here + (1 - at_other) * f;
-    if (at_other > 0) {
-      auto& there = answer.force[static_cast<std::size_t>(partner_[k])];
-      there = there + at_other * f;
+    const auto force = off_axes(c, f);
+    // A force between the corners of its joint is told as its equivalent at these.
+    const double share = p.share_moved / corners_.count[k];
+    for (int q = corners_.first[k]; q < corners_.first[k] + corners_.count[k]; ++q) {
+      auto& there = answer.force[static_cast<std::size_t>(corners_.kept[static_cast<std::size_t>(q)])];
+      const double here = q == static_cast<int>(k) ? 1 - share * (corners_.count[k] - 1) : share;
+      there = there + (corners_.is_corner(k) ? here : 1.0) * f;
     }
     push(c.stone_j, wrench_of(p.arm[k][1], force), 1);
     push(c.stone_i, wrench_of(p.arm[k][0], force), -1);
   }
   for (std::size_t k = 0; k < p.held.size(); ++k) {
     auto w = p.held[k].direction;
-    w[2] *= s_.stones[static_cast<std::size_t>(p.held[k].stone)].radius;
+    for (std::size_t c = dim; c < w.size(); ++c) w[c] *= s_.stones[static_cast<std::size_t>(p.held[k].stone)].radius;
     push(p.held[k].stone, w, unit_ * found.x[static_cast<std::size_t>(p.held_column) + k]);
   }
   for (std::size_t b = 0; b < left.size(); ++b)
@@ -143,29 +117,36 @@ void LimitAnalysis::tell_forces(const Programme& p, const ProgrammeSolution& fou
 }
 
 /// The factor that a mechanism bears by its power; none where it is no mechanism, or loads gain nothing along it.
-std::optional<LimitAnalysis::Bound> LimitAnalysis::bound_of(const std::vector<Wrench>& mechanism) const {
-  double of_fixed = 0, of_raised = 0, turned_over = 0, absorbed = 0, against = 0;
+template <int dim>
+std::optional<typename LimitAnalysis<dim>::Bound> LimitAnalysis<dim>::bound_of(
+    const Programme& p, const std::vector<Wrench<dim>>& mechanism) const {
+  double of_fixed = 0, of_raised = 0, turned_over = 0, absorbed = 0, by_pyramids = 0, against = 0;
   for (std::size_t b = 0; b < s_.stones.size(); ++b) {
-    of_fixed += power(s_.stones[b].fixed, mechanism[b]);
-    of_raised += power(s_.stones[b].raised, mechanism[b]);
-    turned_over += std::abs(power(s_.stones[b].raised, mechanism[b]));
+    of_fixed += dot(s_.stones[b].fixed, mechanism[b]);
+    of_raised += dot(s_.stones[b].raised, mechanism[b]);
+    turned_over += std::abs(dot(s_.stones[b].raised, mechanism[b]));
   }
   for (const auto& c : s_.contacts) {
-    const auto most = absorbed_at_most(admissible_forces(c.law), relative_velocity(c, mechanism));
+    const auto most = absorbed_at_most(c.law, relative_velocity(c, mechanism));
     absorbed += most.power;
     against = std::max(against, most.against);
+  }
+  for (std::size_t k = 0; k < corners_.kept.size(); ++k) {
+    const auto& c = s_.contacts[static_cast<std::size_t>(corners_.kept[k])];
+    by_pyramids += absorbed_at_most(p.forces[k], relative_velocity(c, mechanism)).power;
   }
   for (const auto& h : s_.supports)
     against =
         std::max(against, std::abs(dot(velocity_at(mechanism[static_cast<std::size_t>(h.stone)], h.arm), h.direction)));
   if (against > Numbers::against_the_law || !(of_raised > Numbers::clear_gain * turned_over)) return {};
-  return Bound{(absorbed - of_fixed) / of_raised, of_raised};
+  return Bound{(absorbed - of_fixed) / of_raised, of_raised, (by_pyramids - of_fixed) / of_raised};
 }
 
 /// What a programme says, checked with the structure's own numbers: forces against balance, the mechanism against the
-/// laws, and the factors that both give against each other.
-LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& found, double largest) const {
-  LimitAnswer answer;
+/// laws, and the factors that both give against each other. Of pyramids within cones forces alone are told.
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::judge(const Programme& p, const ProgrammeSolution& found, double largest) const {
+  LimitAnswer<dim> answer;
   answer.iterations = found.iterations;
   if (found.end != ProgrammeEnd::optimal) return answer;
   const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
@@ -176,126 +157,180 @@ LimitAnswer LimitAnalysis::judge(const Programme& p, const ProgrammeSolution& fo
     answer.verdict = LimitVerdict::unlimited;
     return answer;
   }
-  answer.mechanism = motion_of(s_, found.price);
+  if (dim == 3 && p.pyramid == Pyramid::within) {
+    answer.verdict = LimitVerdict::limited;
+    return answer;
+  }
+  answer.mechanism = motion_of(found.price);
   if (answer.mechanism.empty()) return answer;
-  const auto bound = bound_of(answer.mechanism);
+  const auto bound = bound_of(p, answer.mechanism);
   if (!bound) return answer;
   answer.factor = bound->factor;
   // The mechanism proves by itself. Forces agree as well as balance lets them, which of light stones is little.
   const double apart = Numbers::clear_gain * std::max(1.0, factor) + Numbers::out_of_balance * unit_ / bound->power;
-  if (std::abs(answer.factor - factor) <= apart && answer.factor < largest * (1 - Numbers::clear_gain))
+  if (std::abs(bound->of_pyramids - factor) <= apart && answer.factor < largest * (1 - Numbers::clear_gain))
     answer.verdict = LimitVerdict::limited;
   return answer;
 }
 
-LimitAnalysis LimitAnalysis::under_loads(double factor) const {
+template <int dim>
+LimitAnalysis<dim> LimitAnalysis<dim>::under_loads(double factor) const {
   auto s = s_;
-  for (auto& stone : s.stones)
-    for (std::size_t c = 0; c < 3; ++c)
-      stone.raised[c] = stone.fixed[c] + factor * std::exchange(stone.raised[c], 0.0), stone.fixed[c] = 0;
+  for (auto& stone : s.stones) {
+    stone.raised = stone.fixed + factor * stone.raised;
+    stone.fixed = {};
+  }
   return LimitAnalysis(std::move(s));
 }
 
-/// The largest factor of raised loads, up to one, of a structure whose dry joints bear on a share of their length.
+/// The largest factor of raised loads, up to one, of a structure whose dry joints bear on a share of their faces.
 /// Forces have an end only where they are out of balance without one: it costs the simplex method as much again.
 /// @param basis  to begin from, of another share; holds that of this one afterwards. What comes out unclear is begun
 /// anew.
-LimitAnswer LimitAnalysis::raised_up_to(double largest, double share_of_joints, bool* balanced_unraised,
-                                        ProgrammeBasis* basis) const {
-  LimitAnswer answer;
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& terms, bool* balanced_unraised,
+                                                  ProgrammeBasis* basis) const {
+  LimitAnswer<dim> answer;
   const bool begun = basis && !basis->empty();
   for (const double most : {endless, Numbers::most_force}) {
-    auto p = programme(share_of_joints, false, most);
-    p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
+    auto p = programme({terms.share_of_joints, most, terms.pyramid, false, terms.finer});
+    p.largest = largest * raised_unit_ / unit_;
+    p.lp.set_column(p.factor_column, 0, p.largest);
     p.lp.set_cost(p.factor_column, 1);
     if (begun) p.lp.start_from(*basis);
-    const auto found = p.lp.maximise();
-    if (basis) *basis = p.lp.basis();
+    const auto found = solve(p, basis);
     *balanced_unraised = found.end != ProgrammeEnd::infeasible;
     answer = judge(p, found, largest);
     if (found.end != ProgrammeEnd::optimal || answer.verdict != LimitVerdict::unknown) break;
   }
   if (!begun || answer.verdict != LimitVerdict::unknown) return answer;
   basis->clear();
-  return raised_up_to(largest, share_of_joints, balanced_unraised, basis);
+  return raised_up_to(largest, terms, balanced_unraised, basis);
 }
 
 /// Adds the motion of an answer that has a mechanism. Where what slides in it would have to lift, it is that of the
 /// structure without dilatancy, if that bears as much.
-LimitAnswer LimitAnalysis::in_motion(double largest, LimitAnswer answer) const {
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::in_motion(double largest, LimitAnswer<dim> answer) const {
   if (answer.verdict != LimitVerdict::limited) return answer;
-  std::vector<Wrench> driving;
+  std::vector<Wrench<dim>> driving;
   for (const auto& stone : s_.stones) driving.push_back(stone.raised);
-  auto motion = coulomb_motion(s_, answer.mechanism, driving);
+  auto motion = coulomb_motion<dim>(s_, answer.mechanism, driving);
   answer.motion = std::move(motion.of_stones);
   answer.dilates = motion.dilates;
   if (!answer.dilates) return answer;
-  std::vector<Wrench> undilated;
+  std::vector<Wrench<dim>> undilated;
   answer.estimate = without_dilatancy(largest, answer, &undilated);
   const bool bears_as_much = answer.estimate && *answer.estimate >= answer.factor * (1 - 2 * Numbers::settled);
-  if (!bears_as_much || undilated.empty() || closes(s_, undilated) > Numbers::against_the_law) return answer;
+  if (!bears_as_much || undilated.empty() || closes<dim>(s_, undilated) > Numbers::against_the_law) return answer;
   answer.motion = std::move(undilated);
   answer.dilates = false;
   return answer;
 }
 
-LimitAnswer LimitAnalysis::largest_factor(double largest) const {
+/// In space what pyramids around cones bear is proven of none within them: forces are looked for there.
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::with_forces(double largest, LimitAnswer<dim> answer) const {
+  if (dim == 2 || answer.verdict != LimitVerdict::unlimited) return answer;
+  auto found = largest_borne(largest);
+  if (found.verdict != LimitVerdict::unlimited) found.verdict = LimitVerdict::unknown;
+  return found;
+}
+
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest) const {
   VOUSSOIR_EXPECT(largest > 0 && "largest factor: positive");
   bool balanced_unraised = true;
-  auto answer = raised_up_to(largest, 1, &balanced_unraised);
-  if (balanced_unraised) return in_motion(largest, std::move(answer));
-  answer = bears(0);
+  auto answer = raised_up_to(largest, {}, &balanced_unraised);
+  if (balanced_unraised) return in_motion(largest, with_forces(largest, std::move(answer)));
+  answer = refuses(0);
   if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
   return answer;
 }
 
-bool LimitAnalysis::borne_at_any_factor() const {
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::largest_borne(double largest) const {
+  bool balanced = true;
+  Terms terms;
+  terms.pyramid = Pyramid::within;
+  auto answer = raised_up_to(largest, terms, &balanced);
+  answer.mechanism.clear();
+  return answer;
+}
+
+template <int dim>
+bool LimitAnalysis<dim>::borne_at_any_factor() const {
   auto s = s_;
-  for (auto& stone : s.stones) stone.fixed = std::exchange(stone.raised, Wrench{});
+  for (auto& stone : s.stones) stone.fixed = std::exchange(stone.raised, Wrench<dim>{});
   for (auto& contact : s.contacts) contact.law.cohesion = contact.law.tension = 0;
   return LimitAnalysis(std::move(s)).bears(0).verdict == LimitVerdict::unlimited;
 }
 
-LimitAnswer LimitAnalysis::bears(double factor) const {
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::bears(double factor) const {
   VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
   bool balanced = true;
   const auto loaded = under_loads(factor);
-  auto answer = loaded.in_motion(1, loaded.raised_up_to(1, 1, &balanced));
+  auto answer = loaded.in_motion(1, loaded.with_forces(1, loaded.raised_up_to(1, {}, &balanced)));
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
   return answer;
 }
 
-std::optional<double> LimitAnalysis::without_dilatancy(double largest, const LimitAnswer& associated,
-                                                       std::vector<Wrench>* motion) const {
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::refuses(double factor) const {
+  VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
+  bool balanced = true;
+  const auto loaded = under_loads(factor);
+  auto answer = loaded.in_motion(1, loaded.raised_up_to(1, {}, &balanced));
+  answer.verdict = answer.verdict == LimitVerdict::limited ? LimitVerdict::refused : LimitVerdict::unknown;
+  return answer;
+}
+
+/// Friction under given normal forces [N], whatever the programme makes of these.
+template <int dim>
+void LimitAnalysis<dim>::bound_shear(Programme& p, const std::vector<double>& presses) const {
+  for (std::size_t k = 0; k < presses.size(); ++k) {
+    const auto& law = s_.contacts[static_cast<std::size_t>(corners_.kept[k])].law;
+    if (!has_cone(law) || !dry(law)) continue;
+    const double shear =
+        (1 - Numbers::slope_left) * law.friction * std::max(0.0, presses[k]) / unit_;  // but for round-off
+    for (std::size_t g = 0; g < p.columns[k].size(); ++g) {
+      const double of_unit_shear = p.forces[k].generators[g].upper;
+      if (std::isfinite(of_unit_shear)) p.lp.set_column(p.columns[k][g], -shear * of_unit_shear, shear * of_unit_shear);
+    }
+  }
+}
+
+template <int dim>
+std::optional<double> LimitAnalysis<dim>::without_dilatancy(double largest, const LimitAnswer<dim>& associated,
+                                                            std::vector<Wrench<dim>>* motion) const {
   if (associated.verdict == LimitVerdict::unlimited) return associated.factor;
-  if (associated.verdict != LimitVerdict::limited) return {};
+  if (dim == 3 || associated.verdict != LimitVerdict::limited) return {};
   if (associated.estimate) return associated.estimate;
-  auto p = programme(1, true, Numbers::most_force);
+  const auto& kept = corners_.kept;
+  auto p = programme({1, Numbers::most_force, Pyramid::around, true});
   p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
   p.lp.set_cost(p.factor_column, 1);
   std::vector<double> presses;
-  for (const int k : kept_) presses.push_back(associated.force[static_cast<std::size_t>(k)][0]);
+  for (const int k : kept) presses.push_back(associated.force[static_cast<std::size_t>(k)][0]);
   double last = associated.factor;
   for (int round = 0; round < Numbers::most_programmes; ++round) {
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
-      const auto& law = s_.contacts[static_cast<std::size_t>(kept_[k])].law;
-      if (p.forces[k].generators.size() != 3 || !dry(law)) continue;
-      const double shear =
-          (1 - Numbers::slope_left) * law.friction * std::max(0.0, presses[k]) / unit_;  // but for round-off
-      p.lp.set_column(p.first_column[k] + 2, -shear, shear);
-    }
+    bound_shear(p, presses);
     const auto found = p.lp.maximise();
     if (found.end != ProgrammeEnd::optimal) return {};
     const double factor = found.x[static_cast<std::size_t>(p.factor_column)] * unit_ / raised_unit_;
     if (round > 0 && std::abs(factor - last) <= Numbers::settled * std::max(factor, last)) {
-      if (motion) *motion = motion_of(s_, found.price);
+      if (motion) *motion = motion_of(found.price);
       return factor;
     }
     last = factor;
-    for (std::size_t k = 0; k < kept_.size(); ++k)
+    for (std::size_t k = 0; k < kept.size(); ++k)
       presses[k] += Numbers::weight_of_last * (p.force(k, found.x, unit_)[0] - presses[k]);
   }
   return {};
 }
+
+template class LimitAnalysis<2>;
+template class LimitAnalysis<3>;
 
 }  // namespace voussoir

@@ -7,9 +7,12 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
+#include "statics/admissible_forces.hpp"
+#include "statics/joint_corners.hpp"
 #include "statics/linear_programme.hpp"
 #include "statics/rigid_structure.hpp"
 
@@ -22,16 +25,17 @@ enum class LimitVerdict {
   unknown     ///< the programme was not solved, or its answer is not exact enough to prove anything
 };
 
+template <int dim>
 struct LimitAnswer {
   LimitVerdict verdict = LimitVerdict::unknown;
-  double factor = 0;               ///< [-] of raised loads, by the power of the mechanism where there is one
-  std::vector<Wrench> mechanism;   ///< per stone: velocities [m] and turn [rad], the largest motion 1 m; or none
-  std::vector<Wrench> motion;      ///< the same without dilatancy, where that is possible (statics/coulomb_motion.hpp)
-  bool dilates = false;            ///< it is not: the motion is the mechanism
-  std::optional<double> estimate;  ///< [-] of the factor without dilatancy, where the motion needed it
-  std::vector<Vector<2>> force;    ///< [N] per contact, normal and tangential, where loads are balanced
-  double out_of_balance = 0;       ///< [-] of those forces, relative to the largest load of a stone
-  int iterations = 0;              ///< of the simplex method
+  double factor = 0;                   ///< [-] of raised loads, by the power of the mechanism where there is one
+  std::vector<Wrench<dim>> mechanism;  ///< per stone: velocities [m] and turns [rad], the largest motion 1 m; or none
+  std::vector<Wrench<dim>> motion;     ///< the same without dilatancy, where that is possible (coulomb_motion.hpp)
+  bool dilates = false;                ///< it is not: the motion is the mechanism
+  std::optional<double> estimate;      ///< [-] of the factor without dilatancy, where the motion needed it
+  std::vector<Vector<dim>> force;      ///< [N] per contact, normal and tangential, where loads are balanced
+  double out_of_balance = 0;           ///< [-] of those forces, relative to the largest load of a stone
+  int iterations = 0;                  ///< of the simplex method
 };
 
 /// Range of a reaction over all admissible forces [N]; no numbers where it has no end.
@@ -39,63 +43,87 @@ struct ReactionRange {
   std::optional<double> least, most;
 };
 
+template <int dim>
 class LimitAnalysis {
  public:
-  explicit LimitAnalysis(RigidStructure);
+  explicit LimitAnalysis(RigidStructure<dim>);
 
-  const RigidStructure& structure() const { return s_; }
-  /// The largest factor of raised loads, up to a largest one, that can be balanced together with the fixed loads.
-  LimitAnswer largest_factor(double largest) const;
+  const RigidStructure<dim>& structure() const { return s_; }
+  /// The largest factor of raised loads, up to a largest one, that can be balanced together with the fixed loads. In
+  /// space no equilibrium exists above it.
+  LimitAnswer<dim> largest_factor(double largest) const;
+  /// The largest factor for which admissible forces are found that balance the loads, and these: in the plane that
+  /// above, in space up to a thousandth less. No verdict where not even the fixed loads are.
+  LimitAnswer<dim> largest_borne(double largest) const;
   /// Whether dry joints balance the raised loads alone. Then these can be raised without end wherever fixed loads are
   /// borne: forces of dry joints add up to forces of dry joints.
   bool borne_at_any_factor() const;
   /// Whether fixed loads and so much of the raised ones can be balanced.
-  LimitAnswer bears(double factor) const;
+  LimitAnswer<dim> bears(double factor) const;
+  /// Whether it is proven that they cannot: refused, else unknown, at half the cost of bears() where they can.
+  LimitAnswer<dim> refuses(double factor) const;
   /// Forces that balance loads with the resultants of all joints as near to the middle of their joints as can be: the
-  /// share of every joint, from its edges, that they leave free, up to the largest one looked for. Dry straight joints
+  /// share of every joint, from its edges, that they leave free, up to the largest one looked for. Dry flat joints
   /// alone can be narrowed. Of many such forces those with the least sum of normal forces.
-  LimitAnswer most_balanced(double factor, double* free_share) const;
+  LimitAnswer<dim> most_balanced(double factor, double* free_share) const;
   /// Whether stones stand in rows: each has two neighbours at most, or is held and has one, none of a row is its own
-  /// neighbour's neighbour, and all joints are dry and straight. The share that forces leave free is then one of the
+  /// neighbour's neighbour, and all joints are dry and flat. The share that forces leave free is then one of the
   /// depth of a row, and 1 / (1 - share) its geometric factor of safety.
   bool is_rows() const;
-  /// Least and most of reactions over all admissible forces: per support, along x and y.
+  /// Least and most of reactions over all admissible forces: per support, along x, y and z. In space over those of the
+  /// pyramid around each cone, so that none is left out.
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
-  std::vector<std::array<ReactionRange, 2>> reactions(int supports, double factor) const;
+  std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
-  /// of programmes does not settle.
+  /// of programmes does not settle, and not in space, where each of these takes as long as five of what it begins from.
   /// @param associated  the answer of largest_factor(largest), where it begins
   /// @param motion      where wanted: in which it falls there, the largest 1 m; what slides opens by a thousandth of
   ///                    what it would with dilatancy
-  std::optional<double> without_dilatancy(double largest, const LimitAnswer& associated,
-                                          std::vector<Wrench>* motion = nullptr) const;
+  std::optional<double> without_dilatancy(double largest, const LimitAnswer<dim>& associated,
+                                          std::vector<Wrench<dim>>* motion = nullptr) const;
 
  private:
   struct Programme;
+  /// Of joints whose share bears, about their middle, with forces that end at a multiple of the largest load.
+  struct Terms {
+    double share_of_joints = 1;
+    double most = std::numeric_limits<double>::infinity();
+    Pyramid pyramid = Pyramid::around;
+    bool sliding = false;  ///< friction with hardly any slope beside a bound on shear that the caller sets
+    bool finer = true;     ///< pyramids are made finer where it matters
+  };
   /// What a mechanism proves: the factor of raised loads [-], and their power along it [N m].
   struct Bound {
     double factor, power;
+    double of_pyramids;  ///< [-] what pyramids would bear in the place of cones
   };
-  void keep_ends_of_joints();
-  Programme programme(double share_of_joints, bool sliding, double most) const;
-  void add_forces_of_joints(Programme&, bool sliding, double most) const;
+  Programme programme(const Terms&) const;
+  void add_forces_of_joints(Programme&, const Terms&) const;
   void add_forces_of_supports(Programme&) const;
   void add_raised_loads(Programme&) const;
-  LimitAnswer raised_up_to(double largest, double share_of_joints, bool* balanced_unraised,
-                           ProgrammeBasis* basis = nullptr) const;
-  LimitAnswer least_pressed(double share_of_joints, const ProgrammeBasis&) const;
-  LimitAnswer in_motion(double largest, LimitAnswer) const;
-  void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer&) const;
-  std::optional<Bound> bound_of(const std::vector<Wrench>& mechanism) const;
-  LimitAnswer judge(const Programme&, const ProgrammeSolution&, double largest) const;
+  ProgrammeSolution solve(Programme&, ProgrammeBasis* basis) const;
+  bool make_finer(Programme&, const ProgrammeSolution&) const;
+  bool cut_pyramid(Programme&, std::size_t kept, const std::vector<double>& x) const;
+  bool cut_edge(Programme&, std::size_t kept, double angle) const;
+  bool extend_pyramid(Programme&, std::size_t kept, const std::vector<Wrench<dim>>& motion) const;
+  void add_generator(Programme&, std::size_t kept, const Generator<dim>&) const;
+  void bound_shear(Programme&, const std::vector<double>& presses) const;
+  LimitAnswer<dim> raised_up_to(double largest, const Terms&, bool* balanced_unraised,
+                                ProgrammeBasis* basis = nullptr) const;
+  LimitAnswer<dim> with_forces(double largest, LimitAnswer<dim>) const;
+  LimitAnswer<dim> least_pressed(double share_of_joints, const ProgrammeBasis&) const;
+  LimitAnswer<dim> in_motion(double largest, LimitAnswer<dim>) const;
+  void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer<dim>&) const;
+  std::optional<Bound> bound_of(const Programme&, const std::vector<Wrench<dim>>& mechanism) const;
+  LimitAnswer<dim> judge(const Programme&, const ProgrammeSolution&, double largest) const;
+  std::vector<Wrench<dim>> motion_of(const std::vector<double>& price) const;
   /// The same structure under its fixed loads and a factor of the raised ones, all of them raised from nothing.
   LimitAnalysis under_loads(double factor) const;
 
-  RigidStructure s_;
-  std::vector<int> kept_;     ///< contacts that bear what all bear: the ends of dry straight joints, every other point
-  std::vector<int> partner_;  ///< of a kept contact, the other end of its dry straight joint; -1
-  double unit_ = 0;           ///< [N] largest load of a stone
-  double raised_unit_ = 0;    ///< the same of the raised loads
+  RigidStructure<dim> s_;
+  JointCorners corners_;
+  double unit_ = 0;         ///< [N] largest load of a stone
+  double raised_unit_ = 0;  ///< the same of the raised loads
 };
 
 }  // namespace voussoir

@@ -56,6 +56,7 @@ int LinearProgramme::add_row(double lower, double upper) {
 int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lower, double upper, double cost) {
   VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   auto& p = *parts_;
+  const auto first = p.row.size();
   for (const auto& e : entries) {
     if (e.value == 0) continue;
     p.row.push_back(e.row);
@@ -65,6 +66,11 @@ int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lowe
   p.lower.push_back(bound(lower));
   p.upper.push_back(bound(upper));
   p.cost.push_back(cost);
+  if (p.loaded) {
+    p.simplex.addColumn(static_cast<int>(p.row.size() - first), p.row.data() + first, p.value.data() + first,
+                        p.lower.back(), p.upper.back(), cost);
+    p.simplex.setColumnStatus(columns() - 1, ClpSimplex::atLowerBound);
+  }
   return columns() - 1;
 }
 
@@ -106,7 +112,6 @@ void LinearProgramme::start_from(const ProgrammeBasis& basis) {
 }
 
 ProgrammeSolution LinearProgramme::maximise() {
-  ProgrammeSolution solution;
   auto& simplex = parts_->simplex;
   try {
     const bool again = parts_->loaded;
@@ -123,14 +128,32 @@ ProgrammeSolution LinearProgramme::maximise() {
       if (simplex.status() != 0) simplex.primal();
     }
   } catch (const CoinError&) {
-    return solution;
+    return {};
   }
+  return solution();
+}
+
+ProgrammeSolution LinearProgramme::maximise_from_prices() {
+  auto& simplex = parts_->simplex;
+  try {
+    parts_->load();
+    simplex.dual();
+    if (simplex.status() != 0) simplex.primal();
+  } catch (const CoinError&) {
+    return {};
+  }
+  return solution();
+}
+
+ProgrammeSolution LinearProgramme::solution() const {
+  const auto& simplex = parts_->simplex;
+  ProgrammeSolution solution;
   constexpr ProgrammeEnd ends[] = {ProgrammeEnd::optimal, ProgrammeEnd::infeasible, ProgrammeEnd::unbounded};
   const int status = simplex.status();
   solution.end = status >= 0 && status < 3 ? ends[status] : ProgrammeEnd::failed;
   solution.value = simplex.objectiveValue();
-  const double* x = simplex.primalColumnSolution();
-  const double* price = simplex.dualRowSolution();
+  const double* x = simplex.getColSolution();
+  const double* price = simplex.getRowPrice();
   solution.x.assign(x, x + columns());
   solution.price.assign(price, price + rows());
   solution.iterations = simplex.numberIterations();

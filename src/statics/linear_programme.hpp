@@ -41,6 +41,8 @@ class LinearProgramme {
 
   /// From the basis of the last time, where there is one.
   ProgrammeSolution maximise();
+  /// The same by the dual method: where its prices may stay as they are, and bounds have changed.
+  ProgrammeSolution maximise_from_prices();
   /// That of the last time.
   ProgrammeBasis basis() const;
   /// Begins from the basis of another programme that is nearly the same; one of another size is of no use.
@@ -48,6 +50,7 @@ class LinearProgramme {
 
  private:
   struct Parts;
+  ProgrammeSolution solution() const;
   std::unique_ptr<Parts> parts_;
 };
 

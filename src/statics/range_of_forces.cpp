@@ -13,17 +13,18 @@ namespace {
 
 using Numbers = LimitAnalysisParameters;
 
-// A share of joints is bisected to what is looked for of it.
+// The least share of joints that is looked for, to which it is bisected in the plane.
 constexpr double finest = 1 - Numbers::largest_free_share;
 
 }  // namespace
 
-LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) const {
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::most_balanced(double factor, double* free_share) const {
   const auto loaded = under_loads(factor);
   ProgrammeBasis basis;  // shares that are near each other have bases that are
   const auto with = [&](double share) {
     bool balanced = true;
-    return loaded.raised_up_to(1, share, &balanced, &basis);
+    return loaded.raised_up_to(1, {share, endless, Pyramid::within, false, share == 1}, &balanced, &basis);
   };
   // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
   double stands = 1, falls = finest;
@@ -34,7 +35,7 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
     best = with(1);
   }
   if (best.verdict == LimitVerdict::unlimited)
-    while (stands - falls > finest) {
+    while (stands - falls > (dim == 2 ? finest : RoundConeParameters::share_told)) {
       const double share = (stands + falls) / 2;
       auto answer = with(share);
       const bool borne = answer.verdict == LimitVerdict::unlimited;
@@ -48,7 +49,8 @@ LimitAnswer LimitAnalysis::most_balanced(double factor, double* free_share) cons
   return least.verdict == LimitVerdict::unlimited ? least : best;
 }
 
-bool LimitAnalysis::is_rows() const {
+template <int dim>
+bool LimitAnalysis<dim>::is_rows() const {
   const auto count = s_.stones.size();
   std::vector<std::set<int>> neighbours(count);
   for (const auto& c : s_.contacts) {
@@ -72,33 +74,35 @@ bool LimitAnalysis::is_rows() const {
     for (const int next : neighbours[static_cast<std::size_t>(end)])
       if (neighbours[static_cast<std::size_t>(next)].erase(end) > 0) ends.push_back(next);
   }
-  return taken == count && std::count(partner_.begin(), partner_.end(), -1) == 0;
+  return taken == count && std::count(corners_.count.begin(), corners_.count.end(), 1) == 0;
 }
 
 /// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
 /// any force can be added to others.
-LimitAnswer LimitAnalysis::least_pressed(double share_of_joints, const ProgrammeBasis& basis) const {
-  auto p = programme(share_of_joints, false, endless);
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::least_pressed(double share_of_joints, const ProgrammeBasis& basis) const {
+  auto p = programme({share_of_joints, endless, Pyramid::within, false});
   const double all = raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, all, all);
-  for (std::size_t k = 0; k < kept_.size(); ++k)
+  for (std::size_t k = 0; k < p.forces.size(); ++k)
     for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g)
-      p.lp.set_cost(p.first_column[k] + static_cast<int>(g), -p.forces[k].generators[g].direction[0]);
+      p.lp.set_cost(p.columns[k][g], -p.forces[k].generators[g].direction[0]);
   p.lp.start_from(basis);
   return judge(p, p.lp.maximise(), 1);
 }
 
 /// Forces that balance loads are found first, without a cost; from them the simplex method goes from one extreme to the
 /// next, which takes it a tenth of what each alone does.
-std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports, double factor) const {
+template <int dim>
+std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int supports, double factor) const {
   VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
-  std::vector<std::array<ReactionRange, 2>> ranges(static_cast<std::size_t>(supports));
-  auto p = programme(1, false, Numbers::most_force);
+  std::vector<std::array<ReactionRange, dim>> ranges(static_cast<std::size_t>(supports));
+  auto p = programme({1, Numbers::most_force, Pyramid::around, false});
   const double f = factor * raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, f, f);
   if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
   for (int support = 0; support < supports; ++support)
-    for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t c = 0; c < dim; ++c) {
       auto& range = ranges[static_cast<std::size_t>(support)][c];
       for (const double sign : {1.0, -1.0}) {
         bool held = false;
@@ -119,5 +123,12 @@ std::vector<std::array<ReactionRange, 2>> LimitAnalysis::reactions(int supports,
     }
   return ranges;
 }
+
+template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*) const;
+template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*) const;
+template bool LimitAnalysis<2>::is_rows() const;
+template bool LimitAnalysis<3>::is_rows() const;
+template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double) const;
+template std::vector<std::array<ReactionRange, 3>> LimitAnalysis<3>::reactions(int, double) const;
 
 }  // namespace voussoir

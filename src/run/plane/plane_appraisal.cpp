@@ -2,8 +2,8 @@
 
 #include "range/plane/coarse_joints.hpp"
 #include "range/plane/measures.hpp"
+#include "results/mechanism_words.hpp"
 #include "results/plane/masonry_statics.hpp"
-#include "results/plane/mechanism_words.hpp"
 
 namespace voussoir {
 

@@ -4,7 +4,7 @@
 
 #include "model/plane/plane_model.hpp"
 #include "run/appraisal.hpp"
-#include "run/plane/rigid_limits.hpp"
+#include "run/rigid_limits.hpp"
 
 namespace voussoir {
 
@@ -21,7 +21,7 @@ class PlaneAppraisal : public Appraisal {
 
  private:
   const PlaneModel& plane_;
-  PlaneTheorem theorem_;
+  RigidTheorem<2> theorem_;
 };
 
 }  // namespace voussoir

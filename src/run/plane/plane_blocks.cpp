@@ -4,7 +4,7 @@
 #include "range/checked_blocks.hpp"
 #include "range/input_warnings.hpp"
 #include "results/prediction.hpp"
-#include "run/plane/limit_run.hpp"
+#include "run/limit_run.hpp"
 #include "run/plane/plane_appraisal.hpp"
 
 namespace voussoir {

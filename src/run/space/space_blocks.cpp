@@ -1,18 +1,20 @@
 #include "run/space/space_blocks.hpp"
 
-#include "base/error.hpp"
 #include "model/space/space_model.hpp"
 #include "range/checked_blocks.hpp"
 #include "range/input_warnings.hpp"
 #include "range/space/measures.hpp"
+#include "results/mechanism_words.hpp"
 #include "results/prediction.hpp"
+#include "run/limit_run.hpp"
+#include "run/rigid_limits.hpp"
 
 namespace voussoir {
 namespace {
 
 class SpaceAppraisal final : public Appraisal {
  public:
-  using Appraisal::Appraisal;
+  explicit SpaceAppraisal(const SpaceModel& model) : Appraisal(model), theorem_(model) {}
   std::vector<RangeMeasure> measures() const override { return measures_in_space(model_); }
   Warnings of_weakening_joints(const ContactState&, const std::string& when) const override {
     if (!model_.weakens()) return {};
@@ -21,6 +23,13 @@ class SpaceAppraisal final : public Appraisal {
              "enough for the stress at the ends of joints is not measured in space; take half the cells' size and "
              "compare"}};
   }
+  const LimitTheorem* theorem() const override { return &theorem_; }
+  std::string words_of(const std::vector<double>& mechanism, bool dilates) const override {
+    return mechanism_in_words(model_, mechanism) + of_slip_that_dilates(dilates);
+  }
+
+ private:
+  RigidTheorem<3> theorem_;
 };
 
 class SpaceBlocks final : public SceneBlocks {
@@ -37,11 +46,9 @@ class SpaceBlocks final : public SceneBlocks {
     auto appraisal = std::make_unique<SpaceAppraisal>(*model);
     return {std::move(model), std::move(appraisal)};
   }
-  RunSummary limit_analysis(const Scene& scene, const std::string&, const Comm&, std::ostream&) const override {
-    throw InputError(
-        scene.file +
-        ": scene > mesh > type = \"wall in space\"\n  is of space, and --limit-analysis takes plane scenes "
-        "alone so far.\n  Leave --limit-analysis out: the steps of the scene tell whether it stands.");
+  RunSummary limit_analysis(const Scene& scene, const std::string& folder, const Comm& comm,
+                            std::ostream& say) const override {
+    return limit_run(scene, *source_, folder, comm, say);
   }
 
  private:

@@ -7,7 +7,7 @@
 
 #include "linalg/reduce.hpp"
 #include "model/plane/plane_model.hpp"
-#include "run/plane/rigid_limits.hpp"
+#include "run/rigid_limits.hpp"
 #include "run/static_theorem.hpp"
 #include "support/scenes.hpp"
 

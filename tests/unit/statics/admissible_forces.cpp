@@ -17,7 +17,7 @@ bool law_admits(const PointLaw& law, const Vector<2>& f) {
 }
 
 /// Forces the generators reach, at random; amounts without an end end at 10 N.
-Vector<2> reached(const AdmissibleForces& set, std::mt19937& random) {
+Vector<2> reached(const AdmissibleForces<2>& set, std::mt19937& random) {
   auto f = set.apex;
   for (const auto& g : set.generators) {
     std::uniform_real_distribution<double> amount(std::max(g.lower, -10.0), std::min(g.upper, 10.0));
@@ -43,7 +43,7 @@ TEUCHOS_UNIT_TEST(AdmissibleForces, GeneratorsReachNothingThatTheLawForbids) {
   std::mt19937 random(1);
   for (const auto& law : finite_laws) {
     PointLaw a_little_more{law.friction, law.cohesion + 1e-12, law.tension + 1e-12};
-    const auto set = admissible_forces(law);
+    const auto set = admissible_forces<2>(law);
     for (int k = 0; k < 1000; ++k) TEST_ASSERT(law_admits(a_little_more, reached(set, random)));
   }
 }
@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(AdmissibleForces, WhatIsAbsorbedAtMostIsTheSupportOfTheLaw) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> angle(0, 6.283185307179586);
   for (const auto& law : finite_laws) {
-    const auto set = admissible_forces(law);
+    const auto set = admissible_forces<2>(law);
     int held = 0, pressed = 0;
     for (int k = 0; k < 1000; ++k) {
       const double a = angle(random);
@@ -76,24 +76,24 @@ TEUCHOS_UNIT_TEST(AdmissibleForces, WhatIsAbsorbedAtMostIsTheSupportOfTheLaw) {
 TEUCHOS_UNIT_TEST(AdmissibleForces, StrengthWithoutEndAbsorbsAnyMotion) {
   const Vector<2> opens{1, 0}, slips{0, 1}, presses{-1, 0};
   for (const double friction : {100.0, endless}) {
-    const auto rough = admissible_forces({friction, 0, 0});
+    const auto rough = admissible_forces<2>({friction, 0, 0});
     TEST_EQUALITY(absorbed_at_most(rough, slips).against, 1);
     TEST_EQUALITY(absorbed_at_most(rough, opens).against, 0);
     TEST_EQUALITY(absorbed_at_most(rough, presses).against, 1);
   }
-  const auto bonded = admissible_forces({0.6, endless, endless});
+  const auto bonded = admissible_forces<2>({0.6, endless, endless});
   for (const auto& motion : {opens, slips, presses}) TEST_EQUALITY(absorbed_at_most(bonded, motion).against, 1);
-  const auto no_tension = admissible_forces({0.6, endless, 0});
+  const auto no_tension = admissible_forces<2>({0.6, endless, 0});
   TEST_EQUALITY(absorbed_at_most(no_tension, opens).against, 0);
   TEST_EQUALITY(absorbed_at_most(no_tension, slips).against, 1);
-  const auto glued_and_smooth = admissible_forces({0, 2, endless});
+  const auto glued_and_smooth = admissible_forces<2>({0, 2, endless});
   TEST_EQUALITY(absorbed_at_most(glued_and_smooth, opens).against, 1);
   TEST_EQUALITY(absorbed_at_most(glued_and_smooth, slips).against, 0);
   TEST_EQUALITY(absorbed_at_most(glued_and_smooth, slips).power, 2);
 }
 
 TEUCHOS_UNIT_TEST(AdmissibleForces, FrictionWithoutEndHoldsEvenWhereCohesionIsFinite) {
-  const auto set = admissible_forces({endless, 3, 2});
+  const auto set = admissible_forces<2>({endless, 3, 2});
   TEST_EQUALITY(absorbed_at_most(set, {0, 1}).against, 1);
   TEST_EQUALITY(absorbed_at_most(set, {1, 0}).power, 2);
 }

@@ -13,10 +13,12 @@ using namespace voussoir::test;
 // Rows of the programme are held to 1e-7 of the mechanism's largest motion, and the motion is a tenth of that and more.
 constexpr double close = 2e-5;
 
-const Wrench& of(const LimitAnswer& answer, int stone) { return answer.motion.at(static_cast<std::size_t>(stone)); }
+const Wrench<2>& of(const LimitAnswer<2>& answer, int stone) {
+  return answer.motion.at(static_cast<std::size_t>(stone));
+}
 
 /// Whether a motion closes no joint; how far joints open at most where the mechanism slides.
-void check(const RigidStructure& s, const LimitAnswer& answer, Teuchos::FancyOStream& out, bool& success) {
+void check(const RigidStructure<2>& s, const LimitAnswer<2>& answer, Teuchos::FancyOStream& out, bool& success) {
   double closes = 0, lifts = 0, size = 0;
   for (const auto& m : answer.motion) size = std::max(size, std::hypot(m[0], m[1]));
   for (const auto& c : s.contacts) {
@@ -65,7 +67,7 @@ TEUCHOS_UNIT_TEST(CoulombMotion, WhatStandsOnAStoneThatSlidesGoesWithIt) {
 
 TEUCHOS_UNIT_TEST(CoulombMotion, AStoneGoesDownItsSlope) {
   for (const double slope : {0.7, -0.7}) {
-    RigidStructure s;
+    RigidStructure<2> s;
     const int bed = add_box(s, {-1, -2}, 2, 1, 0), stone = add_stone(s, {0, 0.5}, 1, 1);
     hold(s, bed);
     add_joint(s, bed, stone, {-1, -slope}, {1, slope}, {0.6});
@@ -78,7 +80,7 @@ TEUCHOS_UNIT_TEST(CoulombMotion, AStoneGoesDownItsSlope) {
 
 TEUCHOS_UNIT_TEST(CoulombMotion, AWedgeGoesDownAndWhatItPartsGoesAside) {
   // Two boxes on a bed and a wedge between them, whose flanks lean by one to four; it is loaded.
-  RigidStructure s;
+  RigidStructure<2> s;
   const int bed = add_box(s, {-3, -1}, 6, 1, 0), left = add_box(s, {-3, 0}, 2, 1, 1),
             right = add_box(s, {1, 0}, 2, 1, 1);
   const int wedge = add_stone(s, {0, 0.5}, 1, 0.1);
@@ -111,15 +113,15 @@ TEUCHOS_UNIT_TEST(CoulombMotion, WallsThatSlideEitherStayClosedThereOrSaySo) {
 
 TEUCHOS_UNIT_TEST(CoulombMotion, AStoneThatMustClimbOutOfATeethedBedSaysThatItDilates) {
   // By hand: a stone jammed between a bed and a ceiling could only move by opening both as it slides.
-  RigidStructure s;
+  RigidStructure<2> s;
   const int bed = add_box(s, {0, -1}, 2, 1, 0), stone = add_box(s, {0, 0}, 2, 1, 1);
   hold(s, bed);
   add_joint(s, bed, stone, {0, 0}, {2, 0}, {0.5});
   add_joint(s, bed, stone, {2, 1}, {2, 0}, {0.5});  // a tooth at its right side: opens as the stone goes to the left
   add_joint(s, bed, stone, {0, 0}, {0, 1}, {0.5});  // and one at its left
-  const std::vector<Wrench> mechanism{{}, {0.0, 1.0, 0.0}}, loads{{}, {0.0, 1.0, 0.0}};
+  const std::vector<Wrench<2>> mechanism{{}, {0.0, 1.0, 0.0}}, loads{{}, {0.0, 1.0, 0.0}};
   TEST_ASSERT(!coulomb_motion(s, mechanism, loads).dilates);  // straight up it neither rubs nor slides
-  const std::vector<Wrench> aslant{{}, {1.0, 0.5, 0.0}}, push{{}, {0.0, 1.0, 0.0}};
+  const std::vector<Wrench<2>> aslant{{}, {1.0, 0.5, 0.0}}, push{{}, {0.0, 1.0, 0.0}};
   const auto lifted = coulomb_motion(s, aslant, push);  // slides by the flow rule; pushed upwards it must lift
   TEST_ASSERT(lifted.dilates);
   TEST_ASSERT(lifted.of_stones == aslant);

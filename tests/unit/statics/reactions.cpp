@@ -11,8 +11,8 @@ using namespace voussoir::test;
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double close = 1e-8, most = 100;
 
-RigidStructure box_on_rollers(double second_roller) {
-  RigidStructure s;
+RigidStructure<2> box_on_rollers(double second_roller) {
+  RigidStructure<2> s;
   add_box(s, {0, 0}, 1, 1, 1);
   for (const double x : {-0.5, second_roller}) s.supports.push_back({0, {x, -0.5}, {0, 1}, 0});
   push_sideways(s);
@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(Supports, OneNodeAloneLetsAStoneTurn) {
 }
 
 TEUCHOS_UNIT_TEST(Supports, AHeldSideBearsBothWaysAndAtAnAngle) {
-  RigidStructure s;
+  RigidStructure<2> s;
   add_box(s, {0, 0}, 1, 1, 1);
   const Vector<2> slope{0.6, 0.8}, across{-0.8, 0.6};
   for (const double x : {-1.0, 1.0}) s.supports.push_back({0, x * across, slope, 0});
@@ -54,8 +54,8 @@ TEUCHOS_UNIT_TEST(Supports, AHeldSideBearsBothWaysAndAtAnAngle) {
 }
 
 /// Three stones of weight 1 and a x h side by side between two held abutments.
-RigidStructure flat_arch(double a, double h, double friction) {
-  RigidStructure s;
+RigidStructure<2> flat_arch(double a, double h, double friction) {
+  RigidStructure<2> s;
   for (int k = -1; k <= 3; ++k) {
     const int stone = add_box(s, {k * a, 0}, a, h, k < 0 || k == 3 ? 0 : 1);
     if (k >= 0) add_joint(s, stone - 1, stone, {k * a, h}, {k * a, 0}, {friction});
@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(Reactions, TheLeastThrustOfAFlatArch) {
 
 TEUCHOS_UNIT_TEST(Reactions, AStoneBetweenFrictionAndAWall) {
   // Pushed to the right by a factor of its weight against a smooth wall: friction takes as much as 0.6 either way.
-  RigidStructure s = box_on_bed(4, 1, {0.6});
+  RigidStructure<2> s = box_on_bed(4, 1, {0.6});
   const int beside = add_box(s, {4, 0}, 1, 1, 0);
   hold(s, beside, 7);
   add_joint(s, 1, beside, {4, 1}, {4, 0}, {0});
@@ -108,14 +108,14 @@ TEUCHOS_UNIT_TEST(Reactions, AStoneBetweenFrictionAndAWall) {
 TEUCHOS_UNIT_TEST(AnyFactor, IsBorneWhereJointsBalanceTheRaisedLoadsAlone) {
   // A box on a bed under a force whose angle to the normal of the bed is within its friction, or beyond it.
   for (const double sideways : {0.3, 0.9}) {
-    RigidStructure s = box_on_bed(4, 1, {0.6});
+    RigidStructure<2> s = box_on_bed(4, 1, {0.6});
     s.stones[1].raised = {sideways, -1, 0};
     const LimitAnalysis analysis(s);
     TEST_EQUALITY(analysis.borne_at_any_factor(), sideways < 0.6);
     TEST_EQUALITY(analysis.largest_factor(1e4).verdict == LimitVerdict::unlimited, sideways < 0.6);
   }
   // Cohesion bears so much and no more.
-  RigidStructure glued = box_on_bed(4, 1, {0.6, 10, 0});
+  RigidStructure<2> glued = box_on_bed(4, 1, {0.6, 10, 0});
   glued.stones[1].raised = {0.9, -1, 0};
   TEST_ASSERT(!LimitAnalysis(glued).borne_at_any_factor());
   TEST_ASSERT(LimitAnalysis(glued).bears(1).verdict == LimitVerdict::unlimited);
@@ -124,7 +124,7 @@ TEUCHOS_UNIT_TEST(AnyFactor, IsBorneWhereJointsBalanceTheRaisedLoadsAlone) {
 TEUCHOS_UNIT_TEST(MostBalanced, AColumnUnderALoadOffItsMiddle) {
   const double width = 0.5, part = 1.0 / 1024;  // of the bisection
   for (const double eccentricity : {0.0, 0.05, 0.2}) {
-    RigidStructure s;
+    RigidStructure<2> s;
     for (int k = 0; k < 4; ++k) {
       add_box(s, {0, 0.3 * k}, width, 0.3, k == 0 ? 0 : 0.1);
       if (k > 0) add_joint(s, k - 1, k, {0, 0.3 * k}, {width, 0.3 * k}, {0.5});

@@ -12,22 +12,22 @@ namespace voussoir::test {
 constexpr double pi = 3.14159265358979323846;
 
 /// A stone of a weight; its number.
-inline int add_stone(RigidStructure& s, const Vector<2>& middle, double radius, double weight) {
+inline int add_stone(RigidStructure<2>& s, const Vector<2>& middle, double radius, double weight) {
   s.stones.push_back({middle, radius, {0, -weight, 0}, {}});
   return static_cast<int>(s.stones.size()) - 1;
 }
 
 /// A rectangle; its number.
-inline int add_box(RigidStructure& s, const Vector<2>& corner, double width, double height, double weight) {
+inline int add_box(RigidStructure<2>& s, const Vector<2>& corner, double width, double height, double weight) {
   return add_stone(s, {corner[0] + width / 2, corner[1] + height / 2}, std::hypot(width, height) / 2, weight);
 }
 
 /// A joint with a point at each end; stone j lies to the left of the way from a to b.
-inline void add_joint(RigidStructure& s, int i, int j, const Vector<2>& a, const Vector<2>& b, const PointLaw& law) {
+inline void add_joint(RigidStructure<2>& s, int i, int j, const Vector<2>& a, const Vector<2>& b, const PointLaw& law) {
   const Vector<2> along = (1 / norm(b - a)) * (b - a);
   const int joint = s.contacts.empty() ? 0 : s.contacts.back().joint + 1;
   for (const auto& x : {a, b}) {
-    RigidContact c;
+    RigidContact<2> c;
     c.stone_i = i, c.stone_j = j;
     c.arm_i = x - s.stones[static_cast<std::size_t>(i)].middle;
     c.arm_j = x - s.stones[static_cast<std::size_t>(j)].middle;
@@ -39,20 +39,20 @@ inline void add_joint(RigidStructure& s, int i, int j, const Vector<2>& a, const
 }
 
 /// Holds both components of two places of a stone.
-inline void hold(RigidStructure& s, int stone, int name = 0) {
+inline void hold(RigidStructure<2>& s, int stone, int name = 0) {
   for (const double x : {-1.0, 1.0})
     for (const auto& direction : {Vector<2>{1, 0}, Vector<2>{0, 1}})
       s.supports.push_back({stone, {x * s.stones[static_cast<std::size_t>(stone)].radius, 0}, direction, name});
 }
 
 /// Raises the weights of stones, turned to the right.
-inline void push_sideways(RigidStructure& s) {
+inline void push_sideways(RigidStructure<2>& s) {
   for (auto& stone : s.stones) stone.raised = {-stone.fixed[1], 0, 0};
 }
 
 /// A box on a held bed, pushed sideways by a share of its weight.
-inline RigidStructure box_on_bed(double width, double height, const PointLaw& law, double weight = 1) {
-  RigidStructure s;
+inline RigidStructure<2> box_on_bed(double width, double height, const PointLaw& law, double weight = 1) {
+  RigidStructure<2> s;
   const int bed = add_box(s, {0, -1}, width, 1, 0), box = add_box(s, {0, 0}, width, height, weight);
   hold(s, bed);
   add_joint(s, bed, box, {0, 0}, {width, 0}, law);
@@ -61,8 +61,8 @@ inline RigidStructure box_on_bed(double width, double height, const PointLaw& la
 }
 
 /// Equal voussoirs between two held abutments, pushed sideways by a share of their weight.
-inline RigidStructure ring(int voussoirs, double radius, double thickness, double embrace, const PointLaw& law) {
-  RigidStructure s;
+inline RigidStructure<2> ring(int voussoirs, double radius, double thickness, double embrace, const PointLaw& law) {
+  RigidStructure<2> s;
   const double inner = radius - thickness / 2, outer = radius + thickness / 2, wedge = embrace / voussoirs;
   const double area = wedge * (outer * outer - inner * inner) / 2;
   const double centre = 2.0 / 3 * (std::pow(outer, 3) - std::pow(inner, 3)) / (outer * outer - inner * inner) *
@@ -83,13 +83,13 @@ inline RigidStructure ring(int voussoirs, double radius, double thickness, doubl
 
 /// Courses of stones of 0.4 x 0.175 m on a held base, from below; widths in half stones, openings negative. The same
 /// as the walls of Ferris and Tin-Loi.
-inline RigidStructure wall(const std::vector<std::vector<int>>& courses, double friction) {
+inline RigidStructure<2> wall(const std::vector<std::vector<int>>& courses, double friction) {
   struct Placed {
     int stone, row;
     double left, right;
   };
   const double half = 0.2, height = 0.175;
-  RigidStructure s;
+  RigidStructure<2> s;
   double width = 0;
   for (const int w : courses.front()) width += half * std::abs(w);
   hold(s, add_box(s, {0, -height}, width, height, 0));

@@ -11,7 +11,7 @@ using namespace voussoir::test;
 constexpr double most = 100;
 
 /// The same structure in other units of length and force.
-RigidStructure in_units(RigidStructure s, double length, double force) {
+RigidStructure<2> in_units(RigidStructure<2> s, double length, double force) {
   for (auto& stone : s.stones) {
     stone.middle = length * stone.middle;
     stone.radius *= length;

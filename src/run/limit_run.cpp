@@ -1,16 +1,16 @@
-#include "run/plane/limit_run.hpp"
+#include "run/limit_run.hpp"
 
 #include <Teuchos_Time.hpp>
 #include <cmath>
 
 #include "base/text.hpp"
 #include "model/construction.hpp"
-#include "model/plane/plane_model.hpp"
+#include "model/model_of_blocks.hpp"
 #include "output/output_folder.hpp"
 #include "results/largest_mover.hpp"
-#include "results/plane/mechanism_words.hpp"
+#include "results/mechanism_words.hpp"
 #include "results/recorder.hpp"
-#include "run/plane/rigid_limits.hpp"
+#include "run/rigid_limits.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -47,11 +47,19 @@ std::string words_of_share(const RigidSummary& rigid, bool rows) {
   return rigid.at_least ? end : ", a geometric factor of safety of " + six_digits(rigid.factor) + " or more";
 }
 
+/// Where a force along a component goes.
+template <int dim>
+const char* way_of(int component) {
+  if (component == dim - 1) return " upwards";
+  return dim == 2 ? " to the right" : component == 0 ? " along x" : " along y";
+}
+
 /// What is asked of a scene's rigid stones, and where the answers go.
+template <int dim>
 class LimitRun {
  public:
   /// @param scene  as the user wrote it
-  LimitRun(const Scene& scene, PlaneModel& model, const std::string& folder, std::ostream& say)
+  LimitRun(const Scene& scene, ModelOfBlocks<dim>& model, const std::string& folder, std::ostream& say)
       : model_(model), scene_(scene), say_(say), step_(model), recorder_(scene, model, step_, folder) {}
 
   RunSummary answer() {
@@ -69,10 +77,11 @@ class LimitRun {
     model_.loads(factors, 0, task.fixed, prescribed);
     const auto& search = scene_.load_factor;
     if (search.asked()) task.raised = loads_of_pattern(model_, factors, search.pattern, 0);
-    const RigidLimits limits(model_, task);
+    const RigidLimits<dim> limits(model_, task);
     const auto at_rest = limits.bears(0);
     auto& summary = recorder_.summary();
     summary.rigid.emplace();
+    summary.rigid->components = dim;
     if (at_rest.verdict == LimitVerdict::refused) {
       summary.message =
           "no forces that joints admit balance the loads, so that no equilibrium exists, by the static theorem";
@@ -90,7 +99,7 @@ class LimitRun {
   static constexpr auto stage = "limit analysis";  ///< as fields call its steps
 
   /// Forces that balance loads: the most balanced ones, and between which ends those of supports can be.
-  void stands(const RigidLimits& limits) {
+  void stands(const RigidLimits<dim>& limits) {
     auto& summary = recorder_.summary();
     auto& rigid = *summary.rigid;
     summary.outcome = Outcome::equilibrium;
@@ -109,19 +118,19 @@ class LimitRun {
       const auto& name = scene_.supports[static_cast<std::size_t>(k)].name;
       auto& range = rigid.reactions[name];
       std::string words;
-      for (std::size_t c = 0; c < 2; ++c) {
+      for (int c = 0; c < dim; ++c) {
         const auto& found = ranges[static_cast<std::size_t>(k)][c];
         range[c] = {found.least.value_or(-INFINITY), found.most.value_or(INFINITY)};
         if (range[c].least == 0 && range[c].most == 0) continue;
         words += std::string(words.empty() ? " can push from " : ", from ") + force(range[c].least) + " to " +
-                 force(range[c].most) + (c == 0 ? " to the right" : " upwards");
+                 force(range[c].most) + way_of<dim>(c);
       }
       say_ << "Support '" << name << "'" << (words.empty() ? " bears nothing" : words) << ".\n";
     }
   }
 
   /// How far the pattern of a load factor search can be raised.
-  void raise(const RigidLimits& limits) {
+  void raise(const RigidLimits<dim>& limits) {
     const auto& search = scene_.load_factor;
     auto& summary = recorder_.summary();
     const auto limit = limits.largest_factor(search.largest);
@@ -130,10 +139,12 @@ class LimitRun {
     if (limit.verdict == LimitVerdict::limited) {
       found.certified = found.upper = limit.factor;
       if (const auto estimate = limits.without_dilatancy(search.largest, limit)) found.estimate = *estimate;
+      summary.rigid->borne = dim == 2 ? limit.factor : limits.largest_borne(search.largest).factor;
       summary.message =
           "above " + six_digits(limit.factor) +
-          " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip "
-          "dilates stand up to there" +
+          " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip dilates stand up "
+          "to " +
+          (dim == 2 ? "there" : six_digits(summary.rigid->borne) + " times it at least") +
           (std::isfinite(found.estimate) ? ", an estimate where it does not is " + six_digits(found.estimate) : "");
       falls(limits, limit, limit.factor);
     } else if (limit.verdict == LimitVerdict::unlimited) {
@@ -149,7 +160,7 @@ class LimitRun {
   }
 
   /// The motion in which it falls, with the forces that balance as much of the loads as can be.
-  void falls(const RigidLimits& limits, const LimitAnswer& answer, double factor) {
+  void falls(const RigidLimits<dim>& limits, const LimitAnswer<dim>& answer, double factor) {
     const auto mechanism = limits.on_nodes(answer);
     auto state = step_.initial_state();
     state.lambda = limits.on_points(answer);
@@ -162,7 +173,7 @@ class LimitRun {
     summary.message += "; " + mechanism_in_words(model_, mechanism) + of_slip_that_dilates(answer.dilates);
   }
 
-  PlaneModel& model_;
+  ModelOfBlocks<dim>& model_;
   const Scene& scene_;
   std::ostream& say_;
   AdaptiveStep step_;
@@ -171,17 +182,23 @@ class LimitRun {
 
 }  // namespace
 
-RunSummary limit_run(const Scene& scene, const BlockSource<2>& source, const std::string& folder,
+template <int dim>
+RunSummary limit_run(const Scene& scene, const BlockSource<dim>& source, const std::string& folder,
                      const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
   Teuchos::Time clock("limit analysis", true);
   const auto unsolved = without_load_steps(scene);
-  PlaneModel model(unsolved, source, comm);
-  auto summary = LimitRun(scene, model, folder, say).answer();
+  ModelOfBlocks<dim> model(unsolved, source, comm);
+  auto summary = LimitRun<dim>(scene, model, folder, say).answer();
   summary.scene = scene.file;
   summary.seconds["total"] = clock.totalElapsedTime(true);
   summary.peak_memory = peak_memory_per_rank(*comm);
   write_result_json(folder + "/" + result_file, summary, *comm);
   return summary;
 }
+
+template RunSummary limit_run(const Scene&, const BlockSource<2>&, const std::string&,
+                              const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&);
+template RunSummary limit_run(const Scene&, const BlockSource<3>&, const std::string&,
+                              const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&);
 
 }  // namespace voussoir

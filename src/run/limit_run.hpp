@@ -15,7 +15,8 @@ namespace voussoir {
 /// Whether the loads at the end of the static stages can be balanced, how far the pattern of a load factor search can
 /// be raised beyond them, and in what range reactions are. Collective.
 /// @param folder  where result.json goes
-RunSummary limit_run(const Scene&, const BlockSource<2>&, const std::string& folder,
+template <int dim>
+RunSummary limit_run(const Scene&, const BlockSource<dim>&, const std::string& folder,
                      const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream& say);
 
 }  // namespace voussoir

@@ -1,0 +1,25 @@
+// How near pyramids come to the round cones of friction in space (admissible_forces.hpp), and what of limit analysis is
+// told more coarsely there.
+#pragma once
+
+namespace voussoir {
+
+struct RoundConeParameters {
+  static constexpr double pi = 3.14159265358979323846;
+  /// Faces of the pyramid that stands for a round cone before any is added: it bears up to 2 % more than the cone
+  /// across its edges, or less where it is within; twice as many cost twice the columns.
+  static constexpr int sides = 16;
+  /// [rad] between lines in which two faces beside each other touch the cone.
+  static constexpr double side = 2 * pi / sides;
+  /// Faces are added where a force lies beyond the round cone by more than this share of its friction, and lines of the
+  /// cone where a motion presses into it by more than this share of its slip; no more of them once a round moves the
+  /// factor by less. Each round leaves a quarter of what the last did: that is finer than any friction is known.
+  static constexpr double off_the_cone = 1e-3;
+  /// So many rounds, by which 2 % come to less than that; what goes on for longer moves between motions that are alike.
+  static constexpr int most_rounds = 6;
+  /// To how much the share is told that forces leave of joints. Each share asked costs seconds for a hundred stones,
+  /// and joints are narrowed about the mean of their corners, which is their middle only where they are regular.
+  static constexpr double share_told = 1.0 / 64;
+};
+
+}  // namespace voussoir
