@@ -57,7 +57,7 @@ def crown_stone(half_lower, half_upper, low, high, end):
 
 def cuts(course, last):
     """Ends of stones along a strip, from the edge inward, no farther than `last`."""
-    places, at = [EDGE], EDGE - LENGTH * (1 if course % 2 == 0 else 0.5)
+    places, at = [EDGE], EDGE - LENGTH * (1 if course % 2 == 1 else 0.5)
     while at >= last:
         places.append(at)
         at -= LENGTH

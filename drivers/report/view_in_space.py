@@ -38,7 +38,8 @@ def surface(mesh):
     is_hexahedron = cells[:, -1] != cells[:, -2] if cells.shape[1] == 8 else np.zeros(len(cells), bool)
     faces = np.concatenate([cells[is_hexahedron][:, OF_HEXAHEDRON].reshape(-1, 4),
                             cells[~is_hexahedron][:, OF_TETRAHEDRON].reshape(-1, 4)])
-    _, first, count = np.unique(np.sort(faces, 1), axis=0, return_index=True, return_counts=True)
+    corners = np.where((faces[:, 2] == faces[:, 3])[:, None] & (np.arange(4) == 3), -1, faces)  # whichever a triangle repeats
+    _, first, count = np.unique(np.sort(corners, 1), axis=0, return_index=True, return_counts=True)
     return faces[np.sort(first[count == 1])]
 
 

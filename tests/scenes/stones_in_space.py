@@ -192,6 +192,18 @@ class StonesFromFiles(program.SceneTest):
             self.assertEqual(run.code, 2, run.said)
             self.assertIn(words, run.words)
 
+    def test_the_vault_of_the_gallery_is_what_its_script_writes(self):
+        top = pathlib.Path(__file__).resolve().parents[2]
+        written = self.folder / "cross-vault.obj"
+        subprocess.run([sys.executable, "-B", top / "meshes" / "cross_vault.py", written], check=True)
+        self.assertEqual(written.read_text(encoding="utf-8"), (top / "meshes" / "cross-vault.obj").read_text(encoding="utf-8"))
+        run = self.run_scene(top / "xml" / "cross-vault.xml", "--validate")
+        self.assertEqual(run.code, 0, run.said)
+        for words in ("520 joints of 488 pairs of stones", "stones with one neighbour: springer 1, springer 2, springer 3, springer 4",
+                      "The scene is valid: 185 blocks"):
+            self.assertIn(words, run.said)
+        self.assertNotIn("WARNING", run.said)
+
     def test_what_is_doubtful_is_warned_of(self):
         apart = {"low": solids.box((0, 0, 0), (1, 1, 1)), "high": solids.box((0, 0, 1.01), (1, 1, 2))}
         run = self.run_stones(apart, scene({"ground": {"on": "faces"}}))
