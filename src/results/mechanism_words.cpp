@@ -132,7 +132,7 @@ std::string axis_of(const BlockMotion<3>& m) {
 
 void add(std::string& words, const std::string& more) { words += (words.empty() ? "" : " and ") + more; }
 
-std::string direction(const BlockMotion<2>& m) {
+std::string direction(const BlockMotion<2>& m, double) {
   const double clearly = 0.2 * std::max(size_of(m.way), size_of(m.turning));
   std::string words;
   if (std::abs(m.way[1]) > clearly) add(words, m.way[1] > 0 ? "up" : "down");
@@ -142,13 +142,15 @@ std::string direction(const BlockMotion<2>& m) {
   return words;
 }
 
-std::string direction(const BlockMotion<3>& m) {
+/// A turn is told where it moves the structure by as much as the block goes: about an axis far from it as well.
+/// @param size  [m] of the structure
+std::string direction(const BlockMotion<3>& m, double size) {
   const double clearly = 0.2 * std::max(size_of(m.way), size_of(m.turning));
   std::string words;
   if (std::abs(m.way[2]) > clearly) add(words, m.way[2] > 0 ? "up" : "down");
   for (int c = 0; c < 2; ++c)
     if (std::abs(m.way[c]) > clearly) add(words, std::string("towards ") + (m.way[c] > 0 ? "+" : "-") + "xy"[c]);
-  if (size_of(m.turning) > clearly) add(words, axis_of(m));
+  if (size_of(m.turning) * size > clearly * m.radius) add(words, axis_of(m));
   return words;
 }
 
@@ -161,7 +163,7 @@ std::string of_blocks(const Model& model, const Structure<dim>& s, const std::ve
   std::string words = std::to_string(blocks.size()) + " of " + std::to_string(model.block_count()) +
                       (one ? " blocks moves, " : " blocks move, ") + most.name + (one ? ": " : " most, ");
   for (const auto& block : blocks)
-    if (block.block == most.largest_mover) words += direction(block);
+    if (block.block == most.largest_mover) words += direction(block, s.size());
   return words;
 }
 
