@@ -11,7 +11,6 @@ namespace voussoir {
 struct AccelerationParameters : LoadKindParameters {
   static constexpr const char* word = "acceleration";
   static constexpr const char* text = "The same force per mass on every block";
-  static constexpr bool in_space = true;
   double ax = 0.0, ay = 0.0, az = 0.0;  ///< [m/s2]
   void declare(ParameterSection&);
   std::string summary() const;

@@ -11,7 +11,6 @@ namespace voussoir {
 struct BuoyancyParameters : LoadKindParameters {
   static constexpr const char* word = "buoyancy";
   static constexpr const char* text = "Uplift of what is below a water level: the weight of the water it displaces";
-  static constexpr bool in_space = true;
   std::string blocks = "all";  ///< a set of blocks
   double level = 0.0;          ///< [m] height of the water
   double density = 1000.0;     ///< [kg/m3] of the water

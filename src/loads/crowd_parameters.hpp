@@ -11,7 +11,6 @@ namespace voussoir {
 struct CrowdParameters : LoadKindParameters {
   static constexpr const char* word = "crowd";
   static constexpr const char* text = "Vertical force per horizontal area on a part of an edge, in space of faces";
-  static constexpr bool in_space = true;
   std::string on;                      ///< a set of facets
   std::string blocks;                  ///< a set of blocks whose facets alone are meant; "" for all of the set
   double intensity = 5e3;              ///< [Pa] per horizontal area, downwards

@@ -11,7 +11,6 @@ namespace voussoir {
 struct EarthPressureParameters : LoadKindParameters {
   static constexpr const char* word = "earth pressure";
   static constexpr const char* text = "Lateral pressure of soil, horizontal: K (unit weight x depth + surcharge)";
-  static constexpr bool in_space = true;
   enum class State { at_rest, active, passive, given };
   std::string on;             ///< a set of facets
   std::string blocks;         ///< a set of blocks whose facets alone are meant; "" for all of the set

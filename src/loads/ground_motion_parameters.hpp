@@ -15,7 +15,6 @@ enum class AccelerationUnit { m_per_s2, g, cm_per_s2, gal, mm_per_s2 };
 struct GroundMotionParameters : LoadKindParameters {
   static constexpr const char* word = "ground motion";
   static constexpr const char* text = "Shaking of the ground, felt as inertia in the frame that moves with it";
-  static constexpr bool in_space = true;
   std::string record_x, record_y, record_z;            ///< files of accelerations over time
   RecordLayoutParameters layout;                       ///< of all
   int column_x = 0, column_y = 0, column_z = 0;        ///< of rows with more than two numbers, from 1

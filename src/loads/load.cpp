@@ -1,9 +1,6 @@
 #include "loads/load.hpp"
 
 #include <algorithm>
-#include <type_traits>
-
-#include "base/check.hpp"
 
 namespace voussoir {
 
@@ -26,13 +23,7 @@ double sum_of_factors(const std::vector<LoadMoment>& moments) {
 
 template <int dim>
 std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<dim>& site) {
-  return std::visit(
-      [&](const auto& kind) -> std::unique_ptr<Load<dim>> {
-        if constexpr (dim == 2 || std::decay_t<decltype(kind)>::in_space) return make_load_of<dim>(kind, site);
-        VOUSSOIR_EXPECT(!"the load acts in this dimension");
-        return nullptr;
-      },
-      load.kind);
+  return std::visit([&](const auto& kind) { return make_load_of<dim>(kind, site); }, load.kind);
 }
 
 template <int dim>

@@ -6,7 +6,7 @@
 //   void declare(ParameterSection&);
 //   std::string summary() const;             what stands at the head of a run
 //   bool is_zero() const;                    true when it adds nothing, whatever its factor
-// and, where it names any or acts in space, what is below.
+// and, where it names any, what is below.
 #pragma once
 
 #include <functional>
@@ -43,7 +43,6 @@ struct FileOfLoad {
 };
 
 struct LoadKindParameters {
-  static constexpr bool in_space = false;  ///< whether it acts in space, too
   std::vector<SetOfLoad> sets() const { return {}; }
   std::vector<FileOfLoad> files() { return {}; }
   std::optional<FacetsOfLoad> facets() const { return {}; }

@@ -15,16 +15,6 @@ std::vector<std::string> words(std::index_sequence<k...>) {
   return {std::variant_alternative_t<k, LoadKind>::word...};
 }
 
-template <std::size_t... k>
-std::vector<std::string> words_in_space(std::index_sequence<k...>) {
-  std::vector<std::string> found;
-  const auto add = [&](const char* word, bool in_space) {
-    if (in_space) found.emplace_back(word);
-  };
-  (add(std::variant_alternative_t<k, LoadKind>::word, std::variant_alternative_t<k, LoadKind>::in_space), ...);
-  return found;
-}
-
 /// A load of the k-th type with its defaults.
 template <std::size_t... k>
 LoadKind made(std::size_t wanted, std::index_sequence<k...>) {
@@ -50,7 +40,6 @@ void declare_kinds(LoadKind& kind, ParameterSection& section, std::index_sequenc
 }  // namespace
 
 std::vector<std::string> load_words() { return words(AllKinds{}); }
-std::vector<std::string> load_words_in_space() { return words_in_space(AllKinds{}); }
 
 void LoadParameters::declare(ParameterSection& section) {
   std::vector<std::pair<std::string, std::size_t>> choices;
@@ -74,10 +63,6 @@ std::string LoadParameters::summary() const {
 
 bool LoadParameters::is_zero() const {
   return std::visit([](const auto& k) { return k.is_zero(); }, kind);
-}
-
-bool LoadParameters::in_space() const {
-  return std::visit([](const auto& k) { return k.in_space; }, kind);
 }
 
 std::vector<KeyOfSpace> LoadParameters::keys_of_space() const {

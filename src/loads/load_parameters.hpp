@@ -39,8 +39,6 @@ struct LoadParameters {
   std::string word() const;
   std::string summary() const;
   bool is_zero() const;
-  /// It acts in space, too.
-  bool in_space() const;
   std::vector<KeyOfSpace> keys_of_space() const;
   std::vector<SetOfLoad> sets() const;
   /// Nothing for a load that acts on no facets.
@@ -49,9 +47,8 @@ struct LoadParameters {
   std::vector<FileOfLoad> files();
 };
 
-/// Words of all types of load, in the order of LoadKind, and of those that act in space.
+/// Words of all types of load, in the order of LoadKind.
 std::vector<std::string> load_words();
-std::vector<std::string> load_words_in_space();
 
 /// The parameters of a type of load, nullptr when the load is of another.
 template <class Parameters>

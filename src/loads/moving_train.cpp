@@ -3,111 +3,83 @@
 #include <limits>
 #include <map>
 
+#include "base/error.hpp"
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
-#include "linalg/gather.hpp"
 #include "loads/bearer.hpp"
 #include "loads/common_keys.hpp"
+#include "loads/deck.hpp"
 #include "loads/facets.hpp"
 #include "loads/load.hpp"
 
 namespace voussoir {
 namespace {
 
-/// An edge of the deck from left to right, known on every rank.
-struct DeckEdge {
-  double x[2];      ///< [m] rising
-  long long id[2];  ///< nodes
-  int local[2];     ///< the same on this rank, -1 elsewhere
-};
-
-/// The same while the deck is put together.
-struct EdgeOfStone {
-  DeckEdge edge;
-  BlockId stone;
-};
-
 constexpr double lightest_axle = 100;  // [N] of a handcart; less is kN or tonnes
 
 // Ends of edges that meet: far above round-off, far below the length of an edge.
 constexpr double meeting = 1e-9;  // of an edge
 
-/// Every rank knows the whole deck, so that all agree on the one edge that an axle stands on.
-class MovingTrain final : public Load<2> {
+/// A line of wheels and the deck below it. Every rank knows the whole deck, so that all agree on the one piece that a
+/// wheel stands on.
+template <int dim>
+class LineOfWheels {
  public:
-  MovingTrain(const MovingTrainParameters& p, const LoadSite<2>& site)
-      : position_(p.position), speed_(p.speed), axle_load_(p.axle_load), behind_(p.behind) {
-    const auto& s = site.structure;
-    std::vector<EdgeOfStone> mine;
-    for (const auto& e : edges_of_set(s, site.facet_set(p.on, p.blocks))) {
-      if (e.node[0] >= s.owned_nodes() || e.x[0][0] == e.x[1][0]) continue;
-      const int left = e.x[0][0] < e.x[1][0] ? 0 : 1;
-      mine.push_back(
-          {{{e.x[left][0], e.x[1 - left][0]}, {s.node_id()[e.node[left]], s.node_id()[e.node[1 - left]]}, {-1, -1}},
-           s.blocks()[s.block_of_node()[e.node[0]]].mesh.id});
-    }
-    auto edges = all_gather(mine, *s.comm());
-    std::sort(edges.begin(), edges.end(), [](const EdgeOfStone& a, const EdgeOfStone& b) {
-      return std::make_pair(a.edge.x[0], a.edge.id[0]) < std::make_pair(b.edge.x[0], b.edge.id[0]);
-    });
+  /// @param load  [N] of each axle on this line
+  LineOfWheels(const MovingTrainParameters& p, const LoadSite<dim>& site, double across, std::vector<double> load)
+      : position_(p.position), speed_(p.speed), load_(std::move(load)), behind_(p.behind) {
+    deck_ = pieces_of_deck(site.structure, site.facet_set(p.on, p.blocks), across);
     std::map<BlockId, std::pair<double, double>> reach;  // of each stone along the deck [m]
-    for (const auto& [edge, stone] : edges) {
-      deck_.push_back(edge);
-      ends_.insert(ends_.end(), {edge.x[0], edge.x[1]});
-      const auto& [whole, first] = reach.try_emplace(stone, edge.x[0], edge.x[1]);
-      if (!first) whole->second.second = std::max(whole->second.second, edge.x[1]);
+    for (const auto& piece : deck_) {
+      ends_.insert(ends_.end(), piece.x.begin(), piece.x.end());
+      const auto& [whole, first] = reach.try_emplace(piece.stone, piece.x[0], piece.x[1]);
+      if (!first) whole->second.second = std::max(whole->second.second, piece.x[1]);
     }
     std::sort(ends_.begin(), ends_.end());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     for (const auto& [stone, x] : reach) shortest_stone_ = std::min(shortest_stone_, x.second - x.first);
-    look_for_several_stones(edges, site);
-    std::map<long long, int> local;
-    for (int i = 0; i < s.nodes(); ++i) local[s.node_id()[i]] = i;
-    for (auto& e : deck_)
-      for (int i = 0; i < 2; ++i)
-        if (const auto it = local.find(e.id[i]); it != local.end()) e.local[i] = it->second;
+    look_for_several_stones(site);
   }
 
-  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
+  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force) const {
     for (const auto& [time, factor] : moments)
-      for (std::size_t k = 0; k < axle_load_.size(); ++k) {
+      for (std::size_t k = 0; k < load_.size(); ++k) {
         const double x = place(k, time);
-        const int below = edge_below(x);
+        const int below = piece_below(x);
         if (below < 0) continue;
-        const DeckEdge& e = deck_[below];
-        const double s = (x - e.x[0]) / (e.x[1] - e.x[0]);
-        const double share[2] = {1 - s, s};
-        for (int i = 0; i < 2; ++i)
-          if (e.local[i] >= 0) force[2 * e.local[i] + 1] -= factor * axle_load_[k] * share[i];
+        const DeckPiece& piece = deck_[below];
+        const double s = (x - piece.x[0]) / (piece.x[1] - piece.x[0]);
+        for (int i = 0; i < DeckPiece::most; ++i)
+          if (piece.local[i] >= 0)
+            force[dim * piece.local[i] + dim - 1] -=
+                factor * load_[k] * ((1 - s) * piece.share[0][i] + s * piece.share[1][i]);
       }
   }
 
-  bool moves() const override { return speed_ != 0; }
-
-  /// When an axle comes from one edge of the deck to the next, on to the deck or off it.
-  void add_corners(double from, double to, std::vector<double>& times) const override {
-    for (std::size_t k = 0; k < axle_load_.size() && moves(); ++k) {
+  /// When a wheel comes from one piece of the deck to the next, on to the deck or off it.
+  void add_corners(double from, double to, std::vector<double>& times) const {
+    for (std::size_t k = 0; k < load_.size() && speed_ != 0; ++k) {
       const auto [low, high] = std::minmax({place(k, from), place(k, to)});
       const auto begin = std::upper_bound(ends_.begin(), ends_.end(), low);
       for (auto x = begin; x != ends_.end() && *x < high; ++x) times.push_back(from + (*x - place(k, from)) / speed_);
     }
   }
 
-  /// Half the time that an axle stands on the shortest stone, while one is on the deck.
-  double resolution(double from, double to) const override {
-    for (std::size_t k = 0; k < axle_load_.size() && moves() && !ends_.empty(); ++k) {
+  /// Half the time that a wheel stands on the shortest stone, while one is on the deck.
+  double resolution(double from, double to) const {
+    for (std::size_t k = 0; k < load_.size() && speed_ != 0 && !ends_.empty(); ++k) {
       const auto [low, high] = std::minmax({place(k, from), place(k, to)});
       if (low < ends_.back() && high > ends_.front()) return shortest_stone_ / std::abs(speed_) / 2;
     }
     return std::numeric_limits<double>::infinity();
   }
 
-  std::size_t bytes() const override {
-    return sizeof(*this) + (axle_load_.capacity() + behind_.capacity()) * sizeof(double) +
-           deck_.capacity() * sizeof(DeckEdge) + ends_.capacity() * sizeof(double);
+  std::size_t bytes() const {
+    return (load_.capacity() + behind_.capacity() + ends_.capacity()) * sizeof(double) +
+           deck_.capacity() * sizeof(DeckPiece);
   }
-
-  Warnings warnings() const override { return warnings_; }
+  const Warnings& warnings() const { return warnings_; }
+  bool has_deck() const { return !deck_.empty(); }
 
  private:
   /// Where an axle is [m].
@@ -115,26 +87,26 @@ class MovingTrain final : public Load<2> {
     return position_ + speed_ * time - (speed_ < 0 ? -1 : 1) * behind_[axle];
   }
 
-  /// The edge an axle stands on, -1 beside the deck.
-  int edge_below(double x) const {
+  /// The piece a wheel stands on, -1 beside the deck.
+  int piece_below(double x) const {
     const auto after =
-        std::upper_bound(deck_.begin(), deck_.end(), x, [](double at, const DeckEdge& e) { return at < e.x[0]; });
+        std::upper_bound(deck_.begin(), deck_.end(), x, [](double at, const DeckPiece& e) { return at < e.x[0]; });
     if (after == deck_.begin() || x > (after - 1)->x[1]) return -1;
     return static_cast<int>(after - deck_.begin()) - 1;
   }
 
-  /// Axles that stand on the joint of two stones, or edges above each other: which stone bears them is chosen, not
+  /// Axles that stand on the joint of two stones, or pieces above each other: which stone bears them is chosen, not
   /// said. Those that move pass joints in no time.
-  void look_for_several_stones(const std::vector<EdgeOfStone>& edges, const LoadSite<2>& site) {
+  void look_for_several_stones(const LoadSite<dim>& site) {
     const auto warn = [&](const std::string& place, const std::vector<BlockId>& stones, BlockId bearer) {
       if (warnings_.empty()) warnings_ = warning_of_bearer(site, "load_on_several_stones", place, stones, bearer);
     };
     double reached = -std::numeric_limits<double>::infinity();
     std::size_t last = 0;
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      const auto& x = edges[k].edge.x;
+    for (std::size_t k = 0; k < deck_.size(); ++k) {
+      const auto& x = deck_[k].x;
       if (x[0] < reached - meeting * (x[1] - x[0]))
-        warn("the deck at x = " + number_text(x[0]) + " m", {edges[last].stone, edges[k].stone}, edges[k].stone);
+        warn("the deck at x = " + number_text(x[0]) + " m", {deck_[last].stone, deck_[k].stone}, deck_[k].stone);
       if (x[1] > reached) {
         reached = x[1];
         last = k;
@@ -142,36 +114,82 @@ class MovingTrain final : public Load<2> {
     }
     for (std::size_t k = 0; speed_ == 0 && k < behind_.size(); ++k) {
       const double x = position_ - behind_[k];
-      const int below = edge_below(x);
+      const int below = piece_below(x);
       if (below < 0) continue;
       std::vector<BlockId> stones;
-      for (const auto& [edge, stone] : edges) {
-        const double beyond = meeting * (edge.x[1] - edge.x[0]);
-        if (x >= edge.x[0] - beyond && x <= edge.x[1] + beyond) stones.push_back(stone);
+      for (const auto& piece : deck_) {
+        const double beyond = meeting * (piece.x[1] - piece.x[0]);
+        if (x >= piece.x[0] - beyond && x <= piece.x[1] + beyond) stones.push_back(piece.stone);
       }
       warn("the deck below axle " + std::to_string(k + 1) + " at x = " + number_text(x) + " m", stones,
-           edges[below].stone);
+           deck_[below].stone);
     }
   }
 
   double position_, speed_;
-  std::vector<double> axle_load_, behind_;
-  std::vector<DeckEdge> deck_;
-  std::vector<double> ends_;                                         ///< [m] of edges of the deck, rising
+  std::vector<double> load_, behind_;
+  std::vector<DeckPiece> deck_;
+  std::vector<double> ends_;                                         ///< [m] of pieces of the deck, rising
   double shortest_stone_ = std::numeric_limits<double>::infinity();  ///< [m] along the deck
   Warnings warnings_;
+};
+
+/// In the plane one line of wheels; in space two, a gauge apart, that share the load of each axle, or one.
+template <int dim>
+class MovingTrain final : public Load<dim> {
+ public:
+  MovingTrain(const MovingTrainParameters& p, const LoadSite<dim>& site) : moves_(p.speed != 0) {
+    const int lines = dim == 3 && p.gauge > 0 ? 2 : 1;
+    auto load = p.axle_load;
+    for (double& axle : load) axle /= lines;
+    for (int line = 0; line < lines; ++line) {
+      const double across = p.y + (lines == 1 ? 0.0 : (line - 0.5) * p.gauge);
+      wheels_.emplace_back(p, site, across, load);
+      if (dim == 3 && !wheels_.back().has_deck())
+        throw InputError(site.where + " > y = " + number_text(p.y) + " [m], gauge = " + number_text(p.gauge) +
+                         " [m]\n  put wheels at y = " + number_text(across) + " m, where " + in_quotes(p.on) +
+                         " has no facet below them.\n  Give the y of the middle of the track on the deck.");
+    }
+  }
+
+  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
+    for (const auto& line : wheels_) line.add(moments, force);
+  }
+  bool moves() const override { return moves_; }
+  void add_corners(double from, double to, std::vector<double>& times) const override {
+    for (const auto& line : wheels_) line.add_corners(from, to, times);
+  }
+  double resolution(double from, double to) const override {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& line : wheels_) shortest = std::min(shortest, line.resolution(from, to));
+    return shortest;
+  }
+  std::size_t bytes() const override {
+    std::size_t bytes = sizeof(*this);
+    for (const auto& line : wheels_) bytes += line.bytes();
+    return bytes;
+  }
+  Warnings warnings() const override { return wheels_.front().warnings(); }
+
+ private:
+  bool moves_;
+  std::vector<LineOfWheels<dim>> wheels_;
 };
 
 }  // namespace
 
 void MovingTrainParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
-  section.add("axle loads", axle_loads, "force of each axle [N] on the modelled thickness, downwards: \"80e3, 80e3\"",
+  section.add("axle loads", axle_loads,
+              "force of each axle [N], downwards, in the plane on the modelled thickness: \"80e3, 80e3\"",
               Presence::required, "Give a number for each axle, the first in front.");
   section.add("spacings", spacings, "distances [m] from each axle to the next: \"2.5\"");
   section.add("position", position, "m", any_number(), "x of the first axle at time 0, where static stages see it");
   section.add("speed", speed, "m/s", any_number().usually(0.001, 150),
               "along x; axles follow the first against its direction");
+  section.add("y", y, "m", any_number(), "of the middle of the track in space");
+  section.add("gauge", gauge, "m", at_least(0.0).usually(0.5, 5), "between the two wheels of an axle in space; 0: one",
+              "a distance", "Railways have 1.435, lorries 2.");
   const auto loads = numbers_in(axle_loads), distances = numbers_in(spacings);
   section.check(loads.has_value() && !loads->empty(), "axle loads", in_quotes(axle_loads), "must be numbers",
                 "Write them like \"80e3, 80e3\"");
@@ -192,9 +210,18 @@ void MovingTrainParameters::declare(ParameterSection& section) {
   behind.resize(axle_load.size());
 }
 
+std::vector<KeyOfSpace> MovingTrainParameters::keys_of_space() const {
+  std::vector<KeyOfSpace> keys;
+  add_if_given(keys, "y", y, "m");
+  add_if_given(keys, "gauge", gauge, "m");
+  return keys;
+}
+
 std::string MovingTrainParameters::summary() const {
   return "moving train of axles " + axle_loads + " N at distances " + (spacings.empty() ? "-" : spacings) + " m on " +
-         in_quotes(on) + ", first at x = " + number_text(position) + " m, speed " + number_text(speed) + " m/s";
+         in_quotes(on) + ", first at x = " + number_text(position) + " m, speed " + number_text(speed) + " m/s" +
+         (keys_of_space().empty() ? ""
+                                  : ", on a track of " + number_text(gauge) + " m about y = " + number_text(y) + " m");
 }
 
 std::optional<FacetsOfLoad> MovingTrainParameters::facets() const {
@@ -210,7 +237,12 @@ bool MovingTrainParameters::is_zero() const {
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const MovingTrainParameters& p, const LoadSite<2>& site) {
-  return std::make_unique<MovingTrain>(p, site);
+  return std::make_unique<MovingTrain<2>>(p, site);
+}
+
+template <>
+std::unique_ptr<Load<3>> make_load_of<3>(const MovingTrainParameters& p, const LoadSite<3>& site) {
+  return std::make_unique<MovingTrain<3>>(p, site);
 }
 
 }  // namespace voussoir

@@ -11,7 +11,6 @@ namespace voussoir {
 struct PointLoadParameters : LoadKindParameters {
   static constexpr const char* word = "point load";
   static constexpr const char* text = "A force at the node nearest to a point";
-  static constexpr bool in_space = true;
   double x = 0.0, y = 0.0, z = 0.0;     ///< [m] z in space
   double fx = 0.0, fy = 0.0, fz = 0.0;  ///< [N] in the plane on the modelled thickness; fz in space
   double tolerance = 0.05;              ///< [m] largest distance to a node

@@ -11,7 +11,6 @@ namespace voussoir {
 struct SelfWeightParameters : LoadKindParameters {
   static constexpr const char* word = "self weight";
   static constexpr const char* text = "Weight of every block";
-  static constexpr bool in_space = true;
   double gravity = 9.81;  ///< [m/s2]
   void declare(ParameterSection&);
   std::string summary() const;

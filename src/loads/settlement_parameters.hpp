@@ -11,7 +11,6 @@ namespace voussoir {
 struct SettlementParameters : LoadKindParameters {
   static constexpr const char* word = "settlement";
   static constexpr const char* text = "Prescribed motion of a support";
-  static constexpr bool in_space = true;
   std::string support;                  ///< name of a support of the scene; only its held components move
   double ux = 0.0, uy = 0.0, uz = 0.0;  ///< [m] uz in space
   RotationParameters turn;              ///< [rad] a middle stands for that of the support's edges or faces

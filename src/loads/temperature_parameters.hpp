@@ -11,7 +11,6 @@ namespace voussoir {
 struct TemperatureParameters : LoadKindParameters {
   static constexpr const char* word = "temperature";
   static constexpr const char* text = "Uniform change of temperature of blocks";
-  static constexpr bool in_space = true;
   std::string blocks = "all";  ///< a set of blocks
   double change = 0.0;         ///< [K]
   double expansion = 8e-6;     ///< [1/K] coefficient of thermal expansion

@@ -11,7 +11,6 @@ namespace voussoir {
 struct TractionParameters : LoadKindParameters {
   static constexpr const char* word = "traction";
   static constexpr const char* text = "Force per area on facets";
-  static constexpr bool in_space = true;
   std::string on;                       ///< a set of facets
   std::string blocks;                   ///< a set of blocks whose facets alone are meant; "" for all of the set
   double tx = 0.0, ty = 0.0, tz = 0.0;  ///< [Pa]

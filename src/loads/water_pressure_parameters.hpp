@@ -11,7 +11,6 @@ namespace voussoir {
 struct WaterPressureParameters : LoadKindParameters {
   static constexpr const char* word = "water pressure";
   static constexpr const char* text = "Pressure of still water on facets below its level";
-  static constexpr bool in_space = true;
   std::string on;           ///< a set of facets
   std::string blocks;       ///< a set of blocks whose facets alone are meant; "" for all of the set
   double level = 0.0;       ///< [m] height of the water

@@ -61,14 +61,6 @@ void check_fracture(const Scene& scene, InputProblems& problems) {
 void check_space(const Scene& scene, InputProblems& problems) {
   check_model(scene.model, problems);
   check_fracture(scene, problems);
-  for (const auto& load : scene.loads)
-    if (!load.in_space())
-      problems.add(
-          "scene > loads > " + load.name + " > type",
-          " = " + in_quotes(load.word()) +
-              "\n  acts in plane scenes alone so far, and this mesh is in space.\n  Leave the load out, or say "
-              "it by one that acts in space: " +
-              list_of(load_words_in_space()) + ".");
 }
 
 }  // namespace

@@ -84,12 +84,12 @@ def in_space(tree):
 
 
 class Extruded(program.SceneTest):
-    def compare(self, tree, only="", outcome="equilibrium"):
-        """Columns whose name ends in `only`."""
+    def compare(self, tree, extruded=None, only=""):
+        """Columns whose name ends in `only`, of a scene and of its extrusion."""
         flat = self.run_scene(xml("plane", tree) + "\n", out="plane")
-        solid = self.run_scene(xml("space", in_space(tree)) + "\n", out="space")
+        solid = self.run_scene(xml("space", extruded or in_space(tree)) + "\n", out="space")
         for run in (flat, solid):
-            self.assertEqual(run.outcome, outcome, run.said)
+            self.assertEqual(run.outcome, "equilibrium", run.said)
         self.assertEqual(len(flat.history), len(solid.history))
         compared = 0
         for column in flat.history[0]:
@@ -122,6 +122,14 @@ class Extruded(program.SceneTest):
 
     def test_people_on_a_part_of_the_top(self):
         self.compare(plane({"crowd": {"type": "crowd", "on": "top", "intensity": 2e4, "x from": 0.3, "x to": 0.9}}))
+
+    def test_axles_along_the_top(self):
+        # One line of wheels along the middle would bend what is between; two along the faces do not.
+        train = {"type": "moving train", "on": "top", "axle loads": "900, 600", "spacings": "0.35", "position": 0.75}
+        tree = plane({"train": train}, {"own weight": OWN, "train": {"loads": {"weight": 1.0, "train": 1.0}}})
+        solid = in_space(tree)
+        solid["loads"]["train"].update({"y": THICKNESS / 2, "gauge": THICKNESS})
+        self.compare(tree, solid)
 
     def test_soil_against_an_end(self):
         self.compare(plane({"soil": {"type": "earth pressure", "on": "left", "surface": 0.7, "surcharge": 500.0, "unit weight": 3e3}}))

@@ -219,10 +219,7 @@ class WallsInSpace(program.SceneTest):
         self.assertIn("not_measured_in_space", run.warnings)
 
     def test_what_is_of_the_plane_is_refused_by_name(self):
-        train = {"train": {"type": "moving train", "on": "top", "axle loads": "1e3"}}
         for words, run in (
-                ('scene > loads > train > type = "moving train" acts in plane scenes alone so far',
-                 self.run_scene(scene(WALL, train, stages()), "--validate")),
                 ("scene > model > thickness = 0.5 [m] is of plane meshes",
                  self.run_scene(scene(WALL, {}, stages(), model={"thickness": 0.5}), "--validate")),
                 ('scene > model > rotations = "finite" does not go with a mesh in space',

@@ -252,11 +252,26 @@ TEUCHOS_UNIT_TEST(SettlementInSpace, TurnsAboutAnyAxis) {
   compare_with(moved(settlement), {1, 2, 3});
 }
 
-// The list says what acts in space; what does not is refused where a scene is read.
-TEUCHOS_UNIT_TEST(LoadsInSpace, AreThoseThatSayIt) {
-  const auto words = load_words_in_space();
-  TEST_COMPARE(std::count(words.begin(), words.end(), "crowd"), ==, 1);
-  TEST_COMPARE(std::count(words.begin(), words.end(), "moving train"), ==, 0);
+// Wheels at two lines share an axle; where they stand they are borne with their moment, on one stone or between two.
+TEUCHOS_UNIT_TEST(MovingTrainInSpace, StandsOnItsTrack) {
+  MovingTrainParameters train;
+  train.on = "top";
+  train.axle_load = {3000, 1000};
+  train.behind = {0, 0.4};
+  train.position = 0.63;
+  train.y = 0.17;
+  compare(Wall().of(train), {0, 0, -4000}, {(3000 * 0.63 + 1000 * 0.23) / 4000, 0.17, height}, out, success);
+  train.gauge = 0.2;
+  compare(Wall().of(train), {0, 0, -4000}, {(3000 * 0.63 + 1000 * 0.23) / 4000, 0.17, height}, out, success);
+  train.position = 0.3;  // the second axle is not on the deck yet
+  compare(Wall().of(train), {0, 0, -3000}, {0.3, 0.17, height}, out, success);
+  train.position = length;  // at its end, along its far side
+  train.gauge = 0;
+  train.y = thickness;
+  compare(Wall().of(train), {0, 0, -4000}, {(3000 * length + 1000 * (length - 0.4)) / 4000, thickness, height}, out,
+          success);
+  train.y = thickness + 0.01;
+  TEST_THROW(Wall().of(train), InputError);
 }
 
 }  // namespace

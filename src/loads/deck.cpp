@@ -1,0 +1,98 @@
+#include "loads/deck.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "linalg/gather.hpp"
+#include "linalg/reduce.hpp"
+#include "loads/facets.hpp"
+
+namespace voussoir {
+namespace {
+
+/// A place below the line of wheels, by the shares of the corners of an edge or triangle.
+struct Place {
+  double x;
+  std::array<double, DeckPiece::most> share;
+};
+
+template <int dim>
+void add_piece(const Structure<dim>& s, const std::array<int, DeckPiece::most>& node, Place a, Place b,
+               std::vector<DeckPiece>& pieces) {
+  if (a.x == b.x) return;
+  if (a.x > b.x) std::swap(a, b);
+  DeckPiece piece{
+      {a.x, b.x}, {a.share, b.share}, {-1, -1, -1}, {-1, -1, -1}, s.blocks()[s.block_of_node()[node[0]]].mesh.id};
+  for (std::size_t i = 0; i < node.size(); ++i)
+    if (node[i] >= 0) piece.id[i] = s.node_id()[node[i]];
+  pieces.push_back(piece);
+}
+
+std::vector<DeckPiece> owned_pieces(const Structure<2>& s, const FacetSet& set, double, bool) {
+  std::vector<DeckPiece> pieces;
+  for (const auto& e : edges_of_set(s, set)) {
+    const int left = e.x[0][0] < e.x[1][0] ? 0 : 1, right = 1 - left;
+    if (e.node[0] < s.owned_nodes())
+      add_piece(s, {e.node[left], e.node[right], -1}, {e.x[left][0], {1, 0, 0}}, {e.x[right][0], {0, 1, 0}}, pieces);
+  }
+  return pieces;
+}
+
+/// Where a line of constant y crosses the sides of a triangle: at two of them, or at none. A corner on it counts to
+/// one side, so that of two triangles that share a side along the line one bears the wheel.
+void add_crossing(const Structure<3>& s, const LoadedFace& face, const std::array<int, 3>& corner, double y, bool upper,
+                  std::vector<DeckPiece>& pieces) {
+  const auto beyond = [&](int k) {
+    const double at = face.x[corner[k]][1];
+    return upper ? at >= y : at > y;
+  };
+  std::vector<Place> ends;
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3;
+    if (beyond(k) == beyond(l)) continue;
+    const auto &a = face.x[corner[k]], &b = face.x[corner[l]];
+    const double t = (y - a[1]) / (b[1] - a[1]);
+    Place end{a[0] + t * (b[0] - a[0]), {}};
+    end.share[k] = 1 - t;
+    end.share[l] = t;
+    ends.push_back(end);
+  }
+  if (ends.size() != 2) return;
+  add_piece(s, {face.node[corner[0]], face.node[corner[1]], face.node[corner[2]]}, ends[0], ends[1], pieces);
+}
+
+std::vector<DeckPiece> owned_pieces(const Structure<3>& s, const FacetSet& set, double y, bool upper) {
+  std::vector<DeckPiece> pieces;
+  for (const auto& face : faces_of_set(s, set)) {
+    const auto outward = face.outward[0] + face.outward[1] + face.outward[2] + face.outward[3];
+    if (face.node[0] >= s.owned_nodes() || !has_width({0, 0}, {outward[2], norm(outward)})) continue;
+    add_crossing(s, face, {0, 1, 2}, y, upper, pieces);
+    if (face.count == 4) add_crossing(s, face, {0, 2, 3}, y, upper, pieces);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<DeckPiece> pieces_of_deck(const Structure<dim>& s, const FacetSet& set, double across) {
+  auto mine = owned_pieces(s, set, across, false);
+  // A line along the far side of the deck has all of it on the other hand.
+  if (!any_of_ranks(*s.comm(), !mine.empty())) mine = owned_pieces(s, set, across, true);
+  auto pieces = all_gather(mine, *s.comm());
+  std::sort(pieces.begin(), pieces.end(), [](const DeckPiece& a, const DeckPiece& b) {
+    return std::make_pair(a.x[0], a.id[0]) < std::make_pair(b.x[0], b.id[0]);
+  });
+  std::map<long long, int> local;
+  for (int i = 0; i < s.nodes(); ++i) local[s.node_id()[i]] = i;
+  for (auto& piece : pieces)
+    for (int i = 0; i < DeckPiece::most; ++i)
+      if (const auto it = local.find(piece.id[i]); it != local.end()) piece.local[i] = it->second;
+  return pieces;
+}
+
+template std::vector<DeckPiece> pieces_of_deck<2>(const Structure<2>&, const FacetSet&, double);
+template std::vector<DeckPiece> pieces_of_deck<3>(const Structure<3>&, const FacetSet&, double);
+
+}  // namespace voussoir

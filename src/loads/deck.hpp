@@ -1,0 +1,31 @@
+// The deck that wheels roll along x on, in pieces between the places where the stones or cells below them change.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "blocks/structure.hpp"
+#include "mesh/facet_set.hpp"
+
+namespace voussoir {
+
+/// What lies below a line of wheels between two x: a wheel there is borne by these nodes, whose shares go linearly from
+/// one end to the other and add up to one, so that force and moment are exact.
+struct DeckPiece {
+  static constexpr int most = 3;
+  std::array<double, 2> x;                        ///< [m] rising
+  std::array<std::array<double, most>, 2> share;  ///< [-] of each node, at either end
+  std::array<long long, most> id;                 ///< nodes; -1 for none
+  std::array<int, most> local;                    ///< the same on this rank, -1 elsewhere
+  BlockId stone;
+};
+
+/// The pieces of a set of facets, by their beginning: all of it, on every rank. Collective.
+/// @param across  [m] y of the line of wheels in space; of no meaning in the plane
+template <int dim>
+std::vector<DeckPiece> pieces_of_deck(const Structure<dim>&, const FacetSet&, double across);
+
+extern template std::vector<DeckPiece> pieces_of_deck<2>(const Structure<2>&, const FacetSet&, double);
+extern template std::vector<DeckPiece> pieces_of_deck<3>(const Structure<3>&, const FacetSet&, double);
+
+}  // namespace voussoir
