@@ -127,7 +127,7 @@ class WallsInSpace(program.SceneTest):
             self.assertEqual(run.code, 0, run.said)
             bracket = run.result["collapse"]
             self.assertLessEqual(bracket["lower"], 0.2 * (1 + 1e-6))
-            self.assertGreaterEqual(bracket["upper"], 0.2)
+            self.assertGreaterEqual(bracket["upper"], 0.2 * (1 - 1e-9))  # the certificate, to round-off
             self.assertLess(bracket["upper"] - bracket["lower"], 0.006 * 0.2)
 
     def test_a_stone_flies(self):
