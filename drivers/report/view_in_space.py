@@ -21,7 +21,7 @@ SCRIPTS = (THREE / "three.min.js", THREE / "examples" / "js" / "controls" / "Orb
 # Corners of the faces of cells, counter-clockwise seen from outside; a triangle repeats its last corner.
 OF_HEXAHEDRON = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 OF_TETRAHEDRON = np.array([[0, 2, 1, 1], [0, 1, 3, 3], [1, 2, 3, 3], [0, 3, 2, 2]])
-SETS = 40            # sets that a reader can choose from
+KINDS = 40           # of sets that a reader can choose from
 BYTES = 2_500_000    # of all displacements together
 SEEN = 0.06          # of the size: how far the largest displacement is drawn at first
 SMALL = 0.01         # of the largest resultant: less is not drawn
@@ -106,20 +106,19 @@ def as_built(kept, joints):
 
 
 def colours_of_sets(mesh):
-    """Ways to colour stones: alike, all sets at once, one set alone; and the colours that they use."""
+    """Ways to colour stones: alike, all sets at once, sets of one kind alone; and the colours that they use."""
     hexadecimal = [STONE, *SET_COLOURS]
     palette = [[int(c[k:k + 2], 16) for k in (1, 3, 5)] for c in hexadecimal]
-    names = sorted(mesh.sets, key=lambda name: -len(mesh.sets[name]))
-    by_set = np.zeros(mesh.blocks, int)
-    for k, name in enumerate(names):  # the smallest set of a stone is painted last
-        by_set[mesh.sets[name]] = 1 + k % len(SET_COLOURS)
     ways = [{"words": "alike", "name": "", "members": [], "colours": None}]
-    if names:
-        ways.append({"words": "by set", "name": "", "members": [], "colours": by_set.tolist()})
-    for name in sorted(mesh.sets)[:SETS]:
+    if not mesh.sets:
+        return ways, palette
+    colour, _ = draw_structure.colours_by_set(mesh)
+    ways.append({"words": "by set", "name": "", "members": [], "colours": [hexadecimal.index(c) for c in colour]})
+    for kind, names in list(draw_structure.kinds_of_sets(mesh).items())[:KINDS]:
+        members = np.unique(np.concatenate([mesh.sets[name] for name in names]))
         alone = np.zeros(mesh.blocks, int)
-        alone[mesh.sets[name]] = 1
-        ways.append({"words": name, "name": name, "members": [int(b) for b in mesh.sets[name]], "colours": alone.tolist()})
+        alone[members] = 1
+        ways.append({"words": kind, "name": kind, "members": members.tolist(), "colours": alone.tolist()})
     return ways, palette
 
 
