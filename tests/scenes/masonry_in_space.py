@@ -110,7 +110,7 @@ class MasonryInSpace(program.SceneTest):
         self.assertEqual(run.code, 0, run.said)
         bracket = run.result["collapse"]
         self.assertLessEqual(bracket["lower"], 0.1 * (1 + 1e-6))
-        self.assertGreaterEqual(bracket["upper"], 0.1)
+        self.assertGreaterEqual(bracket["upper"], 0.1 * (1 - 1e-9))  # a certificate is exact to round-off
         self.assertLess(bracket["upper"] - bracket["lower"], 0.011 * 0.1)
 
     def test_a_wall_with_one_return_is_pushed_outwards(self):
