@@ -22,6 +22,9 @@ constexpr double exact = 1e-13;  // [-] of the largest force
 // [-] of the largest force: so far within its law a point is left that bears what it can, or round-off would decide
 // whether it sticks. A hundred times what solvers leave of forces.
 constexpr double within = 1e-6;
+// Half planes in the place of discs are cut in the direction of what they leave outside. Of it a cut leaves the square
+// of its angle, so a few are enough where there is any answer.
+constexpr int most_cuts = 30;
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -110,34 +113,43 @@ void make_orthonormal(Rows& basis) {
   basis = done;
 }
 
+/// What a point bears at a place: its normal force first, then along its tangents.
+using PointForce = std::array<double, 3>;
+
 /// An orthonormal basis of what forces of points that meet can change by, each over the root of its weight.
 /// @param points   that meet;  @param weight  of each
-/// @param balance  of their nodes: coefficients of the forces, 2 per point
+/// @param balance  of their nodes: coefficients of the forces, n per point
 Rows ways_to_split(const std::vector<int>& points, const std::vector<double>& weight, const Rows& balance,
-                   const std::vector<PointFreedom>& freedom) {
-  // Directions in which a force may change: its components, or both in proportion.
+                   const std::vector<PointFreedom>& freedom, std::size_t n) {
+  // Directions in which a force may change: its components, or all in proportion.
   struct Direction {
     std::size_t at;  // of the point
-    double normal, tangential;
+    PointForce force;
   };
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& f = freedom[points[i]];
-    if (f.normal) directions.push_back({i, 1.0, f.tangential ? 0.0 : f.slope});
-    if (f.tangential) directions.push_back({i, 0.0, 1.0});
+    if (f.normal) directions.push_back({i, f.tangential ? PointForce{1} : PointForce{1, f.slope[0], f.slope[1]}});
+    for (std::size_t t = 1; t < n && f.tangential; ++t) {
+      directions.push_back({i, {}});
+      directions.back().force[t] = 1;
+    }
   }
   Rows rows;
   for (const auto& row : balance) {
     rows.emplace_back();
-    for (const auto& d : directions) rows.back().push_back(row[2 * d.at] * d.normal + row[2 * d.at + 1] * d.tangential);
+    for (const auto& d : directions) {
+      double sum = 0;
+      for (std::size_t c = 0; c < n; ++c) sum += row[n * d.at + c] * d.force[c];
+      rows.back().push_back(sum);
+    }
   }
   Rows basis;
   for (const auto& z : null_space(rows, static_cast<int>(directions.size()))) {
-    std::vector<double> force(2 * points.size(), 0.0);
+    std::vector<double> force(n * points.size(), 0.0);
     for (std::size_t j = 0; j < z.size(); ++j) {
       const double root = std::sqrt(weight[directions[j].at]);
-      force[2 * directions[j].at] += z[j] * directions[j].normal / root;
-      force[2 * directions[j].at + 1] += z[j] * directions[j].tangential / root;
+      for (std::size_t c = 0; c < n; ++c) force[n * directions[j].at + c] += z[j] * directions[j].force[c] / root;
     }
     basis.push_back(force);
   }
@@ -145,22 +157,78 @@ Rows ways_to_split(const std::vector<int>& points, const std::vector<double>& we
   return basis;
 }
 
-/// Bounds of the law of point i, which is to be kept by a margin.
-/// @param root   of its weight, by which forces are divided
-/// @param force  from which they change along the basis
-void add_bounds(const PointFreedom& f, std::size_t i, double root, const Rows& basis, const std::vector<double>& force,
-                double margin, std::vector<Bound>& bounds) {
-  const auto add = [&](double normal, double tangential, double strength) {
-    if (!std::isfinite(strength) || !std::isfinite(normal)) return;
-    Bound b;
-    for (const auto& z : basis) b.slope.push_back(normal * z[2 * i] + tangential * z[2 * i + 1]);
-    b.least = margin - strength / root - normal * force[2 * i] - tangential * force[2 * i + 1];
-    bounds.push_back(b);
+/// Bounds of the laws of points that meet, for changes y along a basis of their forces over the roots of their weights.
+class LawfulSplit {
+ public:
+  /// @param force   from which they change
+  /// @param margin  by which a law is to be kept
+  LawfulSplit(const Rows& basis, const std::vector<double>& force, double margin, std::size_t n)
+      : basis_(basis), force_(force), margin_(margin), n_(n) {}
+
+  /// Of point i: it does not part, and its shear is bounded along each of its tangents.
+  /// @param root  of its weight
+  void add_point(const PointFreedom& f, std::size_t i, double root) {
+    if (f.normal) add(i, {1}, f.law.tension / root);
+    if (!f.tangential) return;
+    shears_.push_back({i, f.law.friction, f.law.cohesion / root});
+    for (std::size_t t = 1; t < n_; ++t)
+      for (const double side : {-1.0, 1.0}) {
+        PointForce slope{f.law.friction};
+        slope[t] = side;
+        add(i, slope, f.law.cohesion / root);
+      }
+  }
+
+  /// The shortest change within all laws; none where there is no such change.
+  std::vector<double> shortest_change(double round_off) {
+    auto y = shortest(bounds_, basis_.size(), round_off);
+    for (int cut = 0; n_ == 3 && !y.empty() && cut < most_cuts && cut_discs(y); ++cut)
+      y = shortest(bounds_, basis_.size(), round_off);
+    return y;
+  }
+
+ private:
+  struct Shear {
+    std::size_t point;
+    double friction, cohesion;  ///< of forces over the root of the weight
   };
-  if (f.normal) add(1, 0, f.law.tension);
-  if (f.tangential)
-    for (const double side : {-1.0, 1.0}) add(f.law.friction, side, f.law.cohesion);
-}
+
+  void add(std::size_t i, const PointForce& slope, double strength) {
+    if (!std::isfinite(strength) || !std::isfinite(slope[0])) return;
+    Bound b;
+    b.least = margin_ - strength;
+    for (std::size_t c = 0; c < n_; ++c) b.least -= slope[c] * force_[n_ * i + c];
+    for (const auto& z : basis_) {
+      b.slope.push_back(0);
+      for (std::size_t c = 0; c < n_; ++c) b.slope.back() += slope[c] * z[n_ * i + c];
+    }
+    bounds_.push_back(b);
+  }
+
+  /// Whether a force was left outside of its disc by more than half the margin: now none goes as far that way.
+  bool cut_discs(const std::vector<double>& y) {
+    bool any = false;
+    for (const auto& s : shears_) {
+      PointForce f{};
+      for (std::size_t c = 0; c < n_; ++c) {
+        f[c] = force_[n_ * s.point + c];
+        for (std::size_t j = 0; j < y.size(); ++j) f[c] += y[j] * basis_[j][n_ * s.point + c];
+      }
+      const double size = std::hypot(f[1], f[2]);
+      if (!(size > s.cohesion + s.friction * f[0] - margin_ / 2) || size == 0) continue;
+      add(s.point, {s.friction, -f[1] / size, -f[2] / size}, s.cohesion);
+      any = true;
+    }
+    return any;
+  }
+
+  const Rows& basis_;
+  const std::vector<double>& force_;
+  double margin_;
+  std::size_t n_;
+  std::vector<Bound> bounds_;
+  std::vector<Shear> shears_;
+};
 
 /// Points that meet, in groups, where a node is of this rank: those of one group in the order of their numbers.
 template <class NodeOf>
@@ -193,7 +261,9 @@ std::vector<std::vector<int>> points_that_meet(const BlockSystem& s, const Conta
 }  // namespace
 
 SharedForces::SharedForces(const BlockSystem& s, const ContactPoints& points, const std::vector<int>& cluster,
-                           const std::vector<char>& held, const std::vector<char>& counts) {
+                           const std::vector<char>& held, const std::vector<char>& counts)
+    : components_(static_cast<std::size_t>(points.components())) {
+  const std::size_t n = components_;
   std::vector<int> first(s.nodes(), -1);  // node copy of each cluster
   const auto node_of = [&](int node) {
     auto& f = first[cluster[node]];
@@ -201,17 +271,18 @@ SharedForces::SharedForces(const BlockSystem& s, const ContactPoints& points, co
   };
   for (auto& here : points_that_meet(s, points, counts, node_of)) {
     Place place;
-    std::map<NodeId, std::array<std::vector<double>, 2>> rows;  // by node, in an order that no rank changes
-    const std::size_t size = 2 * here.size();
+    std::map<NodeId, Rows> rows;  // by node, in an order that no rank changes
+    const std::size_t size = n * here.size();
     for (std::size_t i = 0; i < here.size(); ++i) {
       const auto& p = points.points()[here[i]];
       place.weight.push_back(p.area);
       points.at(here[i]).each([&](int node, double weight) {
         auto& row = rows[s.node_id()[node_of(node)]];
-        for (int c = 0; c < 2; ++c) {
-          if (held[2 * cluster[node] + c]) continue;
+        row.resize(n);
+        for (std::size_t c = 0; c < n; ++c) {
+          if (held[n * cluster[node] + c]) continue;
           row[c].resize(size, 0.0);
-          for (int a = 0; a < 2; ++a) row[c][2 * i + a] += weight * p.axis[a][c];
+          for (std::size_t a = 0; a < n; ++a) row[c][n * i + a] += weight * p.axis[a][c];
         }
       });
     }
@@ -229,25 +300,26 @@ void SharedForces::split(const std::vector<PointFreedom>& freedom, std::vector<d
 
 void SharedForces::split(const Place& place, const std::vector<PointFreedom>& freedom,
                          std::vector<double>& lambda) const {
-  const auto basis = ways_to_split(place.points, place.weight, place.balance, freedom);
+  const std::size_t n = components_;
+  const auto basis = ways_to_split(place.points, place.weight, place.balance, freedom, n);
   if (basis.empty()) return;
-  std::vector<double> force(2 * place.points.size());
+  std::vector<double> force(n * place.points.size());
   for (std::size_t i = 0; i < place.points.size(); ++i)
-    for (int c = 0; c < 2; ++c) force[2 * i + c] = lambda[2 * place.points[i] + c] / std::sqrt(place.weight[i]);
+    for (std::size_t c = 0; c < n; ++c) force[n * i + c] = lambda[n * place.points[i] + c] / std::sqrt(place.weight[i]);
   for (const auto& z : basis) {
     const double along = product(z, force);
     for (std::size_t i = 0; i < z.size(); ++i) force[i] -= along * z[i];
   }
   double largest = 0;  // of what nothing bounds, which does not depend on how large the forces were that run round
   for (const double f : force) largest = std::max(largest, std::abs(f));
-  std::vector<Bound> bounds;
+  LawfulSplit lawful(basis, force, within * largest, n);
   for (std::size_t i = 0; i < place.points.size(); ++i)
-    add_bounds(freedom[place.points[i]], i, std::sqrt(place.weight[i]), basis, force, within * largest, bounds);
-  const auto y = shortest(bounds, basis.size(), exact * largest);
+    lawful.add_point(freedom[place.points[i]], i, std::sqrt(place.weight[i]));
+  const auto y = lawful.shortest_change(exact * largest);
   for (std::size_t i = 0; i < place.points.size(); ++i)
-    for (int c = 0; c < 2; ++c) {
-      for (std::size_t j = 0; j < y.size(); ++j) force[2 * i + c] += y[j] * basis[j][2 * i + c];
-      lambda[2 * place.points[i] + c] = force[2 * i + c] * std::sqrt(place.weight[i]);
+    for (std::size_t c = 0; c < n; ++c) {
+      for (std::size_t j = 0; j < y.size(); ++j) force[n * i + c] += y[j] * basis[j][n * i + c];
+      lambda[n * place.points[i] + c] = force[n * i + c] * std::sqrt(place.weight[i]);
     }
 }
 

@@ -5,6 +5,9 @@
 //   minimise  sum |f_k + d_k|^2 / w_k     d in balance at every node that no support holds, and
 //             d_k = 0 where a point is open, along its friction where it slips, free where it sticks
 //             f_k + d_k lawful where it sticks, as far as such splits exist
+//
+// In space friction is bounded by a disc, which half planes that touch it stand for: in the direction of a force that
+// they leave outside there is one more, until none is left.
 #pragma once
 
 #include <vector>
@@ -24,18 +27,20 @@ class SharedForces {
                const std::vector<char>& counts);
 
   bool any() const { return !places_.empty(); }
-  /// Splits the forces [N, points x 2] anew where points of owned nodes meet; the caller updates ghosts.
+  /// Splits the forces [N, points x components] anew where points of owned nodes meet; the caller updates ghosts.
   void split(const std::vector<PointFreedom>&, std::vector<double>& lambda) const;
 
  private:
   /// Points that meet, and the balance of their nodes.
   struct Place {
     std::vector<int> points;
-    std::vector<double> weight;                ///< [m2] per point
-    std::vector<std::vector<double>> balance;  ///< per node and component: coefficients of the forces, 2 per point
+    std::vector<double> weight;  ///< [m2] per point
+    std::vector<std::vector<double>>
+        balance;  ///< per node and component: coefficients of the forces, one per component of each point
   };
   void split(const Place&, const std::vector<PointFreedom>&, std::vector<double>& lambda) const;
 
+  std::size_t components_;
   std::vector<Place> places_;
 };
 

@@ -1,5 +1,7 @@
 #include "nonlinear/point_update.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/check.hpp"
@@ -48,14 +50,18 @@ void CurrentLaws::update(const PointField& lambda, const PointField& gap) {
 void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, const PointStatuses& are,
                   PointField& lambda) {
   if (!problem.shares_forces()) return;
+  const int tangents = problem.components() - 1;
   std::vector<PointFreedom> freedom(problem.points());
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
+    const double* const along = &are.sliding[std::size_t(k) * tangents];
     auto& f = freedom[k];
     f.law = laws[k];
     f.normal = are.closed[k];
-    f.tangential = are.sliding[k] == 0 && are.resistance[k].resists_slip();
-    if (f.normal && std::isfinite(f.law.friction)) f.slope = f.law.friction * are.sliding[k];
+    f.tangential =
+        std::all_of(along, along + tangents, [](double d) { return d == 0; }) && are.resistance[k].resists_slip();
+    for (int t = 0; t < tangents && f.normal && std::isfinite(f.law.friction); ++t)
+      f.slope[t] = f.law.friction * along[t];
   }
   problem.split_shared_forces(freedom, lambda);
 }
@@ -63,6 +69,7 @@ void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, cons
 void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& gap, double left,
                   PointField& lambda) {
   if (!problem.shares_forces()) return;
+  const int tangents = problem.components() - 1;
   std::vector<PointFreedom> freedom(problem.points());
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k]) continue;
@@ -70,8 +77,12 @@ void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, cons
     f.law = laws[k];
     const auto pushed = [&](int c) { return stiffness_of(problem, k, c, 1.0) * motion_of(problem, k, c, gap, lambda); };
     f.normal = pushed(0) <= left;
-    f.tangential = std::abs(pushed(1)) <= left;
-    if (f.normal && std::isfinite(f.law.friction)) f.slope = pushed(1) > 0 ? -f.law.friction : f.law.friction;
+    std::array<double, 2> shear{};
+    for (int t = 0; t < tangents; ++t) shear[t] = pushed(t + 1);
+    const double size = std::hypot(shear[0], shear[1]);
+    f.tangential = size <= left;
+    for (int t = 0; t < tangents && size > 0 && f.normal && std::isfinite(f.law.friction); ++t)
+      f.slope[t] = -f.law.friction * shear[t] / size;
   }
   problem.split_shared_forces(freedom, lambda);
 }
