@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "linalg/reduce.hpp"
+#include "nonlinear/point_tangents.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 
@@ -14,77 +15,12 @@ namespace voussoir {
 namespace {
 
 using Numbers = StabilityParameters;
-using Square = std::array<double, 3>;  // symmetric: normal, mixed, tangential
-
-/// What a point resists with, and the root of what it softens by.
-struct Tangent {
-  PointStiffness resistance;
-  Square softening{};
-  bool softens = false;
-  double onward = 1;  ///< direction in which it slips on
-};
-
-/// f(a) of a symmetric matrix.
-template <class Function>
-Square function_of(const Square& a, const Function& f) {
-  if (a[1] == 0) return {f(a[0]), 0.0, f(a[2])};
-  const double middle = (a[0] + a[2]) / 2, half = (a[0] - a[2]) / 2, radius = std::hypot(half, a[1]);
-  const double high = f(middle + radius), low = f(middle - radius);
-  const double mean = (high + low) / 2, slope = (high - low) / (2 * radius);
-  return {mean + slope * half, slope * a[1], mean - slope * half};
-}
-
-/// Derivative of the forces of a point that softens, with friction held at its size: symmetric part.
-Square derivative(const NonlinearProblem& problem, int k, const WeakenedLaw& now, const PointField& lambda,
-                  const PointField& gap) {
-  const double opening = motion_of(problem, k, 0, gap, lambda), slip = motion_of(problem, k, 1, gap, lambda);
-  const double normal = lambda[2 * k] - stiffness_of(problem, k, 0, 1.0) * opening;
-  const double trial = lambda[2 * k + 1] - stiffness_of(problem, k, 1, 1.0) * slip;
-  const bool open = judge(now.law, normal, 0.0, 0.0) == ContactStatus::open;
-  const double bound = friction_bound(now.law, open ? -now.law.tension : normal);
-  const bool sticks = bound > 0 && std::abs(trial)<bound, slips = bound> 0 && !sticks;
-  const bool advances = slips && trial * slip <= 0;
-  const double direction = trial > 0 ? 1 : -1;
-  PointStiffness s;
-  PointCompliance mortar = problem.compliance().empty() ? PointCompliance{} : problem.compliance()[k];
-  s.normal = open ? now.pull_per_opening : stiffness_of(problem, k, 0, Numbers::augmentation);
-  if (!open) mortar.normal = 0;  // which is in it
-  if (sticks) {
-    s.tangential[0] = stiffness_of(problem, k, 1, Numbers::augmentation);
-    mortar.tangential = 0;
-  } else if (advances) {
-    s.tangential[0] = now.cohesion_per_slip;
-  }
-  double mixed = 0;
-  if (open && advances) mixed = -direction * (now.pull_per_slip + now.cohesion_per_gap) / 2;
-  s.coupling[0] = s.pull[0] = mixed;
-  if (mortar.normal != 0 || mortar.tangential != 0) s = in_series(s, mortar, 2);
-  return {s.normal, (s.coupling[0] + s.pull[0]) / 2, s.tangential[0]};
-}
-
-std::vector<Tangent> tangents(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& lambda,
-                              const PointField& gap) {
-  std::vector<Tangent> all(problem.points());
-  for (int k = 0; k < problem.points(); ++k) {
-    if (!problem.selected()[k]) continue;
-    const Square d = derivative(problem, k, laws.at(k), lambda, gap);
-    auto& t = all[k];
-    const Square size = function_of(d, [](double value) { return std::abs(value); });
-    t.resistance.normal = size[0];
-    t.resistance.tangential[0] = size[2];
-    t.resistance.coupling[0] = t.resistance.pull[0] = size[1];
-    t.softening = function_of(d, [](double value) { return std::sqrt(std::max(0.0, -value)); });
-    t.softens = t.softening[0] > 0 || t.softening[2] > 0;
-    t.onward = motion_of(problem, k, 1, gap, lambda) < 0 ? -1 : 1;
-  }
-  return all;
-}
-
 /// Softening points in the place of unknowns: their motions times the root of what they soften by.
 class Share {
  public:
-  Share(NonlinearProblem& problem, std::vector<Tangent> all, NewtonReport& report)
+  Share(NonlinearProblem& problem, std::vector<PointTangent> all, NewtonReport& report)
       : problem_(problem),
+        components_(problem.components()),
         tangents_(std::move(all)),
         report_(report),
         motion_(Teuchos::rcp(new TpetraVector(problem.map()))) {
@@ -99,12 +35,13 @@ class Share {
   }
   /// A start that is alike on any ranks, and nothing that is symmetric.
   PointField start() const {
-    PointField y(2 * tangents_.size(), 0.0);
+    const auto n = components_;
+    PointField y(n * tangents_.size(), 0.0);
     for (int k = 0; k < problem_.points(); ++k)
-      for (int c = 0; c < 2; ++c) {
+      for (int c = 0; c < n; ++c) {
         double whole;
-        y[2 * k + c] =
-            0.5 + std::modf(0.618033988749895 * static_cast<double>(2 * problem_.number_of(k) + c + 1), &whole);
+        y[at(k) + c] =
+            0.5 + std::modf(0.618033988749895 * static_cast<double>(n * problem_.number_of(k) + c + 1), &whole);
       }
     return rooted(y);
   }
@@ -115,22 +52,25 @@ class Share {
       if (problem_.number_of(k) == number) joint = problem_.joint_of(k);
     PointField some(all.size(), 0.0);
     for (int k = 0; k < problem_.points(); ++k)
-      if (tangents_[k].softens && problem_.joint_of(k) == joint) std::copy_n(&all[2 * k], 2, &some[2 * k]);
+      if (tangents_[k].softens && problem_.joint_of(k) == joint) std::copy_n(&all[at(k)], components_, &some[at(k)]);
     return some;
   }
   double dot(const PointField& a, const PointField& b) const {
     double mine = 0;
-    for (int i = 0; i < 2 * problem_.owned_points(); ++i) mine += a[i] * b[i];
+    for (int i = 0; i < components_ * problem_.owned_points(); ++i) mine += a[i] * b[i];
     return total_over_ranks(*problem_.map()->getComm(), mine);
   }
   /// Root of softening times what is given per point.
   PointField rooted(const PointField& g) const {
     PointField y(g.size(), 0.0);
     for (std::size_t k = 0; k < tangents_.size(); ++k) {
-      const auto& h = tangents_[k].softening;
-      if (!tangents_[k].softens) continue;
-      y[2 * k] = h[0] * g[2 * k] + h[1] * g[2 * k + 1];
-      y[2 * k + 1] = h[1] * g[2 * k] + h[2] * g[2 * k + 1];
+      const auto& [resistance, h, softens, along, onward] = tangents_[k];
+      if (!softens) continue;
+      const auto first = at(k);
+      const double slip = component(along, &g[first + 1], components_ - 1);
+      y[first] = h[0] * g[first] + h[1] * slip;
+      const double shear = h[1] * g[first] + h[2] * slip;
+      for (int t = 0; t + 1 < components_; ++t) y[first + t + 1] = along[t] * shear;
     }
     return y;
   }
@@ -152,11 +92,17 @@ class Share {
   const Teuchos::RCP<TpetraVector>& motion() const { return motion_; }
   const PointField& gaps() const { return gaps_; }
   bool softens(int k) const { return tangents_[k].softens; }
-  double onward(int k, int c) const { return c == 0 ? 1.0 : tangents_[k].onward; }
+  /// What a field has of a point's normal (c = 0), or of the way in which it slips on.
+  double onward(const PointField& field, int k, int c) const {
+    return c == 0 ? field[at(k)] : component(tangents_[k].onward, &field[at(k) + 1], components_ - 1);
+  }
 
  private:
+  std::size_t at(std::size_t k) const { return k * components_; }
+
   NonlinearProblem& problem_;
-  const std::vector<Tangent> tangents_;
+  const int components_;
+  const std::vector<PointTangent> tangents_;
   std::vector<PointStiffness> resistance_;
   NewtonReport& report_;
   Teuchos::RCP<TpetraVector> motion_;
@@ -214,7 +160,7 @@ std::pair<long long, double> leader_of(const NonlinearProblem& problem, const Sh
   double largest = 0;
   const auto visit = [&](const auto& see) {
     for (int k = 0; k < problem.owned_points(); ++k)
-      for (int c = 0; share.softens(k) && c < 2; ++c) see(k, share.onward(k, c) * field[2 * k + c]);
+      for (int c = 0; share.softens(k) && c < 2; ++c) see(k, share.onward(field, k, c));
   };
   visit([&](int, double g) { largest = std::max(largest, std::abs(g)); });
   largest = largest_over_ranks(problem, largest);
@@ -232,9 +178,10 @@ std::pair<long long, double> leader_of(const NonlinearProblem& problem, const Sh
 }
 
 PointField motions(const NonlinearProblem& problem, const PointField& gap, const PointField& lambda) {
+  const int n = problem.components();
   PointField all(gap.size(), 0.0);
   for (int k = 0; k < problem.points(); ++k)
-    for (int c = 0; problem.selected()[k] && c < 2; ++c) all[2 * k + c] = motion_of(problem, k, c, gap, lambda);
+    for (int c = 0; problem.selected()[k] && c < n; ++c) all[n * k + c] = motion_of(problem, k, c, gap, lambda);
   return all;
 }
 
@@ -256,11 +203,11 @@ bool run_on(const NonlinearProblem& problem, Share& share, const PointField& mov
 Instability find_instability(NonlinearProblem& problem, const TpetraVector& x, const PointField& lambda,
                              const Damage& damage, NewtonReport& report) {
   Instability found;
-  if (!problem.softening() || problem.components() != 2) return found;
+  if (!problem.softening()) return found;
   PointField gap;
   TpetraVector residual(problem.map());
   problem.evaluate(x, residual, gap);
-  Share share(problem, tangents(problem, CurrentLaws(problem, fall(damage), lambda, gap), lambda, gap), report);
+  Share share(problem, point_tangents(problem, CurrentLaws(problem, fall(damage), lambda, gap), lambda, gap), report);
   if (share.size() == 0) return found;
   PointField combination, image;
   found.excess = 2 * largest_share(share, combination) - 1;
@@ -278,6 +225,7 @@ Instability find_instability(NonlinearProblem& problem, const TpetraVector& x, c
 
 double go_down(NonlinearProblem& problem, const Instability& along, double sign, const Damage& damage, TpetraVector& x,
                PointField& lambda) {
+  const int n = problem.components();
   TpetraVector force(problem.map()), change(problem.map());
   PointField start, none;
   problem.evaluate(x, force, start);
@@ -292,8 +240,8 @@ double go_down(NonlinearProblem& problem, const Instability& along, double sign,
   const auto slope = [&](double way) {
     at(way);
     double mine = 0;
-    for (int i = 0; i < 2 * problem.owned_points(); ++i)
-      if (problem.selected()[i / 2]) mine += lawful[i] * along.gaps[i];
+    for (int i = 0; i < n * problem.owned_points(); ++i)
+      if (problem.selected()[i / n]) mine += lawful[i] * along.gaps[i];
     return sign * (force_along - total_over_ranks(*problem.map()->getComm(), mine)) + way * stiffness;
   };
   // The way at which a motion is as large as the first that has led here, a small one for sure.
@@ -301,9 +249,10 @@ double go_down(NonlinearProblem& problem, const Instability& along, double sign,
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
     const double opening = motion_of(problem, k, 0, start, lambda);
-    if (opening > 0 && along.gaps[2 * k] != 0) way = std::min(way, opening / std::abs(along.gaps[2 * k]));
-    const double slip = motion_of(problem, k, 1, start, lambda);
-    if (slip != 0 && along.gaps[2 * k + 1] != 0) way = std::min(way, std::abs(slip / along.gaps[2 * k + 1]));
+    if (opening > 0 && along.gaps[n * k] != 0) way = std::min(way, opening / std::abs(along.gaps[n * k]));
+    const auto slip = slip_of(problem, k, lambda, start);
+    const double slipped = std::hypot(slip[0], slip[1]), slips = tangential_size(along.gaps, k, n);
+    if (slipped != 0 && slips != 0) way = std::min(way, slipped / slips);
   }
   way = -largest_over_ranks(problem, -way);
   if (!std::isfinite(way)) return 0;

@@ -27,7 +27,8 @@ void check_plane(Scene& scene, InputProblems& problems) {
     scene.warnings.push_back("model > hexahedra has no effect: the mesh is plane.");
 }
 
-void check_model(const ModelParameters& model, InputProblems& problems) {
+/// What a scene in space names that is of the plane alone.
+void check_space(const ModelParameters& model, InputProblems& problems) {
   if (model.plane != Plane::stress)
     problems.add(
         "scene > model > plane",
@@ -44,32 +45,13 @@ void check_model(const ModelParameters& model, InputProblems& problems) {
                  "yet.\n  Give \"small\", or a plane scene.");
 }
 
-/// Cracks that grow may compete, and whether a structure stays in such a state is looked at in the plane alone.
-void check_fracture(const Scene& scene, InputProblems& problems) {
-  for (const auto& [name, law] : scene.joints)
-    for (const auto& [key, energy] : {std::make_pair("fracture energy", law.fracture_energy),
-                                      std::make_pair("shear fracture energy", law.shear_fracture_energy)})
-      if (energy > 0)
-        problems.add("scene > joints > " + name + " > " + key,
-                     " = " + number_text(energy) +
-                         " [J/m2]\n  does not go with a mesh in space: whether a structure stays where cracks of its "
-                         "joints compete is looked at in plane scenes alone so far.\n  Leave it out, so that the "
-                         "strength is lost at once, or give a plane scene.");
-}
-
-/// What a scene in space names that is of the plane alone.
-void check_space(const Scene& scene, InputProblems& problems) {
-  check_model(scene.model, problems);
-  check_fracture(scene, problems);
-}
-
 }  // namespace
 
 void check_dimension(Scene& scene, InputProblems& problems) {
   if (scene.mesh.dimension() == 2)
     check_plane(scene, problems);
   else
-    check_space(scene, problems);
+    check_space(scene.model, problems);
 }
 
 }  // namespace voussoir

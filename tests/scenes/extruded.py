@@ -176,6 +176,12 @@ class Extruded(program.SceneTest):
         self.compare(plane({"push": {"type": "acceleration", "ax": 0.15 * GRAVITY}},
                            joints={"normal stiffness": 2e9, "tangential stiffness": 1e9, "cohesion": 1e5, "tension strength": 5e4}))
 
+    def test_mortar_that_softens(self):
+        mortar = {"cohesion": 1e5, "tension strength": 5e4, "fracture energy": 10.0, "shear fracture energy": 50.0}
+        stages = {"own weight": OWN, **{name: {"loads": {"weight": 1.0, "push": share}}
+                                         for name, share in (("half", 0.5), ("push", 1.0), ("back", 0.2))}}
+        self.compare(plane({"push": {"type": "acceleration", "ax": 1.6 * GRAVITY}}, stages, mortar))
+
     def test_a_course_that_appears_and_one_that_goes(self):
         stages = {"three": OWN, "four": OWN, "three again": OWN}
         self.compare(plane(stages=stages, construction={"top": {"blocks": "course 3", "appears": "four", "disappears": "three again"}}))
