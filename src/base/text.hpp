@@ -16,11 +16,11 @@ std::string formatted(const char* format, double);
 std::string three_digits(double);
 /// The shortest text that reads back as exactly the same double: "0.1", "2e10", "inf".
 std::string number_text(double);
-/// A place as people write it: "(1, 0.5)".
+/// A place or a force as people write it: "(1, 0.5)".
 template <std::size_t n>
-std::string place_text(const std::array<double, n>& place) {
+std::string vector_text(const std::array<double, n>& vector) {
   std::string text;
-  for (const double x : place) text += (text.empty() ? "(" : ", ") + number_text(x);
+  for (const double x : vector) text += (text.empty() ? "(" : ", ") + number_text(x);
   return text + ")";
 }
 

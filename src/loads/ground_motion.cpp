@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parameter_section.hpp"
+#include "base/plane_and_space.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
 #include "loads/acceleration_unit.hpp"
@@ -104,13 +105,12 @@ struct MotionRecord {
 template <int dim>
 class GroundMotion final : public Load<dim> {
  public:
-  GroundMotion(const GroundMotionParameters& p, const LoadSite<dim>& site) {
+  GroundMotion(const GroundMotionParameters& p, const LoadSite<dim>& site)
+      : steady_(in_dimension<dim>({p.ax, p.ay, p.az})) {
     const std::array<ValueColumn, 3> column{
         {{"x column", p.column_x}, {"y column", p.column_y}, {"z column", p.column_z}}};
     const std::array<std::string, 3> file{p.record_x, p.record_y, p.record_z};
-    const std::array<double, 3> steady{p.ax, p.ay, p.az};
     for (int c = 0; c < dim; ++c) {
-      steady_[c] = steady[c];
       const std::string key = column[c].key.substr(0, 1) + " record";
       if (!file[c].empty()) record_[c] = {p, file[c], column[c], site.where + " > " + key, *site.structure.comm()};
     }
@@ -175,7 +175,7 @@ class GroundMotion final : public Load<dim> {
     return times.empty() || time < times.front() || time > times.back() ? 0.0 : record(time);
   }
 
-  Vector<dim> steady_{};
+  Vector<dim> steady_;
   std::array<MotionRecord, dim> record_;
   std::vector<double> mass_;  ///< [kg] per local node
 };
@@ -211,9 +211,9 @@ std::string GroundMotionParameters::summary() const {
   if (words.find("record") != std::string::npos)
     words += std::string(" in ") + word_of(unit) + " times " + number_text(scale);
   if (az != 0)
-    words += ", " + place_text(Vector<3>{ax, ay, az}) + " m/s2";
+    words += ", " + vector_text(Vector<3>{ax, ay, az}) + " m/s2";
   else if (ax != 0 || ay != 0)
-    words += ", " + place_text(Vector<2>{ax, ay}) + " m/s2";
+    words += ", " + vector_text(Vector<2>{ax, ay}) + " m/s2";
   return words;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "base/parameter_section.hpp"
+#include "base/plane_and_space.hpp"
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
@@ -28,9 +29,8 @@ void PointLoadParameters::declare(ParameterSection& section) {
 
 std::string PointLoadParameters::summary() const {
   if (!keys_of_space().empty())
-    return "point load " + place_text(std::array<double, 3>{fx, fy, fz}) + " N at " +
-           place_text(std::array<double, 3>{x, y, z}) + " m";
-  return "point load " + place_text(Vector<2>{fx, fy}) + " N at " + place_text(Vector<2>{x, y}) + " m";
+    return "point load " + vector_text(Vector<3>{fx, fy, fz}) + " N at " + vector_text(Vector<3>{x, y, z}) + " m";
+  return "point load " + vector_text(Vector<2>{fx, fy}) + " N at " + vector_text(Vector<2>{x, y}) + " m";
 }
 
 bool PointLoadParameters::is_zero() const { return fx == 0 && fy == 0 && fz == 0; }
@@ -41,18 +41,6 @@ std::vector<KeyOfSpace> PointLoadParameters::keys_of_space() const {
   add_if_given(keys, "fz", fz, "N");
   return keys;
 }
-
-namespace {
-
-template <int dim>
-Vector<dim> first_of(double x, double y, double z) {
-  const std::array<double, 3> all{x, y, z};
-  Vector<dim> some{};
-  std::copy_n(all.begin(), dim, some.begin());
-  return some;
-}
-
-}  // namespace
 
 template <int dim>
 NearestNode nearest_node(const Structure<dim>& s, const Vector<dim>& point, const std::vector<char>& among) {
@@ -75,11 +63,11 @@ NearestNode nearest_node(const Structure<dim>& s, const Vector<dim>& point, cons
 template <int dim>
 void add_point_load(const Structure<dim>& s, const PointLoadParameters& load, double factor, const std::string& where,
                     std::vector<double>& force, const std::vector<char>& among) {
-  const auto at = first_of<dim>(load.x, load.y, load.z), given = first_of<dim>(load.fx, load.fy, load.fz);
+  const auto at = in_dimension<dim>({load.x, load.y, load.z}), given = in_dimension<dim>({load.fx, load.fy, load.fz});
   const auto node = nearest_node(s, at, among);
   if (node.distance > load.tolerance)
     throw InputError(where + " > tolerance = " + number_text(load.tolerance) +
-                     " [m]\n  is exceeded: the node nearest to " + place_text(at) + " m is " +
+                     " [m]\n  is exceeded: the node nearest to " + vector_text(at) + " m is " +
                      number_text(node.distance) +
                      " m away.\n  Move the point to the outside of the structure, or give a larger tolerance.");
   if (node.local < 0) return;
@@ -126,10 +114,10 @@ std::unique_ptr<Load<dim>> point_load(const PointLoadParameters& p, const LoadSi
     if (site.in_block_set(b.mesh, p.blocks)) std::fill_n(among.begin() + b.first_local, b.mesh.position.size(), 1);
   std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
   add_point_load(s, p, 1.0, site.where, unit, among);
-  const auto at = first_of<dim>(p.x, p.y, p.z);
+  const auto at = in_dimension<dim>({p.x, p.y, p.z});
   const auto stones = stones_near(s, at, among);
   return std::make_unique<PointLoad<dim>>(
-      unit, warning_of_bearer(site, "load_on_several_stones", "the node nearest to " + place_text(at) + " m", stones,
+      unit, warning_of_bearer(site, "load_on_several_stones", "the node nearest to " + vector_text(at) + " m", stones,
                               stones.front()));
 }
 

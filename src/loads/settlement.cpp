@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/parameter_section.hpp"
+#include "base/plane_and_space.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
 #include "linalg/reduce.hpp"
@@ -30,7 +31,7 @@ std::string SettlementParameters::summary() const {
   words += ", turned by " + number_text(turn.rotation) + " rad about (" + coordinate(turn.about[0]) + ", " +
            coordinate(turn.about[1]);
   if (turn.keys_of_space().empty()) return words + ") m";
-  return words + ", " + coordinate(turn.about[2]) + ") m, axis " + place_text(turn.axis);
+  return words + ", " + coordinate(turn.about[2]) + ") m, axis " + vector_text(turn.axis);
 }
 
 bool SettlementParameters::is_zero() const { return ux == 0 && uy == 0 && uz == 0 && turn.rotation == 0; }
@@ -49,12 +50,9 @@ void add_settlement(const Structure<dim>& s, const SettlementParameters& load, c
   for_each_node_on(s, facets, [&](int node) {
     if (moved[node]) return;
     moved[node] = 1;
-    Vector<dim> u{}, arm{};
-    for (int c = 0; c < dim; ++c) {
-      u[c] = load.along(c);
-      arm[c] = s.drawn_position()[node][c] - load.turn.about[c];
-    }
-    if (load.turn.rotation != 0) u = u + load.turn.rotation * spin(direction, arm);
+    auto u = in_dimension<dim>(load.way());
+    if (load.turn.rotation != 0)
+      u = u + load.turn.rotation * spin(direction, s.drawn_position()[node] - in_dimension<dim>(load.turn.about));
     for (int c = 0; c < dim; ++c)
       if (holds(support, c)) displacement[dim * node + c] += factor * u[c];
   });
@@ -96,11 +94,11 @@ class TurningSupport : public Load<2> {
  public:
   /// @param moves  1 for the components [2 x local node copies] that the support takes along
   TurningSupport(const Structure<2>& s, const SettlementParameters& p, const std::vector<char>& moves)
-      : translation_{p.ux, p.uy}, rotation_(p.turn.rotation) {
+      : translation_(in_plane(p.way())), rotation_(p.turn.rotation) {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       if (!moves[i]) continue;
       index_.push_back(static_cast<int>(i));
-      arm_.push_back(s.drawn_position()[i / 2] - Vector<2>{p.turn.about[0], p.turn.about[1]});
+      arm_.push_back(s.drawn_position()[i / 2] - in_plane(p.turn.about));
     }
   }
   void add(const std::vector<LoadMoment>& moments, std::vector<double>&,

@@ -11,11 +11,10 @@ namespace voussoir {
 struct SettlementParameters : LoadKindParameters {
   static constexpr const char* word = "settlement";
   static constexpr const char* text = "Prescribed motion of a support";
-  std::string support;                  ///< name of a support of the scene; only its held components move
-  double ux = 0.0, uy = 0.0, uz = 0.0;  ///< [m] uz in space
-  RotationParameters turn;              ///< [rad] a middle stands for that of the support's edges or faces
-  /// [m] along an axis
-  double along(int c) const { return c == 0 ? ux : c == 1 ? uy : uz; }
+  std::string support;                            ///< name of a support of the scene; only its held components move
+  double ux = 0.0, uy = 0.0, uz = 0.0;            ///< [m] uz in space
+  RotationParameters turn;                        ///< [rad] a middle stands for that of the support's edges or faces
+  Vector<3> way() const { return {ux, uy, uz}; }  ///< [m]
   void declare(ParameterSection&);
   std::string summary() const;
   bool is_zero() const;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/plane_and_space.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
 #include "dynamics/load_steps.hpp"
@@ -196,8 +197,7 @@ Vector<dim> ModelOfBlocks<dim>::centre_of_rotation(const InitialVelocityParamete
   auto turn = given.turn;
   for (int c = 0; c < dim; ++c) centre[c] += all[c] / all[dim];
   turn.set_middle(centre);
-  std::copy_n(turn.about.begin(), dim, centre.begin());
-  return centre;
+  return in_dimension<dim>(turn.about);
 }
 
 template <int dim>
@@ -207,12 +207,12 @@ std::vector<double> ModelOfBlocks<dim>::initial_velocities() const {
   for (const auto& [name, given] : settings_.velocities) {
     const auto centre = centre_of_rotation(given);
     const auto direction = given.turn.direction();
-    const std::array<double, 3> along{given.vx, given.vy, given.vz};
+    const auto along = in_dimension<dim>({given.vx, given.vy, given.vz});
     for (const auto& b : s.blocks()) {
       if (!in_set(source_, b.mesh, given.blocks)) continue;
       for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
-        const auto there = given.turn.rotation * spin(direction, b.mesh.position[i] - centre);
-        for (int c = 0; c < dim; ++c) v[dim * (b.first_local + i) + c] = along[c] + there[c];
+        const auto there = along + given.turn.rotation * spin(direction, b.mesh.position[i] - centre);
+        for (int c = 0; c < dim; ++c) v[dim * (b.first_local + i) + c] = there[c];
       }
     }
   }

@@ -17,15 +17,15 @@ namespace {
 
 /// Whether a settlement moves component c.
 bool moves(const SettlementParameters& load, int c) {
-  return load.along(c) != 0 || (load.turn.rotation != 0 && std::abs(load.turn.direction()[c]) < 1);
+  return load.way()[c] != 0 || (load.turn.rotation != 0 && std::abs(load.turn.direction()[c]) < 1);
 }
 
 /// Whether a scene moves a support as this load does another.
 bool moves_alike(const Scene& scene, const std::string& support, const SettlementParameters& load) {
   return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const LoadParameters& other) {
     const auto* s = load_as<SettlementParameters>(other);
-    return s && s->support == support && s->ux == load.ux && s->uy == load.uy && s->uz == load.uz &&
-           s->turn.rotation == load.turn.rotation && s->turn.axis == load.turn.axis;
+    return s && s->support == support && s->way() == load.way() && s->turn.rotation == load.turn.rotation &&
+           s->turn.axis == load.turn.axis;
   });
 }
 

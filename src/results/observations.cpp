@@ -1,11 +1,11 @@
 #include "results/observations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/plane_and_space.hpp"
 #include "base/text.hpp"
 #include "linalg/reduce.hpp"
 #include "loads/loads.hpp"
@@ -25,12 +25,11 @@ using Weights = std::vector<std::pair<int, double>>;
 template <int dim>
 Weights node_near(const ObservationParameters& p, const std::string& where, const Structure<dim>& s,
                   const std::vector<char>& observed) {
-  Vector<dim> at;
-  std::copy_n(std::array<double, 3>{p.x, p.y, p.z}.begin(), dim, at.begin());
+  const auto at = in_dimension<dim>({p.x, p.y, p.z});
   const auto node = nearest_node(s, at, observed);
   if (node.distance > p.tolerance)
     throw InputError(where + " > tolerance = " + number_text(p.tolerance) +
-                     " [m]\n  is exceeded: the node nearest to " + place_text(at) + " m is " +
+                     " [m]\n  is exceeded: the node nearest to " + vector_text(at) + " m is " +
                      number_text(node.distance) +
                      " m away.\n  Move the point to the structure, or give a larger tolerance.");
   if (node.local < 0 || node.local >= s.owned_nodes()) return {};

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/tensor.hpp"
+#include "base/plane_and_space.hpp"
 
 namespace voussoir {
 
@@ -46,14 +46,6 @@ inline Vector<3> about(const Vector<3>& v, const Vector<2>& from, const Vector<2
 inline Vector<6> about(const Vector<6>& v, const Vector<3>& from, const Vector<3>& to) {
   const auto m = cross(from - to, Vector<3>{v[0], v[1], v[2]});
   return {v[0], v[1], v[2], v[3] + m[0], v[4] + m[1], v[5] + m[2]};
-}
-
-/// The first components of a vector: all of them in space.
-template <int dim>
-Vector<dim> in_dimension(const Vector<3>& x) {
-  Vector<dim> y;
-  std::copy_n(x.begin(), dim, y.begin());
-  return y;
 }
 
 }  // namespace voussoir
