@@ -31,7 +31,9 @@ inline bool add_warning(Warnings& all, const Warning& more) {
   }
   const auto of_kind = [&](const Warning& w) { return w.what == more.what; };
   if (std::count_if(all.begin(), all.end(), of_kind) < most_of_a_kind) {
-    all.push_back(more);
+    // What the input leaves open stands first, whenever it is told: after a restart it is told anew.
+    const auto of_a_step = [](const Warning& w) { return !w.when.empty(); };
+    all.insert(more.when.empty() ? std::find_if(all.begin(), all.end(), of_a_step) : all.end(), more);
     return true;
   }
   Warning* least = nullptr;
