@@ -78,18 +78,8 @@ double cells_of(const Drawing& drawing) {
 }
 
 double cells_of(const MeshParameters& p) {
-  const auto& w = p.wall;
-  const auto& a = p.arch;
-  const auto product = [](std::initializer_list<int> numbers) {
-    double all = 1;
-    for (const int number : numbers) all *= number;
-    return all;
-  };
-  if (p.type == MeshType::wall) return product({w.courses, w.blocks_per_course, w.cells_along, w.cells_up});
-  if (p.from_file()) return 0;
-  if (const auto* masonry = p.masonry()) return masonry->cells();
-  const double piers = a.pier_height > 0 ? 2.0 * a.pier_courses : 0;
-  return product({a.cells_radial, a.cells_along}) * (a.voussoirs + piers);
+  const auto* masonry = p.masonry();
+  return masonry ? masonry->cell_count() : 0;
 }
 
 double most_cells() { return whole_memory() / bytes_per_cell; }

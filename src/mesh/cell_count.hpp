@@ -45,7 +45,7 @@ std::map<int, double> least_edges(const std::map<int, double>& edges, const std:
 /// Area over the square of the mean edge of the border, for each stone: the cells it is divided into, within a factor
 /// of two or three by their shape.
 double cells_of(const Drawing&);
-/// Of a wall or an arch; of a drawing, which has to be read, nothing.
+/// Of a generator; of a file, which has to be read, nothing.
 double cells_of(const MeshParameters&);
 
 /// The most cells that this machine could compute with. A fixed number for each cell, because the cost of a cell in
@@ -55,7 +55,7 @@ double most_cells();
 /// Throws InputError for a drawing that asks for more cells than this machine could compute with, with its size and how
 /// many: probably its unit is another.
 void refuse_too_many_cells(const GmshParameters&, const Drawing&);
-/// The same for a wall or an arch.
+/// The same for a generator.
 void refuse_too_many_cells(const MeshParameters&);
 
 /// Why gmsh may fail on a drawing that lies far from its origin; "" for one that does not.

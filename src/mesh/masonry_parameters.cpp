@@ -29,19 +29,98 @@ void add_ground(ParameterSection& section, double& height, const std::string& te
               "Give 0 for masonry that is held at its own faces.");
 }
 
+/// One direction of an opening.
+void add_span(ParameterSection& section, const std::string& axis, double& from, double& to, const std::string& up,
+              const std::string& from_text, const std::string& to_text) {
+  section.add(axis + " from", from, "m", any_number(), from_text);
+  section.add(axis + " to", to, "m", any_number(), to_text);
+  section.check(to > from, axis + " to", in_metres(to),
+                "must be > " + axis + " from = " + number_text(from) + " (an opening needs an area)",
+                "Give the lower left corner by \"x from\", \"" + up + " from\"");
+}
+
+/// What a ring, a dome and a vault have.
+/// @param middle  "middle line"
+/// @param thin    "bridges have a thickness of 0.05 to 0.3 radii"
+void add_ring(ParameterSection& section, double& radius, double& thickness, const std::string& middle,
+              const std::string& text, const std::string& thin) {
+  section.add("radius", radius, "m", above(0.0), "radius of the " + middle, "a length");
+  section.add("thickness", thickness, "m", above(0.0), text, "a length");
+  section.check(thickness < 2 * radius, "thickness", in_metres(thickness),
+                "must be < 2 x radius = " + number_text(2 * radius) + " (the intrados needs a radius)",
+                "The radius is that of the " + middle + "; " + thin);
+}
+
+void add_embrace(ParameterSection& section, double& embrace) {
+  section.add("embrace", embrace, "degree", inside(0.0, 360.0), "angle between the springings",
+              "a closed ring has no springings", "A semicircle has 180.");
+}
+
 }  // namespace
 
+void declare_cell_type(ParameterSection& section, CellType& cells) {
+  section.add_choice<CellType>("cells", cells,
+                               {{"triangle", CellType::triangle}, {"quadrilateral", CellType::quadrilateral}},
+                               "shape of the cells a block is divided into, P1 triangles or Q1 quadrilaterals");
+}
+
+void Opening::declare(ParameterSection& section) {
+  add_span(section, "x", x_from, x_to, "y", "left side, from the left end of the wall", "right side");
+  add_span(section, "y", y_from, y_to, "y", "lower side, from the base of the wall", "upper side");
+}
+
+void WallParameters::declare(ParameterSection& section) {
+  const std::string whole_block = "a full block of the bond";
+  section.add("courses", courses, "-", between(1, 1e6), "courses from base to top", "a wall needs one",
+              "Two courses make the smallest bond.");
+  section.add("blocks per course", blocks_per_course, "-", between(1, 1e6), "full blocks of courses 0, 2, ...",
+              "a course needs one", "Courses 1, 3, ... begin and end with half a block.");
+  section.add("block length", block_length, "m", above(0.0), "length of " + whole_block, "a length");
+  section.add("block height", block_height, "m", above(0.0), "height of a course", "a length");
+  section.add("cells along", cells_along, "-", between(2, 1e4).even(), "cells along a full block",
+              "half blocks have half of them", "Give 2, 4, 6, ...");
+  section.add("cells up", cells_up, "-", between(1, 1e4), "cells over the height of a block", "a block needs one");
+  declare_cell_type(section, cells);
+
+  Family family{"openings", "rectangular openings; blocks whose centre lies inside are left out", "door", {}, {}};
+  for (const auto& opening : openings) family.names.push_back(opening.first);
+  family.declare = [&](const std::string& name) {
+    Opening& o = openings[name];
+    o.declare(section);
+    const double length = blocks_per_course * block_length, height = courses * block_height;
+    section.check(o.x_from < length && o.x_to > 0, "x from", number_text(o.x_from) + " to " + in_metres(o.x_to),
+                  "must meet the wall, which reaches from 0 to " + number_text(length) + " m",
+                  "Move the opening into the wall or remove it");
+    section.check(o.y_from < height && o.y_to > 0, "y from", number_text(o.y_from) + " to " + in_metres(o.y_to),
+                  "must meet the wall, which reaches from 0 to " + number_text(height) + " m",
+                  "Move the opening into the wall or remove it");
+  };
+  section.add_family(family);
+}
+
+void ArchParameters::declare(ParameterSection& section) {
+  add_ring(section, radius, thickness, "middle line", "radial thickness of the ring",
+           "bridges have a thickness of 0.05 to 0.3 radii");
+  add_embrace(section, embrace);
+  section.add("voussoirs", voussoirs, "-", between(1, 1e6), "blocks of the ring, all alike", "an arch needs one");
+  section.add("cells radial", cells_radial, "-", between(1, 1e4), "cells from intrados to extrados",
+              "a block needs one");
+  section.add("cells along", cells_along, "-", between(1, 1e4), "cells of a voussoir along the ring",
+              "a block needs one");
+  declare_cell_type(section, cells);
+  section.add("pier height", pier_height, "m", at_least(0.0), "height of the piers below the springings; 0 = none",
+              "a length", "Give 0 for an arch without piers.");
+  section.check(
+      pier_height == 0 || embrace == 180, "pier height", in_metres(pier_height),
+      "needs an embrace of 180 degrees, not " + number_text(embrace) + " (vertical piers continue a semicircle)",
+      "Give embrace 180 or pier height 0");
+  section.add("pier courses", pier_courses, "-", between(1, 1e6), "blocks a pier is made of", "a pier needs one");
+}
+
 void OpeningInSpace::declare(ParameterSection& section) {
-  section.add("x from", x_from, "m", any_number(), "left side, from the left end of the wall; on half a stone");
-  section.add("x to", x_to, "m", any_number(), "right side; on half a stone");
-  section.add("z from", z_from, "m", any_number(), "lower side, from the base of the wall; on a bed");
-  section.add("z to", z_to, "m", any_number(), "upper side; on a bed");
-  section.check(x_to > x_from, "x to", in_metres(x_to),
-                "must be > x from = " + number_text(x_from) + " (an opening needs an area)",
-                "Give the lower left corner by \"x from\", \"z from\"");
-  section.check(z_to > z_from, "z to", in_metres(z_to),
-                "must be > z from = " + number_text(z_from) + " (an opening needs an area)",
-                "Give the lower left corner by \"x from\", \"z from\"");
+  add_span(section, "x", x_from, x_to, "z", "left side, from the left end of the wall; on half a stone",
+           "right side; on half a stone");
+  add_span(section, "z", z_from, z_to, "z", "lower side, from the base of the wall; on a bed", "upper side; on a bed");
 }
 
 void WallInSpaceParameters::declare(ParameterSection& section) {
@@ -93,11 +172,8 @@ void PrismParameters::declare(ParameterSection& section) {
 }
 
 void DomeParameters::declare(ParameterSection& section) {
-  section.add("radius", radius, "m", above(0.0), "radius of the middle surface", "a length");
-  section.add("thickness", thickness, "m", above(0.0), "radial thickness", "a length");
-  section.check(thickness < 2 * radius, "thickness", in_metres(thickness),
-                "must be < 2 x radius = " + number_text(2 * radius) + " (the intrados needs a radius)",
-                "The radius is that of the middle surface; domes have a thickness of 0.03 to 0.2 radii");
+  add_ring(section, radius, thickness, "middle surface", "radial thickness",
+           "domes have a thickness of 0.03 to 0.2 radii");
   section.add("oculus", oculus, "degree", inside(0.0, 180.0), "angle from the crown at which the last course ends",
               "stones that meet in the crown would have no upper face", "Give a small angle, such as 5.");
   section.add("springing", springing, "degree", inside(0.0, 180.0), "angle from the crown at which course 0 begins",
@@ -118,13 +194,9 @@ void DomeParameters::declare(ParameterSection& section) {
 }
 
 void BarrelVaultParameters::declare(ParameterSection& section) {
-  section.add("radius", radius, "m", above(0.0), "radius of the middle surface", "a length");
-  section.add("thickness", thickness, "m", above(0.0), "radial thickness", "a length");
-  section.check(thickness < 2 * radius, "thickness", in_metres(thickness),
-                "must be < 2 x radius = " + number_text(2 * radius) + " (the intrados needs a radius)",
-                "The radius is that of the middle surface; vaults have a thickness of 0.05 to 0.3 radii");
-  section.add("embrace", embrace, "degree", inside(0.0, 360.0), "angle between the springings",
-              "a closed ring has no springings", "A semicircle has 180.");
+  add_ring(section, radius, thickness, "middle surface", "radial thickness",
+           "vaults have a thickness of 0.05 to 0.3 radii");
+  add_embrace(section, embrace);
   section.add("length", length, "m", above(0.0), "along y", "a length");
   section.add("voussoirs", voussoirs, "-", between(1, 1e6), "courses from springing to springing, all alike",
               "a vault needs one");

@@ -1,4 +1,5 @@
-// Masonry in space that needs no file: walls with returns and openings, prisms, domes, barrel vaults.
+// Masonry that needs no file: walls and arches of the plane; in space walls with returns and openings, prisms, domes,
+// barrel vaults.
 #pragma once
 
 #include <map>
@@ -7,6 +8,12 @@
 namespace voussoir {
 
 class ParameterSection;
+
+/// How a block is divided; P1 triangles or Q1 quadrilaterals.
+enum class CellType { triangle, quadrilateral };
+
+std::string words_of(CellType);
+void declare_cell_type(ParameterSection&, CellType&);
 
 /// Head joints of odd courses above the middles of the stones below, or above theirs.
 enum class WallBond { running, stack };
@@ -19,14 +26,59 @@ enum class ReturnsTo { back, front };
 /// What is asked of any of them.
 struct MasonryParameters {
   virtual ~MasonryParameters() = default;
-  /// Hexahedra of all stones; an opening counts as a share of its wall.
-  virtual double cells() const = 0;
-  /// [m] of the longest edge of a hexahedron, within the difference of chord and arc.
+  /// Cells of all stones, of triangles those of the quadrilaterals they halve. In space an opening counts as a share of
+  /// its wall.
+  virtual double cell_count() const = 0;
+  /// [m] of the longest edge of a cell, within the difference of chord and arc.
   virtual double longest_edge() const = 0;
   /// Takes edges longer by a factor, as near as whole numbers of cells allow.
   virtual void coarsen(double factor) = 0;
   /// One line for the head of a run.
   virtual std::string words() const = 0;
+};
+
+/// A rectangular opening in a wall [m]; blocks that lie inside are left out.
+struct Opening {
+  double x_from = 0, x_to = 0, y_from = 0, y_to = 0;
+  void declare(ParameterSection&);
+};
+
+/// A wall of the plane in running bond: even courses (0, 2, ...) of full blocks, odd ones begin and end with half ones.
+/// Block sets: "course 0", ...; facet sets: "base", "top", "left", "right".
+struct WallParameters final : MasonryParameters {
+  int courses = 8;
+  int blocks_per_course = 8;
+  double block_length = 0.5;   ///< [m]
+  double block_height = 0.25;  ///< [m]
+  int cells_along = 4;         ///< cells along a full block, even (a half block has half of them)
+  int cells_up = 2;
+  CellType cells = CellType::quadrilateral;
+  std::map<std::string, Opening> openings;
+  double cell_count() const override;
+  double longest_edge() const override;
+  void coarsen(double factor) override;
+  std::string words() const override;
+  void declare(ParameterSection&);
+};
+
+/// Circular arch of equal voussoirs numbered from the right springing, on optional piers.
+/// Block sets: "ring", "pier left", "pier right"; facet sets: "springing left", "springing right"
+/// (the lowest faces: of the ring, or of the piers where there are any), "extrados", "intrados".
+struct ArchParameters final : MasonryParameters {
+  double radius = 5.0;     ///< [m] of the middle line
+  double thickness = 1.0;  ///< [m] radial
+  double embrace = 180.0;  ///< [degree]
+  int voussoirs = 31;
+  int cells_radial = 4;
+  int cells_along = 2;  ///< circumferential cells of a voussoir
+  CellType cells = CellType::quadrilateral;
+  double pier_height = 0.0;  ///< [m] 0 = no piers (stilts); only with an embrace of 180 degrees
+  int pier_courses = 4;      ///< blocks a pier is made of
+  double cell_count() const override;
+  double longest_edge() const override;
+  void coarsen(double factor) override;
+  std::string words() const override;
+  void declare(ParameterSection&);
 };
 
 /// A rectangular opening through a wall [m]. Its sides lie on half stones, its edges on beds. A lintel lies on half a
@@ -55,7 +107,7 @@ struct WallInSpaceParameters final : MasonryParameters {
   int return_right = 0;
   ReturnsTo returns_to = ReturnsTo::back;
   std::map<std::string, OpeningInSpace> openings;
-  double cells() const override;
+  double cell_count() const override;
   double longest_edge() const override;
   void coarsen(double factor) override;
   std::string words() const override;
@@ -72,7 +124,7 @@ struct PrismParameters final : MasonryParameters {
   int cells_across = 2;
   int cells_up = 2;
   double ground_height = 0;  ///< [m] 0 = none
-  double cells() const override;
+  double cell_count() const override;
   double longest_edge() const override;
   void coarsen(double factor) override;
   std::string words() const override;
@@ -94,7 +146,7 @@ struct DomeParameters final : MasonryParameters {
   int cells_round = 2;  ///< of a stone; even in running bond
   int cells_up = 2;
   double ground_height = 0;  ///< [m] along the meridian below the springing; 0 = none
-  double cells() const override;
+  double cell_count() const override;
   double longest_edge() const override;
   void coarsen(double factor) override;
   std::string words() const override;
@@ -117,7 +169,7 @@ struct BarrelVaultParameters final : MasonryParameters {
   int cells_round = 1;       ///< of a stone, from springing to springing
   int cells_along = 2;       ///< of a full stone; even in running bond
   double ground_height = 0;  ///< [m] beyond the springings; 0 = none
-  double cells() const override;
+  double cell_count() const override;
   double longest_edge() const override;
   void coarsen(double factor) override;
   std::string words() const override;

@@ -1,4 +1,4 @@
-// What the parameters of masonry in space make: how many cells of what length, in words.
+// What the parameters of masonry make: how many cells of what length, in words.
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +37,49 @@ double product(std::initializer_list<double> factors) {
 
 }  // namespace
 
-double WallInSpaceParameters::cells() const {
+std::string words_of(CellType cells) { return cells == CellType::triangle ? "triangles" : "quadrilaterals"; }
+
+double WallParameters::cell_count() const {
+  return product({double(courses), double(blocks_per_course), double(cells_along), double(cells_up)});
+}
+
+double WallParameters::longest_edge() const { return std::max(block_length / cells_along, block_height / cells_up); }
+
+void WallParameters::coarsen(double factor) {
+  cells_along = coarser(cells_along, factor, 2);
+  cells_up = coarser(cells_up, factor);
+}
+
+std::string WallParameters::words() const {
+  return "wall in running bond, " + counted(courses, "course") + " of " + counted(blocks_per_course, "block") + ' ' +
+         number_text(block_length) + " x " + number_text(block_height) + " m, " + std::to_string(cells_along) + " x " +
+         std::to_string(cells_up) + ' ' + words_of(cells) +
+         (openings.empty() ? "" : ", " + counted(static_cast<int>(openings.size()), "opening"));
+}
+
+double ArchParameters::cell_count() const {
+  return product({double(cells_radial), double(cells_along)}) *
+         (voussoirs + (pier_height > 0 ? 2.0 * pier_courses : 0.0));
+}
+
+double ArchParameters::longest_edge() const {
+  const double outer = (radius + thickness / 2) * embrace * radian_per_degree;
+  return std::max(thickness / cells_radial, outer / voussoirs / cells_along);
+}
+
+void ArchParameters::coarsen(double factor) {
+  cells_radial = coarser(cells_radial, factor);
+  cells_along = coarser(cells_along, factor);
+}
+
+std::string ArchParameters::words() const {
+  return "arch of radius " + number_text(radius) + " m, thickness " + number_text(thickness) + " m, " +
+         number_text(embrace) + " degrees, " + counted(voussoirs, "voussoir") + ", " + std::to_string(cells_radial) +
+         " x " + std::to_string(cells_along) + ' ' + words_of(cells) +
+         (pier_height > 0 ? ", piers of " + number_text(pier_height) + " m" : "");
+}
+
+double WallInSpaceParameters::cell_count() const {
   // A return is as many blocks long as it says, without the half that the wall has at the corner.
   double blocks = blocks_per_course;
   for (const int stones : {return_left, return_right}) blocks += std::max(stones - 0.5, 0.0);
@@ -70,7 +112,7 @@ std::string WallInSpaceParameters::words() const {
   return text + on_a_ground(ground_height);
 }
 
-double PrismParameters::cells() const {
+double PrismParameters::cell_count() const {
   return product({double(cells_along), double(cells_across), double(cells_up)}) *
          (stones + (ground_height > 0 ? 1.0 / cells_up : 0.0));
 }
@@ -90,7 +132,7 @@ std::string PrismParameters::words() const {
          hexahedra(cells_along, cells_across, cells_up) + on_a_ground(ground_height);
 }
 
-double DomeParameters::cells() const {
+double DomeParameters::cell_count() const {
   return product({double(lunes), double(cells_radial), double(cells_round)}) *
          (double(courses) * cells_up + (ground_height > 0 ? 1 : 0));
 }
@@ -119,7 +161,7 @@ std::string DomeParameters::words() const {
          hexahedra(cells_radial, cells_round, cells_up) + on_a_ground(ground_height);
 }
 
-double BarrelVaultParameters::cells() const {
+double BarrelVaultParameters::cell_count() const {
   return product({double(stones_along), double(cells_radial), double(cells_along)}) *
          (double(voussoirs) * cells_round + (ground_height > 0 ? 2 : 0));
 }

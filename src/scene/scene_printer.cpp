@@ -30,23 +30,7 @@ Defaults changed_internals(const Scene& scene) {
 
 std::string counted(int n, const std::string& thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
-std::string cells_text(CellType cells) { return cells == CellType::triangle ? "triangles" : "quadrilaterals"; }
-
 std::string mesh_text(const MeshParameters& mesh) {
-  if (mesh.type == MeshType::wall) {
-    const WallParameters& w = mesh.wall;
-    return "wall in running bond, " + counted(w.courses, "course") + " of " + counted(w.blocks_per_course, "block") +
-           ' ' + number_text(w.block_length) + " x " + number_text(w.block_height) + " m, " +
-           std::to_string(w.cells_along) + " x " + std::to_string(w.cells_up) + ' ' + cells_text(w.cells) +
-           (w.openings.empty() ? "" : ", " + counted(static_cast<int>(w.openings.size()), "opening"));
-  }
-  if (mesh.type == MeshType::arch) {
-    const ArchParameters& a = mesh.arch;
-    return "arch of radius " + number_text(a.radius) + " m, thickness " + number_text(a.thickness) + " m, " +
-           number_text(a.embrace) + " degrees, " + counted(a.voussoirs, "voussoir") + ", " +
-           std::to_string(a.cells_radial) + " x " + std::to_string(a.cells_along) + ' ' + cells_text(a.cells) +
-           (a.pier_height > 0 ? ", piers of " + number_text(a.pier_height) + " m" : "");
-  }
   if (const auto* masonry = mesh.masonry()) return masonry->words();
   if (mesh.type == MeshType::stones) {
     const StonesParameters& s = mesh.stones;
@@ -55,7 +39,7 @@ std::string mesh_text(const MeshParameters& mesh) {
            (s.cells == StoneCells::tetrahedra ? ", tetrahedra" : "");
   }
   const GmshParameters& g = mesh.gmsh;
-  std::string text = g.file + ", " + cells_text(g.cells);
+  std::string text = g.file + ", " + words_of(g.cells);
   if (g.element_size > 0) text += ", element size " + number_text(g.element_size) + " m";
   for (const auto& [name, value] : g.geometry) text += ", " + name + " = " + number_text(value);
   return text;

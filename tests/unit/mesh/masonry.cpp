@@ -272,7 +272,7 @@ std::pair<int, double> counted(const BlockSource<3>& source) {
 TEUCHOS_UNIT_TEST(Masonry, CellsAreCountedBeforeTheyAreMade) {
   const auto check = [&](const MasonryParameters& p, const BlockSource<3>& source) {
     const auto [cells, longest] = counted(source);
-    TEST_FLOATING_EQUALITY(p.cells(), double(cells), 1e-12);
+    TEST_FLOATING_EQUALITY(p.cell_count(), double(cells), 1e-12);
     TEST_COMPARE(longest, <=, p.longest_edge() * (1 + 1e-12));
     TEST_COMPARE(longest, >=, p.longest_edge() * 0.94);
   };
