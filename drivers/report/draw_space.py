@@ -9,18 +9,13 @@ import numpy as np
 
 import draw_structure
 import hidden_lines
+import solids
 import view_in_space
 from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, legend, limits, outline_width, save
 from geometry import deformation_scale, deformed, factor_text, length_text
 from read_results import OPEN, SLIP, Step, is_mechanism
 
 TOWARDS_VIEWER = np.array([0.55, -1.0, 0.6]) / np.linalg.norm([0.55, -1.0, 0.6])
-# Corners of the faces of a hexahedron, counter-clockwise seen from outside.
-FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
-# Those of a tetrahedron, as quadrilaterals whose last two corners are one.
-TRIANGLES = np.array([[0, 2, 1, 1], [0, 1, 3, 3], [1, 2, 3, 3], [2, 0, 3, 3]])
-SAME_SIDE = np.cos(np.radians(10))  # faces of one side of a stone, between whose normals there is no more
-ROUND_OFF = 1e-9  # of the size of the structure: places that are one
 
 
 @dataclass
@@ -40,54 +35,14 @@ def screen():
     return np.stack([right, np.cross(TOWARDS_VIEWER, right)], 1)
 
 
-def all_faces(mesh):
-    """Faces of all cells, [faces, 4] nodes, and their stones. A tetrahedron in a table of width 8 repeats its last node."""
-    solid = np.zeros(len(mesh.cells), bool) if mesh.cells.shape[1] == 4 else mesh.cells[:, 4] != mesh.cells[:, 7]
-    faces = np.concatenate([mesh.cells[~solid][:, TRIANGLES].reshape(-1, 4)] + ([mesh.cells[solid][:, FACES].reshape(-1, 4)] if solid.any() else []))
-    return faces, np.concatenate([np.repeat(mesh.block_of_cell[~solid], len(TRIANGLES)), np.repeat(mesh.block_of_cell[solid], len(FACES))])
-
-
-def outer_faces(mesh):
-    """Faces of one cell alone that lie on no other stone, [faces, 4] nodes, and their stones."""
-    faces, block = all_faces(mesh)
-    size = np.ptp(mesh.coordinates, axis=0).max()
-    _, place = np.unique(np.round(mesh.coordinates / (ROUND_OFF * size)).astype(np.int64), axis=0, return_inverse=True)
-    corners = place.reshape(-1)[faces]
-    corners[faces[:, 2] == faces[:, 3], 3] = -1  # which corner a triangle has twice tells nothing
-    _, first, count = np.unique(np.sort(corners, 1), axis=0, return_index=True, return_counts=True)
-    alone = first[count == 1]
-    return faces[alone], block[alone]
-
-
-def normals(mesh, faces):
-    x = mesh.coordinates[faces]
-    normal = np.cross(x[:, 2] - x[:, 0], x[:, 3] - x[:, 1])
-    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-
-
-def edges_seen(mesh, faces):
-    """Edges of these faces but for those within one side of one stone, [edges, 2] nodes; stones share no nodes."""
-    edges = np.sort(np.concatenate([faces[:, [k, (k + 1) % 4]] for k in range(4)]), 1)
-    face = np.tile(np.arange(len(faces)), 4)
-    real = edges[:, 0] != edges[:, 1]
-    order = np.lexsort(edges[real].T)
-    edges, face = edges[real][order], face[real][order]
-    pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(1))  # an edge and the one after it
-    normal = normals(mesh, faces)
-    inner = pairs[(normal[face[pairs]] * normal[face[pairs + 1]]).sum(1) > SAME_SIDE]
-    seen = np.ones(len(edges), bool)
-    seen[inner] = seen[inner + 1] = False
-    return edges[seen]
-
-
 def projected(results):
     """The results as a plane structure, and the edges of its stones that are seen as it was built."""
     mesh, axes = results.mesh, screen()
-    faces, block = outer_faces(mesh)
-    facing = normals(mesh, faces) @ TOWARDS_VIEWER > 1e-6
+    faces, block = solids.outer_faces(mesh)
+    facing = solids.normals(mesh, faces) @ TOWARDS_VIEWER > 1e-6
     faces, block = faces[facing], block[facing]
     order = np.argsort(mesh.coordinates[faces].mean(1) @ TOWARDS_VIEWER, kind="stable")
-    pieces, *between = hidden_lines.cut(edges_seen(mesh, faces), len(mesh.coordinates))
+    pieces, *between = hidden_lines.cut(solids.outlines(mesh, faces), len(mesh.coordinates))
     places = hidden_lines.with_new_nodes(mesh.coordinates, *between) @ np.column_stack([axes, TOWARDS_VIEWER])
     seen = hidden_lines.seen(places[pieces].mean(1), places[faces])
     # Where every stone has a name of its own, colours are for sets of several.

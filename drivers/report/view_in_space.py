@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import draw_structure
+import solids
 from draw_common import SET_COLOURS, STONE
 from geometry import deformation_scale, force_text, length_text
 from read_results import BONDED, OPEN, SLIP, STICK, is_mechanism
@@ -18,9 +19,6 @@ from read_results import BONDED, OPEN, SLIP, STICK, is_mechanism
 THREE = Path("/usr/share/javascript/three")  # of the package libjs-three
 SCRIPTS = (THREE / "three.min.js", THREE / "examples" / "js" / "controls" / "OrbitControls.js",
            Path(__file__).resolve().parent / "view_in_space.js")
-# Corners of the faces of cells, counter-clockwise seen from outside; a triangle repeats its last corner.
-OF_HEXAHEDRON = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
-OF_TETRAHEDRON = np.array([[0, 2, 1, 1], [0, 1, 3, 3], [1, 2, 3, 3], [0, 3, 2, 2]])
 KINDS = 40           # of sets that a reader can choose from
 BYTES = 2_500_000    # of all displacements together
 SEEN = 0.06          # of the size: how far the largest displacement is drawn at first
@@ -30,33 +28,6 @@ WHOLE, HALF = 65535, 32767
 
 class NoScripts(OSError):
     """three.js is not there."""
-
-
-def surface(mesh):
-    """Faces of every stone that no other cell of it has, [faces, 4] nodes."""
-    cells = mesh.cells
-    is_hexahedron = cells[:, -1] != cells[:, -2] if cells.shape[1] == 8 else np.zeros(len(cells), bool)
-    faces = np.concatenate([cells[is_hexahedron][:, OF_HEXAHEDRON].reshape(-1, 4),
-                            cells[~is_hexahedron][:, OF_TETRAHEDRON].reshape(-1, 4)])
-    corners = np.where((faces[:, 2] == faces[:, 3])[:, None] & (np.arange(4) == 3), -1, faces)  # whichever a triangle repeats
-    _, first, count = np.unique(np.sort(corners, 1), axis=0, return_index=True, return_counts=True)
-    return faces[np.sort(first[count == 1])]
-
-
-def outlines(mesh, faces, bent=0.999):
-    """Edges at which the surface of a stone bends, [edges, 2] nodes."""
-    x = mesh.coordinates[faces]
-    normal = np.cross(x[:, 2] - x[:, 0], x[:, 3] - x[:, 1])
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-    pairs = np.concatenate([faces[:, [k, (k + 1) % 4]] for k in range(4)])
-    owner = np.tile(np.arange(len(faces)), 4)
-    real = pairs[:, 0] != pairs[:, 1]
-    pairs, owner = np.sort(pairs[real], 1), owner[real]
-    order = np.lexsort((pairs[:, 1], pairs[:, 0]))
-    pairs, owner = pairs[order], owner[order]
-    twin = np.flatnonzero((pairs[1:] == pairs[:-1]).all(1))
-    sharp = (normal[owner[twin]] * normal[owner[twin + 1]]).sum(1) < bent
-    return pairs[twin[sharp]]
 
 
 def packed(values, kind):
@@ -125,13 +96,12 @@ def colours_of_sets(mesh):
 def data_of(results):
     """The numbers of the view."""
     mesh, joints = results.mesh, results.joints
-    faces = surface(mesh)
-    edges = outlines(mesh, faces)
+    faces, _ = solids.surfaces(mesh)
+    edges = solids.outlines(mesh, faces)
     kept = np.unique(np.concatenate([faces.reshape(-1), joints.node_j]))
     new = np.zeros(len(mesh.coordinates), int)
     new[kept] = np.arange(len(kept))
     index = np.uint32 if len(kept) > WHOLE else np.uint16
-    triangles = np.concatenate([faces[:, [0, 1, 2]], faces[faces[:, 2] != faces[:, 3]][:, [0, 2, 3]]])
     block_of_node = np.zeros(len(mesh.coordinates), int)
     block_of_node[mesh.cells] = mesh.block_of_cell[:, None]
     x = mesh.coordinates[kept]
@@ -144,7 +114,7 @@ def data_of(results):
             "middle": ((x.min(0) + x.max(0)) / 2).tolist(), "stones": mesh.blocks,
             "places": packed(np.round((x - least) * (WHOLE / size)), np.uint16),
             "stone_of_node": packed(block_of_node[kept], np.uint32 if mesh.blocks > WHOLE else np.uint16),
-            "faces": packed(new[triangles], index), "edges": packed(new[edges], index), "points": packed(new[joints.node_j], index),
+            "faces": packed(new[solids.triangles(faces)], index), "edges": packed(new[edges], index), "points": packed(new[joints.node_j], index),
             "open": OPEN, "slip": SLIP, "stick": STICK, "pale": palette[0], "palette": palette, "sets": ways,
             "stages": told}
 
