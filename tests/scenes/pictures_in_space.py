@@ -2,7 +2,7 @@
 
 usage: pictures_in_space.py
 
-Set-up    A square over part of another one, seen from above; a point is hidden where it lies inside the square before it.
+Set-up    A square over part of another one, seen from above; a point is hidden where it lies inside the square in front of it.
 """
 
 import pathlib
