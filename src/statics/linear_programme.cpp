@@ -24,14 +24,27 @@ struct LinearProgramme::Parts {
   std::vector<CoinBigIndex> start{0};
   std::vector<int> row;
   bool loaded = false;
+  std::size_t given = 0;  ///< columns that CLP has
 
   void load() {
-    if (loaded) return;
+    if (loaded) return give_columns();
     const int columns = static_cast<int>(lower.size());
     const CoinPackedMatrix matrix(true, static_cast<int>(row_lower.size()), columns, start.back(), value.data(),
                                   row.data(), start.data(), nullptr);
     simplex.loadProblem(matrix, lower.data(), upper.data(), cost.data(), row_lower.data(), row_upper.data());
     loaded = true;
+    given = lower.size();
+  }
+
+  /// Those that were added, all at once: CLP copies its whole matrix for each call.
+  void give_columns() {
+    if (given == lower.size()) return;
+    const auto first = start[given];
+    std::vector<CoinBigIndex> begins;
+    for (std::size_t k = given; k < start.size(); ++k) begins.push_back(start[k] - first);
+    simplex.addColumns(static_cast<int>(lower.size() - given), lower.data() + given, upper.data() + given,
+                       cost.data() + given, begins.data(), row.data() + first, value.data() + first);
+    for (; given < lower.size(); ++given) simplex.setColumnStatus(static_cast<int>(given), ClpSimplex::atLowerBound);
   }
 };
 
@@ -56,7 +69,6 @@ int LinearProgramme::add_row(double lower, double upper) {
 int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lower, double upper, double cost) {
   VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   auto& p = *parts_;
-  const auto first = p.row.size();
   for (const auto& e : entries) {
     if (e.value == 0) continue;
     p.row.push_back(e.row);
@@ -66,11 +78,6 @@ int LinearProgramme::add_column(std::vector<ProgrammeEntry> entries, double lowe
   p.lower.push_back(bound(lower));
   p.upper.push_back(bound(upper));
   p.cost.push_back(cost);
-  if (p.loaded) {
-    p.simplex.addColumn(static_cast<int>(p.row.size() - first), p.row.data() + first, p.value.data() + first,
-                        p.lower.back(), p.upper.back(), cost);
-    p.simplex.setColumnStatus(columns() - 1, ClpSimplex::atLowerBound);
-  }
   return columns() - 1;
 }
 
@@ -87,13 +94,14 @@ void LinearProgramme::set_column(int column, double lower, double upper) {
   VOUSSOIR_EXPECT(lower <= upper && "bounds: ascending");
   parts_->lower[static_cast<std::size_t>(column)] = bound(lower);
   parts_->upper[static_cast<std::size_t>(column)] = bound(upper);
-  if (parts_->loaded) parts_->simplex.setColumnBounds(column, bound(lower), bound(upper));
+  if (static_cast<std::size_t>(column) < parts_->given)
+    parts_->simplex.setColumnBounds(column, bound(lower), bound(upper));
 }
 
 void LinearProgramme::set_cost(int column, double cost) {
   VOUSSOIR_EXPECT(column >= 0 && column < columns() && "column: of the programme");
   parts_->cost[static_cast<std::size_t>(column)] = cost;
-  if (parts_->loaded) parts_->simplex.setObjectiveCoefficient(column, cost);
+  if (static_cast<std::size_t>(column) < parts_->given) parts_->simplex.setObjectiveCoefficient(column, cost);
 }
 
 int LinearProgramme::rows() const { return static_cast<int>(parts_->row_lower.size()); }
@@ -101,6 +109,7 @@ int LinearProgramme::columns() const { return static_cast<int>(parts_->lower.siz
 
 ProgrammeBasis LinearProgramme::basis() const {
   if (!parts_->loaded) return {};
+  parts_->give_columns();
   const unsigned char* status = parts_->simplex.statusArray();
   return {status, status + columns() + rows()};
 }

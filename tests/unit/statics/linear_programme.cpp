@@ -67,6 +67,24 @@ TEUCHOS_UNIT_TEST(LinearProgramme, BeginsFromTheBasisOfAnotherAndEndsAtItsOwnAns
   TEST_FLOATING_EQUALITY(small.maximise().value, 6.0, close);
 }
 
+TEUCHOS_UNIT_TEST(LinearProgramme, GoesOnWithColumnsThatAreAddedAndChangedBeforeItIsAskedAgain) {
+  auto p = workshop();
+  p.maximise();
+  p.add_column({{2, 1}}, 0, endless, 0);  // at a worth of 1 for the third bound: one by one, then changed
+  const int dear = p.add_column({{2, 1}}, 0, endless, 0);
+  p.add_column({{1, 4}}, 0, endless, 1);
+  p.set_cost(dear, 4);
+  p.set_column(dear, 0, 5);
+  const auto found = p.maximise();
+  TEST_ASSERT(found.end == ProgrammeEnd::optimal);
+  TEST_FLOATING_EQUALITY(found.value, 51.0, close);  // 5 of it and of y 6, x 1/3
+  TEST_FLOATING_EQUALITY(found.x[static_cast<std::size_t>(dear)], 5.0, close);
+  TEST_EQUALITY(p.basis().size(), 8);
+  p.add_column({{2, 1}}, 0, endless, 5);
+  TEST_EQUALITY(p.basis().size(), 9);
+  TEST_FLOATING_EQUALITY(p.maximise_from_prices().value, 93.0, close);  // 18 of it, and 3 of the one before
+}
+
 TEUCHOS_UNIT_TEST(LinearProgramme, TellsWhatCannotBeMetFromWhatHasNoEnd) {
   LinearProgramme contradicts;
   contradicts.add_row(1, 1);
