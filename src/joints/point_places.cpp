@@ -47,10 +47,10 @@ std::vector<int> same_places(const std::vector<PointPlace>& points, const std::v
     if (joint == of_joint.end()) continue;
     for (const int k : joint->second) {
       if (taken[k] || norm(others[k].place - p.place) > near || !on_same_side(others[k].normal, p.normal)) continue;
-      taken[k] = 1;
-      same.back() = k;
-      break;
+      const int best = same.back();  // of a fold, whose points lie in one place, that of the same part
+      if (best < 0 || dot(others[k].normal, p.normal) > dot(others[best].normal, p.normal)) same.back() = k;
     }
+    if (same.back() >= 0) taken[same.back()] = 1;
   }
   return same;
 }

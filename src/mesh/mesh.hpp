@@ -27,7 +27,7 @@ struct Cell {
 struct TaggedFacet {
   std::array<int, 4> node{};  ///< local node numbers; a triangle has its last one twice
   int count = 0;              ///< 2 in 2D, 3 or 4 in 3D
-  int set = 0;                ///< index into BlockSource::facet_sets()
+  int set = 0;                ///< index into BlockSource::facet_sets(); below 0: -1 - part of a bent joint, of no set
 };
 
 /// Mesh of one block.
@@ -38,7 +38,7 @@ struct Block {
   std::vector<Vector<dim>> position;  ///< [m] per node
   std::vector<VertexId> vertex;       ///< per node; equal for coincident nodes of touching blocks
   std::vector<Cell> cells;
-  std::vector<TaggedFacet> facets;  ///< only those in a named set
+  std::vector<TaggedFacet> facets;  ///< only those in a named set, or of a joint with parts in planes of their own
   std::vector<int> sets;            ///< indices into BlockSource::block_sets(), ascending
 };
 

@@ -157,20 +157,62 @@ class Ends {
   double low_, high_;
 };
 
+/// @param nodes  of its stone, ascending
+TaggedFacet facet_of(const Triangle& t, const std::vector<int>& nodes, int set) {
+  TaggedFacet facet;
+  facet.count = 3;
+  facet.set = set;
+  for (int k = 0; k < 3; ++k)
+    facet.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), t[k]) - nodes.begin());
+  facet.node[3] = facet.node[2];  // a quadrilateral with two corners in one place has the integrals of the triangle
+  return facet;
+}
+
 void add_free_triangles(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones,
                         const Ends& ends, BlockList<3>& list) {
   for (std::size_t c = 0; c < s.imprint.cells.size(); ++c) {
     if (s.imprint.other[c] >= 0) continue;
     const auto& nodes = stones[s.imprint.cells[c].stone].nodes;
-    for (const auto& t : skins.triangles[c]) {
-      TaggedFacet facet;
-      facet.count = 3;
-      facet.set = s.imprint.cells[c].facet;
-      for (int k = 0; k < 3; ++k)
-        facet.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), t[k]) - nodes.begin());
-      facet.node[3] = facet.node[2];  // a quadrilateral with two corners in one place has the integrals of the triangle
-      ends.add(facet, s.imprint.cells[c].stone, list);
+    for (const auto& t : skins.triangles[c])
+      ends.add(facet_of(t, nodes, s.imprint.cells[c].facet), s.imprint.cells[c].stone, list);
+  }
+}
+
+/// Per joint which part it is of what its two stones share, -1 where that has one part: joints whose planes are within
+/// 5 degrees of each other, directly or through others, are one, as facets of something curved are.
+std::vector<int> parts_of_joints(const StoneJoints& all) {
+  std::vector<int> part(all.joints.size(), -1);
+  std::map<std::array<int, 2>, std::vector<std::size_t>> of_pair;
+  for (std::size_t k = 0; k < all.joints.size(); ++k) of_pair[all.joints[k].stone].push_back(k);
+  for (const auto& [pair, joints] : of_pair) {
+    int parts = 0;
+    for (const auto first : joints) {
+      if (part[first] >= 0) continue;
+      part[first] = parts++;
+      for (std::vector<std::size_t> next{first}; !next.empty();) {
+        const auto k = next.back();
+        next.pop_back();
+        for (const auto j : joints) {
+          if (part[j] >= 0 || dot(all.joints[k].normal, all.joints[j].normal) < opposed) continue;
+          part[j] = part[k];
+          next.push_back(j);
+        }
+      }
     }
+    if (parts == 1)
+      for (const auto k : joints) part[k] = -1;
+  }
+  return part;
+}
+
+/// Marks faces of joints by their part, so that each has points of its own: a fold that is drawn is none of a mesh.
+void mark_parts(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones, BlockList<3>& list) {
+  const auto part = parts_of_joints(s.joints);
+  for (std::size_t c = 0; c < s.imprint.cells.size(); ++c) {
+    const auto& cell = s.imprint.cells[c];
+    if (s.imprint.other[c] < 0 || cell.joint < 0 || part[cell.joint] < 0) continue;
+    for (const auto& t : skins.triangles[c])
+      list.blocks[cell.stone].facets.push_back(facet_of(t, stones[cell.stone].nodes, -1 - part[cell.joint]));
   }
 }
 
@@ -214,6 +256,7 @@ void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, 
   }
   if (!faults.empty()) refuse_unfilled(faults, stones.size());
   add_free_triangles(s, skins, stones, ends, result.list);
+  mark_parts(s, skins, stones, result.list);
 }
 
 }  // namespace

@@ -123,6 +123,43 @@ TEUCHOS_UNIT_TEST(StoneMeshes, AreAsFineInOtherUnits) {
   }
 }
 
+/// A stone on another whose top is drawn over places of the plane of x and z.
+std::vector<StoneSurface> on_top_of(const std::vector<Vector<2>>& top) {
+  std::vector<Vector<2>> below{{-1, -1}, {1, -1}}, above(top);
+  below.insert(below.end(), top.rbegin(), top.rend());
+  above.insert(above.end(), {{1, 1}, {-1, 1}});
+  return {prism("below", below, 0, 1, 0, 2), prism("above", above, 0, 1, 0, 2)};
+}
+
+std::vector<PointInSpace> points_between(const std::vector<StoneSurface>& stones) {
+  const auto blocks = mesh_stones(structure_of(stones, tetrahedra())).list.blocks;
+  return points_of_joint(blocks[0], border_faces({blocks[0]}), blocks[1], border_faces({blocks[1]}));
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, HavePointsOfTheirOwnOnBothSidesOfAFoldThatIsDrawn) {
+  const auto points = points_between(on_top_of({{-1, -0.1}, {0, 0}, {1, -0.1}}));
+  std::map<VertexId, int> at_vertex;
+  for (const auto& p : points) {
+    ++at_vertex[p.vertex];
+    TEST_FLOATING_EQUALITY(std::abs(p.normal[0] / p.normal[2]), 0.1, 1e-9);
+  }
+  int folded = 0;
+  for (const auto& [vertex, count] : at_vertex) folded += count == 2;
+  TEST_COMPARE(folded, >=, 3);
+}
+
+TEUCHOS_UNIT_TEST(StoneMeshes, HaveMeanNormalsBetweenFacetsOfSomethingCurved) {
+  const auto points = points_between(on_top_of({{-1, -0.06}, {-0.4, 0}, {0.4, 0}, {1, -0.06}}));  // by 5.7 degrees each
+  const auto flat = points_between(on_top_of({{-1, -0.03}, {-0.4, 0}, {0.4, 0}, {1, -0.03}}));    // by 2.9
+  const auto doubled = [](const std::vector<PointInSpace>& all) {
+    std::set<VertexId> vertices;
+    for (const auto& p : all) vertices.insert(p.vertex);
+    return all.size() - vertices.size();
+  };
+  TEST_COMPARE(doubled(points), >=, 4);
+  TEST_EQUALITY(doubled(flat), 0);
+}
+
 TEUCHOS_UNIT_TEST(StoneMeshes, HaveContactPointsThatStandForTheWholeJoint) {
   for (const auto cells : {StoneCells::tetrahedra, StoneCells::by_shape}) {
     StonesParameters p;
