@@ -78,6 +78,12 @@ struct PointStiffness {
   /// Tangential stiffness, tangents counted from 0.
   double along(int row, int column) const { return tangential[row + column]; }
   bool resists_slip() const { return tangential[0] > 0 || tangential[2] > 0; }
+  /// Whether it can slip along some tangent without a force.
+  bool gives_way(int tangents) const {
+    const double round_off = 1e-12 * (tangential[0] + tangential[2]) * (tangential[0] + tangential[2]);
+    const double both = tangential[0] * tangential[2] - tangential[1] * tangential[1];
+    return tangents == 1 ? !(tangential[0] > 0) : !(both > round_off);
+  }
   /// Whether a system with it is not symmetric, or not positive.
   bool couples() const { return coupling[0] != 0 || coupling[1] != 0 || pull[0] != 0 || pull[1] != 0 || softens(); }
   /// Slides along a unit vector s of the tangents: friction follows the pressure, and the direction turns.

@@ -293,7 +293,6 @@ LinearSolveResult ContactProblem::solve(const std::vector<PointStiffness>& stiff
 }
 
 PatchSource* ContactProblem::patches() {
-  if (dim_ != 2) return nullptr;
   if (!patches_)
     patches_ = std::make_unique<PatchCutter>(
         PatchCutter::Parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this});

@@ -1,7 +1,6 @@
 #include "model/patch_cutter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -50,15 +49,15 @@ bool PatchCutter::find_stuck(const TpetraVector& x, const PointField& lambda, do
   const double* off = local_view(residual);
   for (int i = 0; i < s.nodes(); ++i) {
     if (cluster[i] >= parts_.space.owned_clusters()) continue;
-    for (int c = 0; c < dim; ++c)
-      if (std::abs(off[dim * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
+    for (int c = 0; c < dim_; ++c)
+      if (std::abs(off[dim_ * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
   }
   PointField lawful;
   lawful_forces(problem, CurrentLaws(problem, {}, lambda, gap_), lambda, gap_, lawful);
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k]) continue;
     const auto& joint = parts_.points.joint_of(k);
-    for (int c = dim * k; c < dim * (k + 1); ++c)
+    for (int c = dim_ * k; c < dim_ * (k + 1); ++c)
       if (std::abs(lawful[c] - lambda[c]) > threshold) mine.insert(mine.end(), {joint.block_i, joint.block_j});
   }
   stuck_ = over_ranks(mine, *s.comm());
@@ -144,7 +143,7 @@ double PatchCutter::group(bool all_that_parted) {
   double mine = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.nodes_of(b);
-    if (patch_of_block(block.id) >= 0) mine += dim * static_cast<double>(block.nodes);
+    if (patch_of_block(block.id) >= 0) mine += dim_ * static_cast<double>(block.nodes);
   }
   return total_over_ranks(*s.comm(), mine) / static_cast<double>(parts_.space.map()->getGlobalNumElements());
 }
@@ -153,8 +152,8 @@ std::vector<PatchCutter::Unknown> PatchCutter::unknowns(const TpetraVector& x, c
   const auto& space = parts_.space;
   const double *at = local_view(x), *from = local_view(start), *linear = local_view(*linear_);
   std::vector<Unknown> list;
-  for (int i = 0; i < dim * space.owned_clusters(); ++i) {
-    const int patch = cluster_patch_[i / dim];
+  for (int i = 0; i < dim_ * space.owned_clusters(); ++i) {
+    const int patch = cluster_patch_[i / dim_];
     if (patch < 0 || space.held()[i]) continue;
     list.push_back({space.map()->getGlobalElement(i), patch, linear[i], from[i] - at[i], parts_.proximal_weight[i]});
   }
@@ -169,10 +168,10 @@ std::vector<PatchCutter::Entry> PatchCutter::entries() const {
   for (int b = 0; b < parts_.structure.local_blocks(); ++b) {
     const auto& block = parts_.structure.nodes_of(b);
     const auto& k = *block.stiffness;
-    const auto unknown = [&](int i) { return dim * space.cluster()[block.first_local + i / dim] + i % dim; };
+    const auto unknown = [&](int i) { return dim_ * space.cluster()[block.first_local + i / dim_] + i % dim_; };
     for (int i = 0; i < k.rows(); ++i) {
       const int row = unknown(i);
-      if (row >= dim * space.owned_clusters() || cluster_patch_[row / dim] < 0 || space.held()[row]) continue;
+      if (row >= dim_ * space.owned_clusters() || cluster_patch_[row / dim_] < 0 || space.held()[row]) continue;
       for (int e = k.start[i]; e < k.start[i + 1]; ++e)
         list.push_back({columns.getGlobalElement(row), columns.getGlobalElement(unknown(k.column[e])), k.value[e]});
     }
@@ -195,18 +194,18 @@ PointOfPatch PatchCutter::of_patch(int k, const PointLaw& law, const PointField&
                                    const PointStiffness& resistance) const {
   const auto& problem = parts_.problem;
   PointOfPatch q;
-  for (int a = 0; a < dim; ++a) q.axis[a] = in_plane(parts_.points.points()[k].axis[a]);
+  for (int a = 0; a < dim_; ++a) q.axis[a] = parts_.points.points()[k].axis[a];
   q.law = law;
   q.local_stiffness = problem.local_stiffness()[k];
   if (!problem.compliance().empty()) q.compliance = problem.compliance()[k];
-  for (int c = 0; c < dim; ++c) {
-    if (!problem.slip_origin().empty()) q.slip_origin[c] = problem.slip_origin()[dim * k + c];
-    q.gap[c] = gap_[dim * k + c];
-    q.force[c] = lambda[dim * k + c];
+  for (int c = 0; c < dim_; ++c) {
+    if (!problem.slip_origin().empty()) q.slip_origin[c] = problem.slip_origin()[dim_ * k + c];
+    q.gap[c] = gap_[dim_ * k + c];
+    q.force[c] = lambda[dim_ * k + c];
   }
   q.resistance = resistance;
   // Points that slip on what holds still would let the neighbours of stuck blocks go without end.
-  if (!q.resistance.resists_slip() && q.resistance.normal > 0)
+  if (q.resistance.normal > 0 && q.resistance.gives_way(dim_ - 1))
     q.resistance = {q.resistance.normal, stiffness_of(problem, k, 1, 1.0)};
   return q;
 }
@@ -224,8 +223,8 @@ PatchCutter::PointsAndShares PatchCutter::points(const PointField& lambda,
     if (touched.empty()) continue;
     std::vector<Share> shares;
     parts_.points.at(k).each([&](int node, double weight) {
-      for (int c = 0; c < dim; ++c) {
-        const int unknown = dim * space.cluster()[node] + c;
+      for (int c = 0; c < dim_; ++c) {
+        const int unknown = dim_ * space.cluster()[node] + c;
         shares.push_back({space.held()[unknown] ? -1 : space.column_map()->getGlobalElement(unknown), c, weight});
       }
     });
@@ -291,6 +290,7 @@ std::vector<CutPatch> PatchCutter::cut(const TpetraVector& x, const PointField& 
   std::vector<CutPatch> patches;
   for (int patch = comm.getRank(); patch < patches_; patch += comm.getSize()) {
     auto& parts = mine(patch)->parts;
+    parts.components = dim_;
     parts.force_scale = request.scale;
     parts.length_scale = parts_.structure.size();
     patches.push_back({patch, std::move(parts)});
@@ -308,7 +308,7 @@ void PatchCutter::put_back(const std::vector<SolvedPatch>& solved, TpetraVector&
   const auto tell = [&](const auto& id, const auto& before, const auto& after) {
     for (std::size_t k = 0; k < id.size(); ++k) {
       force.push_back({id[k], {}});
-      for (int c = 0; c < dim; ++c) force.back().change[c] = after[k].force[c] - before[k].force[c];
+      for (int c = 0; c < dim_; ++c) force.back().change[c] = after[k].force[c] - before[k].force[c];
     }
   };
   for (const auto& patch : solved) {
@@ -322,13 +322,13 @@ void PatchCutter::put_back(const std::vector<SolvedPatch>& solved, TpetraVector&
     const auto local = x.getMap()->getLocalElement(m.id);
     if (local != Teuchos::OrdinalTraits<LocalOrdinal>::invalid()) value[local] += m.by;
   }
-  std::unordered_map<PointId, std::array<double, dim>> change;
+  std::unordered_map<PointId, Vector<3>> change;
   for (const auto& f : all_gather(force, comm))
-    for (int c = 0; c < dim; ++c) change[f.id][c] += f.change[c];
+    for (int c = 0; c < dim_; ++c) change[f.id][c] += f.change[c];
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto found = change.find(parts_.points.points()[k].id);
     if (found == change.end()) continue;
-    for (int c = 0; c < dim; ++c) lambda[dim * k + c] += found->second[c];
+    for (int c = 0; c < dim_; ++c) lambda[dim_ * k + c] += found->second[c];
   }
   measured_ = false;
 }

@@ -12,7 +12,6 @@
 
 namespace voussoir {
 
-/// Of the plane: patches have two components.
 class PatchCutter : public PatchSource {
  public:
   /// The problem that patches are cut from; must outlive the cutter.
@@ -23,7 +22,7 @@ class PatchCutter : public PatchSource {
     const std::vector<double>& proximal_weight;
     NonlinearProblem& problem;
   };
-  explicit PatchCutter(const Parts& parts) : parts_(parts) {}
+  explicit PatchCutter(const Parts& parts) : parts_(parts), dim_(parts.points.components()) {}
 
   bool find_stuck(const TpetraVector& x, const PointField& lambda, double threshold) override;
   bool parts_together() const override { return together_; }
@@ -34,7 +33,6 @@ class PatchCutter : public PatchSource {
   bool keep_stuck(const std::vector<int>& numbers) override;
 
  private:
-  static constexpr int dim = PatchMessages::dim;
   using Unknown = PatchMessages::Unknown;
   using Entry = PatchMessages::Entry;
   using Point = PatchMessages::Point;
@@ -65,6 +63,7 @@ class PatchCutter : public PatchSource {
   Mine* mine(int patch);
 
   Parts parts_;
+  int dim_;
   Teuchos::RCP<TpetraVector> linear_;  ///< K x - f
   PointField gap_;
   std::vector<BlockId> stuck_;  ///< ascending, the same on every rank

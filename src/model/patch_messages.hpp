@@ -11,7 +11,6 @@ namespace voussoir {
 
 /// Numbers of unknowns and points are those of the whole structure, -1 where a support holds.
 struct PatchMessages {
-  static constexpr int dim = 2;
   struct Unknown {
     GlobalOrdinal id;
     int patch;
@@ -39,7 +38,7 @@ struct PatchMessages {
   };
   struct Force {
     PointId id;
-    double change[dim];  ///< [N]
+    double change[3];  ///< [N] of which the plane has two
   };
 };
 

@@ -15,10 +15,16 @@
 
 namespace voussoir {
 
-std::array<double, 2> PatchPoint::motion(const double* displacement) const {
-  std::array<double, 2> sum{};
-  for (int a = 0; a < 2; ++a)
+Vector<3> PatchPoint::motion(const double* displacement) const {
+  Vector<3> sum{};
+  for (int a = 0; a < 3; ++a)
     for (const auto& s : shares) sum[a] += share(s, a) * displacement[s.unknown];
+  return sum;
+}
+
+double PatchPoint::force_on(const PatchShare& s, const double* of_point, int components) const {
+  double sum = 0;
+  for (int a = 0; a < components; ++a) sum += share(s, a) * of_point[a];
   return sum;
 }
 
@@ -31,14 +37,13 @@ Patch::Patch(PatchParts parts, const MethodParameters& methods)
     law_.set(k, p.law);
     local_stiffness_.push_back(p.local_stiffness);
     compliance_.push_back(p.compliance);
-    slip_origin_.insert(slip_origin_.end(), p.slip_origin.begin(), p.slip_origin.end());
+    slip_origin_.insert(slip_origin_.end(), p.slip_origin.begin(), p.slip_origin.begin() + parts_.components);
   }
   set_pattern();
   for (const auto& e : parts_.stiffness) entry(stiffness_, e.row, e.column) += e.value;
   for (const auto& p : parts_.border) {
     add(p, p.resistance, stiffness_);
-    for (const auto& s : p.shares)
-      parts_.imbalance[s.unknown] -= p.share(s, 0) * p.force[0] + p.share(s, 1) * p.force[1];
+    for (const auto& s : p.shares) parts_.imbalance[s.unknown] -= p.force_on(s, p.force.data(), parts_.components);
   }
 }
 
@@ -71,9 +76,10 @@ double& Patch::entry(LocalCsr& a, int row, int column) const {
 void Patch::add(const PatchPoint& p, const PointStiffness& d, LocalCsr& to) const {
   for (const auto& row : p.shares)
     for (const auto& column : p.shares) {
-      const double normal = p.share(column, 0), tangential = p.share(column, 1);
-      entry(to, row.unknown, column.unknown) += p.share(row, 0) * (d.normal * normal + d.pull[0] * tangential) +
-                                                p.share(row, 1) * (d.along(0, 0) * tangential + d.coupling[0] * normal);
+      Vector<3> motion{}, force{};
+      for (int a = 0; a < parts_.components; ++a) motion[a] = p.share(column, a);
+      d.yield(motion.data(), parts_.components, force.data());
+      entry(to, row.unknown, column.unknown) -= p.force_on(row, force.data(), parts_.components);
     }
 }
 
@@ -81,7 +87,8 @@ void Patch::evaluate(const TpetraVector& x, TpetraVector& r, PointField& gap) {
   evaluate_direction(x, r, gap);
   double* imbalance = local_view_to_write(r);
   for (std::size_t i = 0; i < parts_.imbalance.size(); ++i) imbalance[i] += parts_.imbalance[i];
-  for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += parts_.points[i / 2].gap[i % 2];
+  const auto n = static_cast<std::size_t>(parts_.components);
+  for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += parts_.points[i / n].gap[i % n];
 }
 
 void Patch::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointField& gap) {
@@ -90,7 +97,7 @@ void Patch::evaluate_direction(const TpetraVector& d, TpetraVector& y, PointFiel
   gap.clear();
   for (const auto& p : parts_.points) {
     const auto motion = p.motion(displacement);
-    gap.insert(gap.end(), motion.begin(), motion.end());
+    gap.insert(gap.end(), motion.begin(), motion.begin() + parts_.components);
   }
 }
 
@@ -98,8 +105,7 @@ void Patch::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
   double* value = local_view_to_write(r);
   for (std::size_t k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points[k];
-    for (const auto& s : p.shares)
-      value[s.unknown] -= p.share(s, 0) * lambda[2 * k] + p.share(s, 1) * lambda[2 * k + 1];
+    for (const auto& s : p.shares) value[s.unknown] -= p.force_on(s, &lambda[k * parts_.components], parts_.components);
   }
 }
 
@@ -143,11 +149,12 @@ bool Patch::solve(double tolerance, NewtonReport& report) {
   TpetraVector x(map_);
   std::copy(parts_.start.begin(), parts_.start.end(), local_view_to_write(x));
   PointField lambda;
-  for (const auto& p : parts_.points) lambda.insert(lambda.end(), p.force.begin(), p.force.end());
+  const auto n = static_cast<std::size_t>(parts_.components);
+  for (const auto& p : parts_.points) lambda.insert(lambda.end(), p.force.begin(), p.force.begin() + parts_.components);
   if (!come_to_rest(x, lambda, tolerance, report)) return false;
   const double* moved = local_view(x);
   displacement_.assign(moved, moved + parts_.imbalance.size());
-  for (std::size_t i = 0; i < lambda.size(); ++i) parts_.points[i / 2].force[i % 2] = lambda[i];
+  for (std::size_t i = 0; i < lambda.size(); ++i) parts_.points[i / n].force[i % n] = lambda[i];
   yield_at_the_border();
   return true;
 }
@@ -156,8 +163,8 @@ void Patch::yield_at_the_border() {
   for (auto& p : parts_.border) {
     const auto motion = p.motion(displacement_.data());
     const auto before = p.force;
-    p.resistance.yield(motion.data(), 2, p.force.data());
-    for (int c = 0; c < 2; ++c) passed_on_ = std::max(passed_on_, std::abs(p.force[c] - before[c]));
+    p.resistance.yield(motion.data(), parts_.components, p.force.data());
+    for (int c = 0; c < parts_.components; ++c) passed_on_ = std::max(passed_on_, std::abs(p.force[c] - before[c]));
   }
 }
 

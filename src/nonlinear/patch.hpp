@@ -35,7 +35,7 @@ class Patch : public NonlinearProblem {
   const std::vector<PatchPoint>& solved_border() const { return parts_.border; }
 
   Teuchos::RCP<const TpetraMap> map() const override { return map_; }
-  int components() const override { return 2; }
+  int components() const override { return parts_.components; }
   int points() const override { return static_cast<int>(parts_.points.size()); }
   int owned_points() const override { return points(); }
   const std::vector<char>& selected() const override { return selected_; }

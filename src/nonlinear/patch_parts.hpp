@@ -4,19 +4,20 @@
 #include <array>
 #include <vector>
 
+#include "base/tensor.hpp"
 #include "joints/contact_law.hpp"
 
 namespace voussoir {
 
-/// What a contact point is, wherever its nodes are.
+/// What a contact point is, wherever its nodes are. In the plane the third of all is nothing.
 struct PointOfPatch {
-  std::array<std::array<double, 2>, 2> axis{};  ///< normal, tangent
+  std::array<Vector<3>, 3> axis{};  ///< normal, tangents
   PointLaw law;
   double local_stiffness = 0;  ///< [N/m]
   PointCompliance compliance;
-  std::array<double, 2> slip_origin{}, gap{};  ///< [m] where the stones are
-  std::array<double, 2> force{};               ///< [N]
-  PointStiffness resistance;                   ///< at the border
+  Vector<3> slip_origin{}, gap{};  ///< [m] where the stones are
+  Vector<3> force{};               ///< [N]
+  PointStiffness resistance;       ///< at the border
 };
 
 /// An unknown that moves a point, along an axis of the drawing; what holds still has none.
@@ -31,8 +32,10 @@ struct PatchPoint : PointOfPatch {
 
   /// How far an unknown moves its gap along an axis.
   double share(const PatchShare& s, int along) const { return s.weight * axis[along][s.component]; }
+  /// What a force [N] along its axes does to an unknown.
+  double force_on(const PatchShare&, const double* of_point, int components) const;
   /// Motion of its gap when the unknowns move [m].
-  std::array<double, 2> motion(const double* displacement) const;
+  Vector<3> motion(const double* displacement) const;
 };
 
 /// What a patch is made of.
@@ -41,6 +44,7 @@ struct PatchParts {
     int row = 0, column = 0;
     double value = 0;
   };
+  int components = 0;                   ///< of its points
   std::vector<double> imbalance;        ///< [N] of each unknown: K u - f without the forces of its points
   std::vector<double> start;            ///< [m] from where the stones are to where the path begins
   std::vector<double> proximal_weight;  ///< [N/m]

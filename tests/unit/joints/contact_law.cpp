@@ -208,6 +208,19 @@ TEUCHOS_UNIT_TEST(PointStiffness, IsTheDerivativeOfAForceThatSlides) {
 }
 
 // The force of a law A changes by -A times what stones move, which is the whole motion and what mortar C gives way.
+TEUCHOS_UNIT_TEST(PointStiffness, GivesWayWhereSomeTangentDoes) {
+  PointStiffness sticks(3, 2), slides(3, 0), turns;
+  const double along[] = {0.6, 0.8};
+  turns.slide(along, 2, 0, 5);
+  for (const int tangents : {1, 2}) {
+    TEST_ASSERT(!sticks.gives_way(tangents));
+    TEST_ASSERT(slides.gives_way(tangents));
+  }
+  TEST_ASSERT(turns.gives_way(2));
+  turns.slide(along, 2, 0, 5, 1);
+  TEST_ASSERT(!turns.gives_way(2));
+}
+
 TEUCHOS_UNIT_TEST(PointStiffness, WithMortarInSeriesIsThatOfWhatStonesMove) {
   std::mt19937 chance(5);
   std::uniform_real_distribution<double> number(-1, 1);

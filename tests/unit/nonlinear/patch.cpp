@@ -2,6 +2,7 @@
 #include "nonlinear/patch.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
 
 #include "nonlinear/contact_solver.hpp"
 #include "unit/nonlinear/slider.hpp"
@@ -27,6 +28,58 @@ TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
   TEST_ASSERT(patch.solve(1e-9, report));
   TEST_COMPARE(std::abs(patch.displacement()[0]), <, 1e-9);
   TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], push, 1e-6);
+}
+
+/// The slider in space, on springs along x and y, pushed in a direction that is neither.
+PatchParts parts_in_space(double friction, double angle) {
+  PatchParts parts;
+  parts.components = 3;
+  parts.imbalance = {-push * std::cos(angle), -push * std::sin(angle), weight};
+  parts.start = {0, 0, 0};
+  parts.proximal_weight = {1e-6, 1e-6, 1e-6};
+  parts.stiffness = {{0, 0, spring}, {1, 1, spring}, {2, 2, 1e-6}};
+  parts.force_scale = weight;
+  parts.length_scale = 1;
+  PatchPoint p;
+  p.shares = {{0, 0, 1.0}, {1, 1, 1.0}, {2, 2, 1.0}};
+  p.axis = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+  p.law.friction = friction;
+  p.local_stiffness = stone;
+  parts.points = {p};
+  return parts;
+}
+
+TEUCHOS_UNIT_TEST(Patch, SlidesInAnyDirectionOfSpace) {
+  for (const double angle : {0.0, 0.7, 2.4}) {
+    Patch patch(parts_in_space(0.3, angle));
+    NewtonReport report;
+    TEST_ASSERT(patch.solve(1e-9, report));
+    const double way = (push - 0.3 * weight) / spring;
+    const auto& force = patch.solved_points()[0].force;
+    TEST_COMPARE(
+        std::hypot(patch.displacement()[0] - way * std::cos(angle), patch.displacement()[1] - way * std::sin(angle)), <,
+        1e-6 * way);
+    TEST_FLOATING_EQUALITY(force[0], weight, 1e-6);
+    TEST_COMPARE(std::hypot(force[1] + 0.3 * weight * std::cos(angle), force[2] + 0.3 * weight * std::sin(angle)), <,
+                 1e-4 * weight);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Patch, BorderOfSpaceBearsAlongAllItsAxes) {
+  auto parts = parts_in_space(0.3, 0.0);
+  auto border = parts.points[0];
+  parts.points.clear();
+  border.resistance = {2 * spring, 3 * spring};
+  border.resistance.tangential[2] = 4 * spring;
+  parts.border = {border};
+  parts.imbalance = {-push, -push, -push};
+  parts.stiffness = {{0, 0, spring}, {1, 1, spring}, {2, 2, spring}};
+  Patch patch(parts);
+  NewtonReport report;
+  TEST_ASSERT(patch.solve(1e-9, report));
+  const double shares[] = {4, 5, 3};  // of the springs and the border together
+  for (int c = 0; c < 3; ++c) TEST_FLOATING_EQUALITY(patch.displacement()[c], push / (shares[c] * spring), 1e-6);
+  TEST_FLOATING_EQUALITY(patch.passed_on(), push * 4 / 5, 1e-6);
 }
 
 // A second unknown that nothing holds, not even a proximal term: no way of the patch has a regular system, and both end
@@ -65,6 +118,7 @@ TEUCHOS_UNIT_TEST(Patch, ASolveWithoutARegularSystemNamesTheLibrary) {
 // Two nodes, one upon the other; below the lower one the border resists as a spring, whatever friction would say.
 TEUCHOS_UNIT_TEST(Patch, KeepsTheStatusesOfItsBorder) {
   PatchParts parts;
+  parts.components = 2;
   parts.imbalance = {-push, weight, 0, weight};
   parts.start.assign(4, 0.0);
   parts.proximal_weight.assign(4, 1e-6);

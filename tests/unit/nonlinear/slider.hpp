@@ -18,6 +18,7 @@ inline PatchPoint on_the_ground(double friction) {
 
 inline PatchParts parts_of_slider(double friction) {
   PatchParts parts;
+  parts.components = 2;
   parts.imbalance = {-push, weight};
   parts.start = {0, 0};
   parts.proximal_weight = {1e-6, 1e-6};
