@@ -141,11 +141,10 @@ Vector<dim> BlockMotions::Motions<dim>::displacement(const Vector<dim>& arm, con
   return u;
 }
 
-/// Adds factor times the motion of a cluster along a direction; components that are held do not move.
+/// Adds factor times the motion of a cluster along a direction of the drawing; what is held of it does not move.
 template <int dim>
 void BlockMotions::Motions<dim>::add_motion(int cluster, Vector<dim> direction, double factor, Row& row) const {
-  for (int c = 0; c < dim; ++c)
-    if (space_.held()[dim * cluster + c]) direction[c] = 0;
+  direction = space_.held().free_part(cluster, direction);
   const double share = factor / space_.multiplicity()[cluster];
   for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
     const auto more = share * motion(copies_[k].arm, direction);
@@ -307,6 +306,7 @@ void BlockMotions::Motions<dim>::add(const TpetraVector& r, TpetraVector& z) con
     Vector<dim> force{};  // on each copy
     for (int c = 0; c < dim; ++c)
       if (!space_.held()[dim * cluster + c]) force[c] = fine[dim * cluster + c] / space_.multiplicity()[cluster];
+    force = space_.held().from_own(cluster, force);
     for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) {
       const auto moments = motion(copies_[k].arm, force);
       const int block = copies_[k].block;
@@ -327,6 +327,7 @@ void BlockMotions::Motions<dim>::add(const TpetraVector& r, TpetraVector& z) con
       std::copy_n(&coarse[modes * block], modes, motions.begin());
       moved = moved + displacement(copies_[k].arm, motions);
     }
+    moved = space_.held().to_own(cluster, moved);
     for (int c = 0; c < dim; ++c)
       if (!space_.held()[dim * cluster + c]) value[dim * cluster + c] += moved[c] / space_.multiplicity()[cluster];
   }

@@ -28,8 +28,10 @@ Teuchos::RCP<TpetraMultiVector> rigid_motions(const BlockSystem& s, const Merged
         value[a][m] = -x[b] / s.size();
         value[b][m] = x[a] / s.size();
       }
-    for (int c = 0; c < dim; ++c)
-      for (int m = 0; m < dim + turns; ++m) view(dim * k + c, m) = space.held()[dim * k + c] ? 0.0 : value[c][m];
+    for (int m = 0; m < dim + turns; ++m) {
+      const auto own = space.held().to_own(k, Vector<3>{value[0][m], value[1][m], value[2][m]});
+      for (int c = 0; c < dim; ++c) view(dim * k + c, m) = space.held()[dim * k + c] ? 0.0 : own[c];
+    }
   }
   return modes;
 }
@@ -46,13 +48,15 @@ double contrast(const BlockSystem& s) {
 
 }  // namespace
 
-Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& held,
+Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const Held& held,
                      const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers,
                      const std::vector<double>& local_stiffness) {
   const int dim = s.components();
   auto free = points.untieable();
-  const bool springs = !free.empty();
+  bool springs = !free.empty();
   free.resize(points.size(), 0);
+  for (int k = 0; k < points.size() && !held.frames().empty(); ++k)
+    if (points.at(k).any([&](int node) { return held.has_frame(node); })) free[k] = springs = true;
   space_ = std::make_unique<MergedSpace>(s, points, free, held);
   SystemMatrix system(s, points, free, *space_);
   if (springs) {

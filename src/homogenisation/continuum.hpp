@@ -16,9 +16,8 @@ namespace voussoir {
 class Continuum {
  public:
   /// @param local_stiffness  of points [N/m]: those that cannot be tied are springs as stiff as the stones beside them
-  Continuum(const BlockSystem&, const ContactPoints&, const std::vector<char>& held,
-            const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& = {},
-            const std::vector<double>& local_stiffness = {});
+  Continuum(const BlockSystem&, const ContactPoints&, const Held& held, const Teuchos::ParameterList& muelu,
+            const CoarseOperatorParameters& = {}, const std::vector<double>& local_stiffness = {});
 
   const MergedSpace& space() const { return *space_; }
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }

@@ -64,7 +64,7 @@ ClusterNumbers number_clusters(const BlockSystem& s, const std::vector<int>& roo
 }  // namespace
 
 MergedSpace::MergedSpace(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
-                         const std::vector<char>& held)
+                         const Held& held)
     : held_copy_(held), dim_(s.components()), nodes_(s.nodes()) {
   const int dim = dim_;
   auto numbers = number_clusters(s, roots(s, points, selected));
@@ -97,7 +97,7 @@ MergedSpace::MergedSpace(const BlockSystem& s, const ContactPoints& points, cons
   // All copies of an owned cluster are local: count them and see which components are held, then tell the ghosts.
   const int all = owned_clusters_ + static_cast<int>(ghosts.size());
   multiplicity_.assign(all, 0.0);
-  held_.assign(static_cast<std::size_t>(dim) * all, 0);
+  held_ = Held(std::vector<char>(static_cast<std::size_t>(dim) * all, 0));
   for (int i = 0; i < nodes_; ++i)
     if (cluster_[i] < owned_clusters_) {
       multiplicity_[cluster_[i]] += 1;
@@ -117,6 +117,28 @@ MergedSpace::MergedSpace(const BlockSystem& s, const ContactPoints& points, cons
     multiplicity_[k / dim] = view(k, 0);
     held_[k] = view(k, 1) != 0;
   }
+  for (const auto& [node, axes] : held.frames()) {
+    VOUSSOIR_EXPECT(multiplicity_[cluster_[node]] == 1 && "a node with axes of its own is tied to none");
+    held_.set_frame(cluster_[node], axes);
+  }
+}
+
+void MergedSpace::turn_to_unknowns(std::vector<double>& nodal) const {
+  for (const auto& [node, axes] : held_copy_.frames()) {
+    Vector<3> v{};
+    std::copy_n(nodal.begin() + static_cast<long>(dim_) * node, dim_, v.begin());
+    v = Held::turned(axes, v);
+    std::copy_n(v.begin(), dim_, nodal.begin() + static_cast<long>(dim_) * node);
+  }
+}
+
+std::vector<double> MergedSpace::held_part(const std::vector<double>& nodal) const {
+  std::vector<char> along(nodal.size());
+  for (std::size_t i = 0; i < along.size(); ++i)
+    along[i] = held_[static_cast<std::size_t>(dim_) * cluster_[i / dim_] + i % dim_];
+  Held of_copies(std::move(along));
+  for (const auto& [node, axes] : held_copy_.frames()) of_copies.set_frame(node, axes);
+  return of_copies.held_part(nodal, dim_);
 }
 
 void MergedSpace::scatter(const TpetraVector& x, std::vector<double>& u) const {
@@ -127,6 +149,12 @@ void MergedSpace::scatter(const TpetraVector& x, std::vector<double>& u) const {
     for (int i = 0; i < nodes_; ++i)
       for (int c = 0; c < dim; ++c) u[dim * i + c] = value[dim * cluster_[i] + c];
   });
+  for (const auto& [node, axes] : held_copy_.frames()) {
+    Vector<3> own{};
+    std::copy_n(value + static_cast<long>(dim_) * cluster_[node], dim_, own.begin());
+    own = Held::turned_back(axes, own);
+    std::copy_n(own.begin(), dim_, u.begin() + static_cast<long>(dim_) * node);
+  }
 }
 
 void MergedSpace::sum(const std::vector<double>& r, TpetraVector& x) const {
@@ -137,6 +165,7 @@ void MergedSpace::sum(const std::vector<double>& r, TpetraVector& x) const {
       if (cluster_[i] < owned_clusters_)
         for (int c = 0; c < dim; ++c) value[dim * cluster_[i] + c] += r[dim * i + c];
   });
+  turn_own(value);
   for (int k = 0; k < dim_ * owned_clusters_; ++k)
     if (held_[k]) value[k] = 0;
 }
@@ -152,6 +181,21 @@ void MergedSpace::average(const std::vector<double>& u, TpetraVector& x) const {
   for (int i = 0; i < nodes_; ++i)
     for (int c = 0; c < dim_; ++c)
       if (cluster_[i] < owned_clusters_ && held_copy_[dim_ * i + c]) value[dim_ * cluster_[i] + c] = u[dim_ * i + c];
+  for (const auto& [node, axes] : held_copy_.frames())  // whatever of them is held
+    if (cluster_[node] < owned_clusters_)
+      std::copy_n(u.begin() + static_cast<long>(dim_) * node, dim_, value + static_cast<long>(dim_) * cluster_[node]);
+  turn_own(value);
+}
+
+/// Takes what of owned clusters goes along the axes of the drawing to their own.
+void MergedSpace::turn_own(double* value) const {
+  for (const auto& [cluster, axes] : held_.frames()) {
+    if (cluster >= owned_clusters_) continue;
+    Vector<3> v{};
+    std::copy_n(value + static_cast<long>(dim_) * cluster, dim_, v.begin());
+    v = Held::turned(axes, v);
+    std::copy_n(v.begin(), dim_, value + static_cast<long>(dim_) * cluster);
+  }
 }
 
 }  // namespace voussoir

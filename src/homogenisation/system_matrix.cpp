@@ -114,9 +114,8 @@ void SystemMatrix::add_stiffness() {
       if (node >= owned) continue;
       const int row = k.start[dim * n], length = k.start[dim * n + 1] - row;
       for (int e = 0; e < length; e += dim) {
-        const auto at = offset(node, cluster[b.first_local + k.column[row + e] / dim]);
-        for (int i = 0; i < dim; ++i)
-          for (int j = 0; j < dim; ++j) entry(node, at, i, j) += k.value[row + i * length + e + j];
+        const int other = cluster[b.first_local + k.column[row + e] / dim];
+        add_along_own(node, other, [&](int i, int j) { return k.value[row + i * length + e + j]; });
       }
     }
   }
@@ -130,6 +129,28 @@ void SystemMatrix::add_stiffness() {
     diagonal_[k] = static_cast<int>(offset(k, k));
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j) diagonal_stiffness_.push_back(entry(k, diagonal_[k], i, j));
+  }
+}
+
+/// Adds a matrix between two nodes, given along the axes of the drawing, along their own.
+template <class Value>
+void SystemMatrix::add_along_own(int node, int other, const Value& value) {
+  const auto& held = space_.held();
+  const auto at = offset(node, other);
+  if (!held.has_frame(node) && !held.has_frame(other)) {
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j) entry(node, at, i, j) += value(i, j);
+    return;
+  }
+  std::array<Vector<3>, 3> half{};  // columns turned
+  for (int i = 0; i < dim_; ++i) {
+    Vector<3> row{};
+    for (int j = 0; j < dim_; ++j) row[j] = value(i, j);
+    half[i] = held.to_own(other, row);
+  }
+  for (int j = 0; j < dim_; ++j) {
+    const auto column = held.to_own(node, Vector<3>{half[0][j], half[1][j], half[2][j]});
+    for (int i = 0; i < dim_; ++i) entry(node, at, i, j) += column[i];
   }
 }
 
@@ -170,18 +191,32 @@ void SystemMatrix::remember_stiffness_of_points() {
 }
 
 /// Adds w_ij (d_i, d_j) for the motion d of one side of a point against the other.
+/// @param weight  of (axes of the point as the row sees them, as the column does, i, j)
 template <int dim, class Weight>
 void SystemMatrix::add_between(int k, const Weight& weight) {
   const auto& axis = points_.points()[k].axis;
   const auto& cluster = space_.cluster();
   const auto& held = space_.held();
+  const bool turned = !held.frames().empty();
+  const auto own = [&](int node) {
+    auto axes = axis;
+    for (auto& a : axes) a = held.to_own(node, a);
+    return axes;
+  };
   points_.at(k).each_pair([&](int of_row, int of_column, double share) {
     const int row = cluster[of_row], column = cluster[of_column];
     if (row >= space_.owned_clusters()) return;
     const auto at = row == column ? diagonal_[row] : offset(row, column);
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j)
-        if (!held[dim * row + i] && !held[dim * column + j]) entry(row, at, i, j) += share * weight(axis, i, j);
+    const auto add = [&](const auto& left, const auto& right) {
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          if (!held[dim * row + i] && !held[dim * column + j])
+            entry(row, at, i, j) += share * weight(left, right, i, j);
+    };
+    if (turned)
+      add(own(row), own(column));
+    else
+      add(axis, axis);
   });
 }
 
@@ -190,10 +225,10 @@ void SystemMatrix::add_points(const std::vector<PointStiffness>& all) {
   for (int k = 0; k < points_.size(); ++k) {
     if (!couples(k) || !(all[k].normal > 0 || all[k].resists_slip())) continue;
     const auto stiffness = all[k].springs();
-    add_between<dim>(k, [&](const auto& axis, int i, int j) {
-      double value = stiffness.normal * axis[0][i] * axis[0][j];
+    add_between<dim>(k, [&](const auto& left, const auto& right, int i, int j) {
+      double value = stiffness.normal * left[0][i] * right[0][j];
       for (int t = 1; t < dim; ++t)
-        for (int u = 1; u < dim; ++u) value += stiffness.along(t - 1, u - 1) * axis[t][i] * axis[u][j];
+        for (int u = 1; u < dim; ++u) value += stiffness.along(t - 1, u - 1) * left[t][i] * right[u][j];
       return value;
     });
   }
@@ -202,12 +237,12 @@ void SystemMatrix::add_points(const std::vector<PointStiffness>& all) {
 template <int dim>
 void SystemMatrix::add_couplings(int k, const PointStiffness& all) {
   const auto springs = all.springs();  // which update() has added
-  add_between<dim>(k, [&](const auto& axis, int i, int j) {
-    double value = (all.normal - springs.normal) * axis[0][i] * axis[0][j];
+  add_between<dim>(k, [&](const auto& left, const auto& right, int i, int j) {
+    double value = (all.normal - springs.normal) * left[0][i] * right[0][j];
     for (int t = 1; t < dim; ++t) {
-      value += all.coupling[t - 1] * axis[t][i] * axis[0][j] + all.pull[t - 1] * axis[0][i] * axis[t][j];
+      value += all.coupling[t - 1] * left[t][i] * right[0][j] + all.pull[t - 1] * left[0][i] * right[t][j];
       for (int u = 1; u < dim; ++u)
-        value += (all.along(t - 1, u - 1) - springs.along(t - 1, u - 1)) * axis[t][i] * axis[u][j];
+        value += (all.along(t - 1, u - 1) - springs.along(t - 1, u - 1)) * left[t][i] * right[u][j];
     }
     return value;
   });

@@ -51,6 +51,8 @@ class SystemMatrix {
   template <class F>
   void each_place_of_points(const F&);
   void forget_points();
+  template <class Value>
+  void add_along_own(int node, int other, const Value&);
   template <int dim, class Weight>
   void add_between(int k, const Weight&);
   template <int dim>

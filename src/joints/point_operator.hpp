@@ -5,6 +5,7 @@
 #pragma once
 
 #include "blocks/block_system.hpp"
+#include "blocks/held.hpp"
 #include "joints/contact_point.hpp"
 
 namespace voussoir {
@@ -76,12 +77,12 @@ class PointOperator {
     return 1 / give;
   }
   /// Speed that an impulse along an axis gives the sides against each other [1/kg], from the mass at each node:
-  /// of_node(node, component), infinite where it is held.
+  /// of_node(node, component), infinite where it is held, by components along the axes of the node.
   template <class F>
-  double mobility(int axis, F&& of_node) const {
-    const auto& along = point_.axis[axis];
+  double mobility(int axis, const Held& held, F&& of_node) const {
     double sum = 0;
     each([&](int node, double weight) {
+      const auto along = held.to_own(node, point_.axis[axis]);
       for (int c = 0; c < components_; ++c) sum += weight * weight * along[c] * along[c] / of_node(node, c);
     });
     return sum;

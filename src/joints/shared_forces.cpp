@@ -261,7 +261,7 @@ std::vector<std::vector<int>> points_that_meet(const BlockSystem& s, const Conta
 }  // namespace
 
 SharedForces::SharedForces(const BlockSystem& s, const ContactPoints& points, const std::vector<int>& cluster,
-                           const std::vector<char>& held, const std::vector<char>& counts)
+                           const Held& held, const std::vector<char>& counts)
     : components_(static_cast<std::size_t>(points.components())) {
   const std::size_t n = components_;
   std::vector<int> first(s.nodes(), -1);  // node copy of each cluster
@@ -279,10 +279,13 @@ SharedForces::SharedForces(const BlockSystem& s, const ContactPoints& points, co
       points.at(here[i]).each([&](int node, double weight) {
         auto& row = rows[s.node_id()[node_of(node)]];
         row.resize(n);
-        for (std::size_t c = 0; c < n; ++c) {
-          if (held[n * cluster[node] + c]) continue;
-          row[c].resize(size, 0.0);
-          for (std::size_t a = 0; a < n; ++a) row[c][n * i + a] += weight * p.axis[a][c];
+        for (std::size_t a = 0; a < n; ++a) {
+          const auto axis = held.to_own(cluster[node], p.axis[a]);
+          for (std::size_t c = 0; c < n; ++c) {
+            if (held[n * cluster[node] + c]) continue;
+            row[c].resize(size, 0.0);
+            row[c][n * i + a] += weight * axis[c];
+          }
         }
       });
     }

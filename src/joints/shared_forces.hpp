@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "blocks/held.hpp"
 #include "joints/contact_points.hpp"
 #include "joints/point_freedom.hpp"
 
@@ -23,7 +24,7 @@ class SharedForces {
   /// @param held     per cluster and component: 1 where a support bears what is left
   /// @param counts   per point: 1 where its force is one of those sought. Of points with weights none is: what a joint
   ///                 bears where meshes do not match is told by the nodes of the side that has one node a point
-  SharedForces(const BlockSystem&, const ContactPoints&, const std::vector<int>& cluster, const std::vector<char>& held,
+  SharedForces(const BlockSystem&, const ContactPoints&, const std::vector<int>& cluster, const Held& held,
                const std::vector<char>& counts);
 
   bool any() const { return !places_.empty(); }

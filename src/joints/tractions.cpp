@@ -44,8 +44,7 @@ class PlaceOfTies {
   const std::vector<Tie>& ties() const { return ties_; }
 
   /// The potential whose differences balance what nodes carry in one component.
-  std::vector<double> potential(const std::vector<double>& carried, const std::vector<char>& held, int components,
-                                int c) const {
+  std::vector<double> potential(const std::vector<double>& carried, const Held& held, int components, int c) const {
     const int n = static_cast<int>(nodes_.size());
     std::vector<double> a(n * n, 0.0), b(n);
     double mean = 0;
@@ -110,7 +109,7 @@ void add_contact_forces(const ContactPoints& points, const std::vector<int>& clu
       points.at(k).add_forces(&lambda[components * k], factor, nodal);
 }
 
-void recover_tied_forces(const ContactPoints& points, const std::vector<int>& cluster, const std::vector<char>& held,
+void recover_tied_forces(const ContactPoints& points, const std::vector<int>& cluster, const Held& held,
                          const std::vector<double>& residual, std::vector<double>& lambda,
                          const std::vector<double>& before, const std::vector<char>& open) {
   const int dim = points.components();

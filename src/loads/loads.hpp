@@ -27,12 +27,6 @@ template <int dim>
 void add_traction(const Structure<dim>&, const TractionParameters&, const FacetSet&, double factor,
                   std::vector<double>& force);
 
-/// Moves the held components of a support.
-/// @param displacement  prescribed values [m, dim x local node copies]
-template <int dim>
-void add_settlement(const Structure<dim>&, const SettlementParameters&, const SupportParameters&, const FacetSet&,
-                    double factor, std::vector<double>& displacement);
-
 /// A force at the node nearest to a point. Collective; throws InputError on every rank when it is too far.
 /// @param among  1 for each local node that may bear it; empty for all
 template <int dim>

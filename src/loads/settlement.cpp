@@ -1,4 +1,6 @@
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/parameter_section.hpp"
 #include "base/plane_and_space.hpp"
@@ -42,23 +44,16 @@ std::vector<KeyOfSpace> SettlementParameters::keys_of_space() const {
   return keys;
 }
 
-template <int dim>
-void add_settlement(const Structure<dim>& s, const SettlementParameters& load, const SupportParameters& support,
-                    const FacetSet& facets, double factor, std::vector<double>& displacement) {
-  const auto direction = load.turn.direction();
-  std::vector<char> moved(s.nodes(), 0);  // a node of two facets moves once
-  for_each_node_on(s, facets, [&](int node) {
-    if (moved[node]) return;
-    moved[node] = 1;
-    auto u = in_dimension<dim>(load.way());
-    if (load.turn.rotation != 0)
-      u = u + load.turn.rotation * spin(direction, s.drawn_position()[node] - in_dimension<dim>(load.turn.about));
-    for (int c = 0; c < dim; ++c)
-      if (holds(support, c)) displacement[dim * node + c] += factor * u[c];
-  });
-}
-
 namespace {
+
+/// How a support moves by small turns where it holds a node [m].
+template <int dim>
+Vector<dim> motion_at(const SettlementParameters& load, const Vector<dim>& place) {
+  auto u = in_dimension<dim>(load.way());
+  if (load.turn.rotation != 0)
+    u = u + load.turn.rotation * spin(load.turn.direction(), place - in_dimension<dim>(load.turn.about));
+  return u;
+}
 
 /// Length of an edge or area of a face, and its moments about the middle of the structure.
 void add_middle(const Structure<2>& s, const LoadedEdge& e, std::array<double, 3>& sum) {
@@ -88,60 +83,67 @@ Vector<dim> middle_of_facets(const Structure<dim>& s, const FacetSet& facets) {
   return middle;
 }
 
+/// A direction along which a support moves a node, and what gives it a motion along this one and none along the others
+/// that are held there, which need not be square to it.
+template <int dim>
+struct MovedAlong {
+  int node;
+  Vector<dim> along, only;
+  void add(const Vector<dim>& motion, std::vector<double>& displacement) const {
+    const auto u = dot(motion, along) * only;
+    for (int c = 0; c < dim; ++c) displacement[dim * node + c] += u[c];
+  }
+};
+
 /// A support that turns by a finite rotation: its nodes keep their distances, so their motion is no multiple of a
 /// pattern.
 class TurningSupport : public Load<2> {
  public:
-  /// @param moves  1 for the components [2 x local node copies] that the support takes along
-  TurningSupport(const Structure<2>& s, const SettlementParameters& p, const std::vector<char>& moves)
-      : translation_(in_plane(p.way())), rotation_(p.turn.rotation) {
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (!moves[i]) continue;
-      index_.push_back(static_cast<int>(i));
-      arm_.push_back(s.drawn_position()[i / 2] - in_plane(p.turn.about));
-    }
+  TurningSupport(const Structure<2>& s, const SettlementParameters& p, std::vector<MovedAlong<2>> moves)
+      : translation_(in_plane(p.way())), rotation_(p.turn.rotation), moves_(std::move(moves)) {
+    for (const auto& m : moves_) arm_.push_back(s.drawn_position()[m.node] - in_plane(p.turn.about));
   }
   void add(const std::vector<LoadMoment>& moments, std::vector<double>&,
            std::vector<double>& prescribed) const override {
     const double factor = sum_of_factors(moments);
     const Rotation rotation(factor * rotation_);
-    for (std::size_t k = 0; k < index_.size(); ++k) {
-      const auto& r = arm_[k];
-      prescribed[index_[k]] += (factor * translation_ + rotation(r) - r)[index_[k] % 2];
-    }
+    for (std::size_t k = 0; k < moves_.size(); ++k)
+      moves_[k].add(factor * translation_ + rotation(arm_[k]) - arm_[k], prescribed);
   }
-  std::size_t bytes() const override { return index_.size() * (sizeof(int) + sizeof(Vector<2>)); }
+  std::size_t bytes() const override { return moves_.size() * (sizeof(MovedAlong<2>) + sizeof(Vector<2>)); }
 
  private:
   Vector<2> translation_;  ///< [m] for factor 1
   double rotation_;        ///< [rad] for factor 1
-  std::vector<int> index_;
+  std::vector<MovedAlong<2>> moves_;
   std::vector<Vector<2>> arm_;  ///< [m] from the centre
 };
 
-/// What a settlement moves: displacements for factor 1, and 1 for the components that its support takes along.
-/// A node of two supports moves with the first.
+/// Where a settlement moves nodes along what. What two supports hold of a node alike moves with the first.
 template <int dim>
-struct MovedNodes {
-  std::vector<double> unit;
-  std::vector<char> moves;
-
-  MovedNodes(const SettlementParameters& p, const LoadSite<dim>& site)
-      : unit(dim * static_cast<std::size_t>(site.structure.nodes()), 0.0), moves(unit.size(), 0) {
-    std::vector<char> moved(unit.size(), 0);
-    for (const auto& [name, support] : site.supports) {
-      const auto set = site.facet_set(support.on, support.blocks);
-      if (name == p.support) {
-        add_settlement(site.structure, p, support, set, 1.0, unit);
-        hold(site.structure, support, set, moves);
-        for (std::size_t i = 0; i < unit.size(); ++i)
-          if (moved[i]) unit[i] = moves[i] = 0;
-        break;
-      }
-      hold(site.structure, support, set, moved);
+std::vector<MovedAlong<dim>> moved_by(const SettlementParameters& p, const LoadSite<dim>& site) {
+  struct Way {
+    Vector<dim> along;
+    bool moves;
+  };
+  std::map<int, std::vector<Way>> of_node;
+  std::map<int, Directions<dim>> known;
+  for (const auto& [name, support] : site.supports)
+    for (const auto& [node, held] : held_along(site.structure, support, site.facet_set(support.on, support.blocks)))
+      for (const auto& along : held)
+        if (known[node].add(along)) of_node[node].push_back({along, name == p.support});
+  std::vector<MovedAlong<dim>> moves;
+  for (const auto& [node, ways] : of_node)
+    for (const auto& way : ways) {
+      if (!way.moves) continue;
+      Directions<dim> others;
+      for (const auto& other : ways)
+        if (&other != &way) others.add(other.along);
+      const auto still = others.across(way.along);
+      moves.push_back({node, way.along, (1 / dot(still, way.along)) * still});
     }
-  }
-};
+  return moves;
+}
 
 template <int dim>
 std::unique_ptr<Load<dim>> settlement(SettlementParameters p, const LoadSite<dim>& site) {
@@ -149,17 +151,16 @@ std::unique_ptr<Load<dim>> settlement(SettlementParameters p, const LoadSite<dim
   for (const auto& [name, support] : site.supports)
     if (name == p.support && p.turn.rotation != 0)
       p.turn.set_middle(middle_of_facets(s, site.facet_set(support.on, support.blocks)));
-  const MovedNodes<dim> nodes(p, site);
+  auto moves = moved_by(p, site);
   if constexpr (dim == 2)
     if (p.turn.rotation != 0 && s.model().rotations == Rotations::finite)
-      return std::make_unique<TurningSupport>(s, p, nodes.moves);
-  return std::make_unique<PatternLoad<dim>>(nodes.unit, PatternLoad<dim>::Of::displacements);
+      return std::make_unique<TurningSupport>(s, p, std::move(moves));
+  std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
+  for (const auto& m : moves) m.add(motion_at<dim>(p, s.drawn_position()[m.node]), unit);
+  return std::make_unique<PatternLoad<dim>>(unit, PatternLoad<dim>::Of::displacements);
 }
 
 }  // namespace
-
-template void add_settlement<2>(const Structure<2>&, const SettlementParameters&, const SupportParameters&,
-                                const FacetSet&, double, std::vector<double>&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const SettlementParameters& p, const LoadSite<2>& site) {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
@@ -15,6 +16,9 @@
 
 namespace voussoir {
 namespace {
+
+// A unit vector whose part that is free is shorter lies along what is held, to the rounding of a turned drawing.
+constexpr double turned_off = 1e-9;
 
 /// Of absolute values.
 double largest_row_sum(const LocalCsr& matrix) {
@@ -43,6 +47,7 @@ ContactProblem::ContactProblem(const Parts& parts, const std::vector<char>& sele
   matrix_ = std::make_unique<SystemMatrix>(parts.structure, parts.points, selection_, *space_);
   for (int b = 0; b < parts.structure.local_blocks(); ++b)
     row_sum_.push_back(largest_row_sum(*parts.structure.nodes_of(b).stiffness));
+  has_own_axes_ = any_of_ranks(*parts.structure.comm(), !parts.held.frames().empty());
   make_preconditioner();
   begin(asked);
 }
@@ -135,12 +140,16 @@ void ContactProblem::set_proximal_weights() {
 
 void ContactProblem::set_movable() {
   movable_ = selection_;
-  const auto held = [&](int node, int c) { return space_->held()[dim_ * space_->cluster()[node] + c]; };
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points.points()[k];
-    bool moves = false;
-    for (int c = 0; c < dim_; ++c)
-      moves |= p.axis[0][c] != 0 && !parts_.points.at(k).all([&](int node) { return held(node, c); });
+    const bool moves = with_components(dim_, [&](auto dim) {
+      Vector<dim> normal;
+      std::copy_n(p.axis[0].begin(), static_cast<int>(dim), normal.begin());
+      return parts_.points.at(k).any([&](int node) {
+        const int place = space_->cluster()[node];
+        return norm(space_->held().free_part(place, normal)) > (space_->held().has_frame(place) ? turned_off : 0.0);
+      });
+    });
     // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
     const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
     if (space_->tied(p) || !moves || far) movable_[k] = 0;
@@ -149,8 +158,8 @@ void ContactProblem::set_movable() {
 
 Teuchos::RCP<TpetraVector> ContactProblem::unknowns(const std::vector<double>& displacement) const {
   auto u = displacement;
-  for (std::size_t i = 0; i < u.size(); ++i)
-    if (parts_.held[i]) u[i] = asked_->prescribed[i];
+  const auto own = parts_.held.held_part(u, dim_), given = parts_.held.held_part(asked_->prescribed, dim_);
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = (u[i] - own[i]) + given[i];
   auto x = Teuchos::rcp(new TpetraVector(space_->map()));
   space_->average(u, *x);
   return x;
@@ -240,6 +249,7 @@ bool ContactProblem::carry(TpetraVector& x, double tolerance) {
 void ContactProblem::subtract_contact_forces(const PointField& lambda, TpetraVector& r) {
   forces_.assign(static_cast<std::size_t>(dim_) * parts_.structure.nodes(), 0.0);
   add_contact_forces(parts_.points, space_->cluster(), lambda, 1.0, forces_);
+  space_->turn_to_unknowns(forces_);
   double* value = local_view_to_write(r);
   const auto& cluster = space_->cluster();
   for (std::size_t i = 0; i < forces_.size(); ++i) {
@@ -293,6 +303,7 @@ LinearSolveResult ContactProblem::solve(const std::vector<PointStiffness>& stiff
 }
 
 PatchSource* ContactProblem::patches() {
+  if (has_own_axes_) return nullptr;  // entries of patches go along the axes of the drawing
   if (!patches_)
     patches_ = std::make_unique<PatchCutter>(
         PatchCutter::Parts{parts_.structure, parts_.points, *space_, proximal_weight_, *this});

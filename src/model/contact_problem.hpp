@@ -22,7 +22,7 @@ class ContactProblem : public NonlinearProblem {
     const BlockSystem& structure;
     const ContactPoints& points;
     const Continuum& continuum;
-    const std::vector<char>& held;
+    const Held& held;
     const std::vector<double>& local_stiffness;  ///< per point [N/m]
     const std::vector<double>& initial_gap;      ///< per point [m], empty when all joints are closed at first
     const PreconditionerParameters& preconditioner;
@@ -109,7 +109,8 @@ class ContactProblem : public NonlinearProblem {
   void find_shared_forces();
 
   Parts parts_;
-  const int dim_;  ///< components of displacements
+  const int dim_;              ///< components of displacements
+  bool has_own_axes_ = false;  ///< some node of any rank is held along a normal
   const std::vector<char> selection_;
   std::optional<Asked> asked_;
   std::unique_ptr<MergedSpace> space_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "blocks/held.hpp"
 #include "blocks/support_parameters.hpp"
 #include "dynamics/midpoint_rule.hpp"
 #include "homogenisation/continuum.hpp"
@@ -53,10 +54,11 @@ class Model {
   const ContactPoints& points() const { return *points_; }
   /// The bonded continuum; not there for the model at rest when a scene has no load steps.
   const Continuum& continuum() const { return *continuum_; }
-  /// 1 where a support prescribes the displacement [components x local node copies].
-  const std::vector<char>& held() const { return held_; }
+  /// What supports prescribe of the displacement of local node copies.
+  const Held& held() const { return held_; }
   /// 1 at points that are never tied: that are no pair of coincident nodes, or where different supports hold stones,
-  /// which may part there, as one unknown cannot be where both supports are. Empty without such places.
+  /// which may part there, as one unknown cannot be where both supports are, or where a node is held along a normal,
+  /// whose unknowns have axes of their own. Empty without such places.
   const std::vector<char>& never_tied() const { return never_tied_; }
   /// Stiffness a point sees in the cells beside it [N/m].
   const std::vector<double>& local_stiffness() const { return local_stiffness_; }
@@ -139,7 +141,7 @@ class Model {
   std::shared_ptr<ContactPoints> points_;
   std::unique_ptr<Continuum> continuum_;
   std::shared_ptr<const LoadsAtWork> loads_;
-  std::vector<char> held_;
+  Held held_;
   int arrangement_ = 0;
 
  private:

@@ -135,16 +135,18 @@ void ModelOfBlocks<dim>::set_families(const Scene& scene) {
 
 template <int dim>
 void ModelOfBlocks<dim>::hold_supports() {
-  held_.assign(dim * static_cast<std::size_t>(structure_->nodes()), 0);
+  std::vector<SupportedFacets> all;
   for (const auto& [name, support] : supports_)
-    hold(*structure_, support, facet_set(source_, {support.on, support.blocks}), held_);
+    all.push_back({support, facet_set(source_, {support.on, support.blocks})});
+  held_ = held_by(*structure_, all);
 }
 
 /// All points of a place two copies of which are held along an axis by different supports: a tie between the two may go
-/// by others. Empty without such places.
+/// by others. And those at nodes that are held along a normal. Empty without such places.
 template <int dim>
 std::vector<char> ModelOfBlocks<dim>::between_supports() const {
-  if (supports_.size() < 2) return {};
+  const auto along_normal = [](const auto& support) { return support.parameters.along_normal(); };
+  if (supports_.size() < 2 && std::none_of(supports_.begin(), supports_.end(), along_normal)) return {};
   const auto& s = *structure_;
   constexpr std::size_t one_more = 1000003;  // a prime, so that sets of supports have numbers of their own
   std::vector<std::size_t> holders(held_.size(), 0);
@@ -157,6 +159,7 @@ std::vector<char> ModelOfBlocks<dim>::between_supports() const {
       if (here[i]) holders[i] = one_more * holders[i] + number;
   }
   std::vector<char> apart(s.nodes(), 0);
+  for (const auto& [node, axes] : held_.frames()) apart[node] = 1;
   for (std::size_t g = 0; g + 1 < s.copies_start().size(); ++g)
     for (int c = 0; c < dim; ++c) {
       std::size_t first = 0;

@@ -23,10 +23,11 @@ Forces forces_of(const Model& model, const std::string& load) {
   const auto& s = model.structure();
   std::vector<double> force, prescribed;
   model.loads({{load, 1.0}}, 0.0, force, prescribed);
+  const auto held = model.held().held_part(force, model.components());
   Forces largest;
   for (int i = 0; i < model.components() * s.owned_nodes(); ++i) {
-    double& of = model.held()[i] ? largest.held : largest.free;
-    of = std::max(of, std::abs(force[i]));
+    largest.held = std::max(largest.held, std::abs(held[i]));
+    largest.free = std::max(largest.free, std::abs(force[i] - held[i]));
   }
   return {largest_over_ranks(*s.comm(), largest.held), largest_over_ranks(*s.comm(), largest.free)};
 }

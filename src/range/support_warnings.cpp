@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "base/plane_and_space.hpp"
 #include "base/text.hpp"
@@ -15,9 +17,9 @@
 namespace voussoir {
 namespace {
 
-/// Whether a settlement moves component c.
-bool moves(const SettlementParameters& load, int c) {
-  return load.way()[c] != 0 || (load.turn.rotation != 0 && std::abs(load.turn.direction()[c]) < 1);
+/// Whether a settlement moves anything along a direction.
+bool moves(const SettlementParameters& load, const Vector<3>& along) {
+  return dot(load.way(), along) != 0 || (load.turn.rotation != 0 && std::abs(dot(load.turn.direction(), along)) < 1);
 }
 
 /// Whether a scene moves a support as this load does another.
@@ -29,34 +31,38 @@ bool moves_alike(const Scene& scene, const std::string& support, const Settlemen
   });
 }
 
-/// Nodes of which both supports hold a component that the load moves, on blocks of all ranks.
+/// Nodes of which both supports hold a direction that the load moves, on blocks of all ranks.
 long long common_nodes(const Model& model, const SupportParameters& a, const SupportParameters& b,
                        const SettlementParameters& load) {
-  const auto& s = model.structure();
-  std::vector<char> of_a(s.nodes(), 0), of_b(s.nodes(), 0);
-  model.in_geometry([&](const auto& source, const auto& structure) {
-    for_each_node_on(structure, facet_set(source, {a.on, a.blocks}), [&](int node) { of_a[node] = 1; });
-    for_each_node_on(structure, facet_set(source, {b.on, b.blocks}), [&](int node) { of_b[node] = 1; });
+  const long long mine = model.in_geometry([&](const auto& source, const auto& structure) {
+    constexpr int dim = std::tuple_size_v<std::decay_t<decltype(structure.middle())>>;
+    std::map<int, Directions<dim>> of_a;
+    for (const auto& [node, held] : held_along(structure, a, facet_set(source, {a.on, a.blocks})))
+      for (const auto& along : held) of_a[node].add(along);
+    long long common = 0;
+    for (const auto& [node, held] : held_along(structure, b, facet_set(source, {b.on, b.blocks}))) {
+      if (node >= structure.owned_nodes()) continue;
+      bool moved = false;
+      for (const auto& along : held) moved |= moves(load, in_space(along)) && !Directions<dim>(of_a[node]).add(along);
+      common += moved;
+    }
+    return common;
   });
-  bool moved = false;
-  for (int c = 0; c < model.components(); ++c) moved |= holds(a, c) && holds(b, c) && moves(load, c);
-  long long mine = 0;
-  for (int node = 0; moved && node < s.owned_nodes(); ++node) mine += of_a[node] && of_b[node];
-  return total_over_ranks(*s.comm(), mine);
+  return total_over_ranks(*model.structure().comm(), mine);
 }
 
 /// Motions of all stones as one: along each axis, then turns by the size about z, in space about x and y too.
 constexpr int most_motions = 6;
 using Motions = std::array<std::array<double, most_motions>, most_motions>;
 
-/// Where a motion takes a place [m], per m of it.
+/// How far a motion takes a place along a direction [m], per m of it.
 /// @param x  [m] from the middle of what is held
-double motion_of(int motion, const Vector<3>& x, int component, int components, double size) {
-  if (motion < components) return motion == component ? 1 : 0;
+double motion_of(int motion, const Vector<3>& x, const Vector<3>& along, int components, double size) {
+  if (motion < components) return along[motion];
   constexpr int axes[] = {2, 0, 1};
   Vector<3> axis{};
   axis[axes[motion - components]] = 1;
-  return cross(axis, x)[component] / size;
+  return dot(cross(axis, x), along) / size;
 }
 
 /// What supports hold of them: sums over what is held of the squares and products, the same on every rank.
@@ -85,9 +91,12 @@ Motions held_of_whole(const Model& model, int motions) {
     for (int c = 0; c < dim; ++c) {
       if (!is_held(node, c)) continue;
       const auto x = places[node] - middle;
+      Vector<3> along{};
+      along[c] = 1;
+      along = model.held().from_own(node, along);
       for (int i = 0; i < motions; ++i)
         for (int j = 0; j < motions; ++j)
-          mine[most_motions * i + j] += motion_of(i, x, c, dim, s.size()) * motion_of(j, x, c, dim, s.size());
+          mine[most_motions * i + j] += motion_of(i, x, along, dim, s.size()) * motion_of(j, x, along, dim, s.size());
     }
   const auto all = total_of_each(*s.comm(), mine);
   Motions held{};
@@ -128,7 +137,7 @@ void warn_of_free_whole(const Scene& scene, const Model& model, Warnings& all) {
     if (way.empty() && !(g[c][c] > 0)) way = std::string("along ") + "xyz"[c];
   }
   if (anywhere) way = "anywhere";
-  if (way.empty()) way = "round";
+  if (way.empty()) way = all_held(g, dim) ? "round" : "along what supports hold across their normals";
   all.push_back({"free_to_move", scene.file + ": scene > supports", "", 1.0,
                  "the supports leave the whole structure free to move " + way +
                      ": where it comes to rest there is not told by equilibrium; hold it at one place more"});
@@ -152,9 +161,9 @@ Warnings support_warnings(const Scene& scene, const Model& model) {
         const std::string what = std::to_string(nodes) + (nodes == 1 ? " node" : " nodes");
         all.push_back({"supports_part", scene.file + ": scene > loads > " + load.name, "", static_cast<double>(nodes),
                        "moves support " + in_quotes(moved.name) + " and not " + in_quotes(other.name) +
-                           ", which holds the same component of " + what + "; there " + in_quotes(obeyed) +
+                           ", which holds the same direction of " + what + "; there " + in_quotes(obeyed) +
                            " is obeyed, which the scene names first, and the cell beside is torn; let one of them end "
-                           "before the other, or hold other components"});
+                           "before the other, or hold other directions"});
       }
   }
   return all;

@@ -121,17 +121,16 @@ EnergyOfStep LoadStepBook::close(const ContactState& after, const std::vector<do
   EnergyOfStep energy;
   WorkOfForces work;
   work.of_mean = beyond_the_chord(model_, before_, after, reaction_before_, reaction);
+  std::vector<double> moved(after.displacement.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = after.displacement[i] - before_.displacement[i];
+  const auto held = model_.held().held_part(moved, dim);
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
     const auto& absent = model_.absent();
     if (absent.empty() || !absent[s.block_of_node()[i / dim]]) energy.elastic += deformation[i] * ku[i] / 2;
-    const double moved = after.displacement[i] - before_.displacement[i];
-    work.of_mean += moved * (load_before_[i] + load[i]) / 2;
-    if (!model_.held()[i]) {
-      work.change_of_loads += moved * (load[i] - load_before_[i] - (let_go_.empty() ? 0.0 : let_go_[i]));
-      continue;
-    }
-    work.of_mean += moved * (reaction_before_[i] + reaction[i]) / 2;
-    work.change_of_reactions += moved * (reaction[i] - reaction_before_[i]);
+    work.of_mean += moved[i] * (load_before_[i] + load[i]) / 2;
+    work.of_mean += held[i] * (reaction_before_[i] + reaction[i]) / 2;
+    work.change_of_loads += (moved[i] - held[i]) * (load[i] - load_before_[i] - (let_go_.empty() ? 0.0 : let_go_[i]));
+    work.change_of_reactions += held[i] * (reaction[i] - reaction_before_[i]);
   }
   const auto points = of_points(after);
   energy.elastic += model_.mortar_energy(after.lambda) + points.held;

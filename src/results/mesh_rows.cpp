@@ -43,7 +43,7 @@ void add_cells(const LocalBlock<dim>& block, long long number, long long place, 
 }  // namespace
 
 template <int dim>
-MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, const std::vector<char>& all_held) {
+MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, const Held& held) {
   MeshRows rows;
   rows.block_set_names = source.block_sets();
   std::size_t most = 0;
@@ -60,8 +60,9 @@ MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, cons
     for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
       rows.node.push_back(block.first_node + static_cast<NodeId>(i));
       rows.block_of_node.push_back(block.mesh.id);
-      const auto held = all_held.begin() + dim * (block.first_local + static_cast<long>(i));
-      rows.held.push_back(std::any_of(held, held + dim, [](char one) { return one != 0; }));
+      bool any = false;
+      for (int c = 0; c < dim; ++c) any |= held[dim * (block.first_local + i) + c] != 0;
+      rows.held.push_back(any);
       rows.coordinates.insert(rows.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
     }
     add_cells(block, first[block.mesh.id], first_place[block.mesh.id], rows);
@@ -69,7 +70,7 @@ MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, cons
   return rows;
 }
 
-template MeshRows mesh_rows(const BlockSource<2>&, const Structure<2>&, const std::vector<char>&);
-template MeshRows mesh_rows(const BlockSource<3>&, const Structure<3>&, const std::vector<char>&);
+template MeshRows mesh_rows(const BlockSource<2>&, const Structure<2>&, const Held&);
+template MeshRows mesh_rows(const BlockSource<3>&, const Structure<3>&, const Held&);
 
 }  // namespace voussoir

@@ -109,7 +109,9 @@ Observations::Observations(const Scene& scene, const Model& model) : structure_(
     ask_reactions_ = true;
     add(Field::reaction, "f_N", [&, support = index_of(scene, p.support)](int c) {
       std::vector<Weight> weights;
-      for (const auto& h : held[support]) weights.push_back({dim * h.node + c, h.share[c]});
+      for (const auto& h : held[support])
+        for (int d = 0; d < dim; ++d)
+          if (h.share[c][d] != 0) weights.push_back({dim * h.node + d, h.share[c][d]});
       return weights;
     });
   }

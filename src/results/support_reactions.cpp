@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/check.hpp"
+#include "base/components.hpp"
 #include "blocks/supports.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
@@ -19,56 +21,79 @@ constexpr double negligible = 1e-6;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Length of an edge [m].
-double size_of(const Block<2>& block, const TaggedFacet& edge) {
-  return norm(block.position[edge.node[1]] - block.position[edge.node[0]]);
-}
+/// What a support holds of each node copy of blocks of this rank.
+struct HeldBySupport {
+  std::vector<double> size;        ///< of its facets that belongs to the node, an equal share of each
+  std::map<int, Matrix<3>> holds;  ///< takes a vector at a node to what is held of it
+};
 
-/// Area of a face [m2], half the product of its diagonals across each other.
-double size_of(const Block<3>& block, const TaggedFacet& face) {
-  const auto& x = block.position;
-  const int last = face.count - 1;
-  return norm(cross(x[face.node[2]] - x[face.node[0]], x[face.node[last]] - x[face.node[1]])) / 2;
-}
-
-/// Size of the facets of a set that belongs to each node copy of blocks of this rank, an equal share of each.
 template <int dim>
-std::vector<double> sizes_at_nodes(const Structure<dim>& s, const FacetSet& facets) {
-  std::vector<double> size(s.nodes(), 0.0);
+HeldBySupport held_by_support(const Structure<dim>& s, const SupportParameters& support, const FacetSet& facets) {
+  HeldBySupport of;
+  auto& size = of.size;
+  size.assign(s.nodes(), 0.0);
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
     for (const auto& facet : block.mesh.facets) {
       if (!facets.has(block.mesh, facet)) continue;
-      const double share = size_of(block.mesh, facet) / facet.count;
+      const double share = norm(across(block.mesh, facet)) / facet.count;
       for (int k = 0; k < facet.count; ++k) size[block.first_local + facet.node[k]] += share;
     }
   }
-  return size;
+  for (const auto& [node, along] : held_along(s, support, facets)) {
+    if (node >= s.owned_nodes()) continue;
+    Directions<dim> directions;
+    for (const auto& one : along) directions.add(one);
+    auto& holds = of.holds[node];
+    for (int d = 0; d < directions.count(); ++d)
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j) holds[i][j] += directions[d][i] * directions[d][j];
+  }
+  return of;
+}
+
+/// What a support bears of the force on a node, as springs alike in stiffness per size share it: supports that hold
+/// different directions bear each what lies along theirs, those that hold the same one go by their sizes.
+/// @param of_all  sizes times what is held, of all supports
+template <int dim>
+Matrix<3> share_of(const Held& held, int node, const Matrix<3>& mine, double size, const Matrix<3>& of_all) {
+  const auto free = [&](int c) { return c >= dim || !held[dim * static_cast<std::size_t>(node) + c]; };
+  Matrix<3> half{}, own{}, share{};  // of_all along the axes of the node, of which those that are free bear nothing
+  for (int i = 0; i < 3; ++i) half[i] = held.to_own(node, of_all[i]);
+  for (int j = 0; j < 3; ++j) {
+    const auto column = held.to_own(node, Vector<3>{half[0][j], half[1][j], half[2][j]});
+    for (int i = 0; i < 3; ++i) own[i][j] = free(i) || free(j) ? 0.0 : column[i];
+  }
+  for (int i = 0; i < dim; ++i) {
+    auto wanted = held.to_own(node, size * mine[i]);
+    for (int c = 0; c < 3; ++c)
+      if (free(c)) wanted[c] = 0;
+    share[i] = held.from_own(node, solve_positive(own, wanted));
+  }
+  return share;
 }
 
 }  // namespace
 
 std::vector<std::vector<HeldNode>> held_nodes(const std::vector<Named<SupportParameters>>& supports,
                                               const Model& model) {
-  const int dim = model.components();
-  const auto& s = model.structure();
-  std::vector<std::vector<double>> sizes;
-  std::vector<double> size_of_all(static_cast<std::size_t>(dim) * s.nodes(), 0.0);  // that hold a component
+  std::vector<HeldBySupport> each;
+  std::map<int, Matrix<3>> all;  // sizes times what is held
   for (const auto& [name, support] : supports) {
-    sizes.push_back(model.in_geometry([&, &p = support](const auto& source, const auto& structure) {
-      return sizes_at_nodes(structure, facet_set(source, {p.on, p.blocks}));
+    each.push_back(model.in_geometry([&, &p = support](const auto& source, const auto& structure) {
+      return held_by_support(structure, p, facet_set(source, {p.on, p.blocks}));
     }));
-    for (std::size_t i = 0; i < size_of_all.size(); ++i)
-      if (holds(support, static_cast<int>(i % dim))) size_of_all[i] += sizes.back()[i / dim];
+    for (const auto& [node, holds] : each.back().holds)
+      for (int i = 0; i < 3; ++i) all[node][i] = all[node][i] + each.back().size[node] * holds[i];
   }
-  std::vector<std::vector<HeldNode>> held(sizes.size());
-  for (std::size_t k = 0; k < sizes.size(); ++k)
-    for (int node = 0; node < s.owned_nodes(); ++node) {
-      if (!(sizes[k][node] > 0)) continue;
-      HeldNode here{node, sizes[k][node], {}};
-      for (int c = 0; c < dim; ++c)
-        if (holds(supports[k].parameters, c)) here.share[c] = sizes[k][node] / size_of_all[dim * node + c];
-      held[k].push_back(here);
+  std::vector<std::vector<HeldNode>> held(each.size());
+  for (std::size_t k = 0; k < each.size(); ++k)
+    for (const auto& [node, holds] : each[k].holds) {
+      const double size = each[k].size[node];
+      const auto share = with_components(model.components(), [&, &n = node, &h = holds](auto dim) {
+        return share_of<dim>(model.held(), n, h, size, all[n]);
+      });
+      held[k].push_back({node, size, share});
     }
   return held;
 }
@@ -88,7 +113,8 @@ std::map<std::string, ReactionSummary> support_reactions(const Model& model, con
     for (const auto& [node, size, share] : held[k]) {
       const auto x = s.place(node) - origin;
       Vector<3> force{};
-      for (int c = 0; c < dim; ++c) force[c] = residual[dim * node + c] * share[c];
+      for (int c = 0; c < dim; ++c) force[c] = residual[dim * node + c];
+      force = {dot(share[0], force), dot(share[1], force), dot(share[2], force)};
       const auto moment = cross(x, force);
       mine = mine +
              std::array<double, 10>{1, x[0], x[1], x[2], force[0], force[1], force[2], moment[0], moment[1], moment[2]};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/check.hpp"
 #include "blocks/supports.hpp"
@@ -87,19 +88,16 @@ std::vector<SupportRow<dim>> supports_of(const ModelOfBlocks<dim>& model, const 
   const auto& s = model.structure();
   std::vector<SupportRow<dim>> rows;
   const auto& names = model.supports();
-  std::vector<char> known(model.held().size(), 0);
+  std::map<int, Directions<dim>> known;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    std::vector<char> held(model.held().size(), 0);
-    hold(s, names[k].parameters, facet_set(model.source(), {names[k].parameters.on, names[k].parameters.blocks}), held);
-    for (int b = 0; b < s.owned_blocks(); ++b) {
-      const auto& block = s.blocks()[b];
-      for (int n = block.first_local; n < block.first_local + block.nodes; ++n)
-        for (int c = 0; c < dim; ++c) {
-          if (!held[dim * n + c] || known[dim * n + c]) continue;
-          known[dim * n + c] = 1;
+    const auto& support = names[k].parameters;
+    for (const auto& [n, held] : held_along(s, support, facet_set(model.source(), {support.on, support.blocks}))) {
+      if (n >= s.owned_nodes()) continue;
+      const int b = s.block_of_node()[n];
+      for (const auto& along : held)
+        if (known[n].add(along))
           rows.push_back(
-              {block.mesh.id, {0, place_of(s, n) - stones[b].stone.middle, unit_vector<dim>(c), static_cast<int>(k)}});
-        }
+              {s.blocks()[b].mesh.id, {0, place_of(s, n) - stones[b].stone.middle, along, static_cast<int>(k)}});
     }
   }
   for (const auto& row : stones)

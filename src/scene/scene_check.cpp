@@ -121,7 +121,7 @@ void check_velocities(Scene& scene) {
     scene.warnings.push_back("initial velocities have no effect: no stage has a duration.");
 }
 
-void check_loads(Scene& scene) {
+void check_loads(Scene& scene, InputProblems& problems) {
   for (const LoadParameters& load : scene.loads) {
     if (load.is_zero()) scene.warnings.push_back("load " + in_quotes(load.name) + " is zero.");
     const auto* settlement = load_as<SettlementParameters>(load);
@@ -129,6 +129,14 @@ void check_loads(Scene& scene) {
     for (const auto& support : scene.supports) {
       const std::string& held = support.parameters.components;
       if (support.name != settlement->support) continue;
+      if (support.parameters.along_normal() && settlement->turn.rotation != 0 &&
+          scene.model.rotations == Rotations::finite)
+        problems.add("scene > loads > " + load.name + " > rotation",
+                     " = " + number_text(settlement->turn.rotation) + " [rad]\n  turns the support " +
+                         in_quotes(support.name) +
+                         ", which holds along a normal. With model > rotations = \"finite\" this one would turn with "
+                         "it, and normals are those of the drawing.\n  Give rotations = \"small\", a support with "
+                         "components = \"all\", or a settlement without rotation.");
       if (settlement->ux != 0 && held == "y")
         scene.warnings.push_back("load " + in_quotes(load.name) + " has an ux that its support does not hold.");
       if (settlement->uy != 0 && held == "x")
@@ -274,7 +282,7 @@ void check_scene(Scene& scene, InputProblems& problems) {
   find_files(scene, problems);
   check_stages(scene, problems);
   check_supports(scene, problems);
-  check_loads(scene);
+  check_loads(scene, problems);
   check_load_factor(scene, problems);
   check_velocities(scene);
   check_construction(scene, problems);

@@ -129,10 +129,8 @@ ContinuumPrice continuum_price(const PlaneModel& model, const std::vector<double
     const Continuum continuum(structure, model.points(), model.held(), model.settings().solver.muelu);
     price.setup_seconds = std::min(price.setup_seconds, setup.seconds());
     // What supports prescribe acts as a load: its columns of the stiffness are on the right-hand side.
-    std::vector<double> given(load.size(), 0.0), forces;
-    for (std::size_t i = 0; i < given.size(); ++i)
-      if (model.held()[i]) given[i] = prescribed[i];
-    structure.apply_stiffness(given, forces);
+    std::vector<double> forces;
+    structure.apply_stiffness(model.held().held_part(prescribed, model.components()), forces);
     for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = load[i] - forces[i];
     const auto b = Teuchos::rcp(new TpetraVector(continuum.space().map()));
     const auto x = Teuchos::rcp(new TpetraVector(continuum.space().map()));

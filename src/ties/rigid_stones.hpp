@@ -88,6 +88,7 @@ std::vector<Stone<dim>> stones_of(const Model& model, const DependentStones& dep
         if (!model.held()[dim * i + c]) continue;
         Vector<dim> along{};
         along[c] = 1;
+        along = model.held().from_own(i, along);
         const auto way = wrench(arm, along);
         for (int w = 0; w < ways_of_stone(dim); ++w) stone.support[w] += stiffness * way[w] * way[w];
       }

@@ -173,8 +173,8 @@ typename TieCriterion::KernelIn<dim>::Demands TieCriterion::KernelIn<dim>::deman
   for (const auto& p : points) forces.insert(forces.end(), p.force.begin(), p.force.end());
   auto lacking = borne;
   add_contact_forces(model_.points(), {}, forces, -1.0, lacking);
-  for (std::size_t i = 0; i < lacking.size(); ++i)
-    if (model_.held()[i]) lacking[i] = 0;
+  const auto held = model_.held().held_part(lacking, s.components());
+  for (std::size_t i = 0; i < lacking.size(); ++i) lacking[i] -= held[i];
   Demands demands;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& stone = stones_->relaxation.stones()[b];

@@ -93,11 +93,12 @@ PointField DynamicStep::offset_slips(const ContactState& before, const PointFiel
 void DynamicStep::move_supports(ContactState& state, const std::vector<double>& half, TimeStepReport& report) const {
   bool mine = false;
   auto v = state.velocity;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    if (at_rest_.held()[i] && v[i] != rule_.midpoint_velocity(half[i])) {
-      v[i] = rule_.midpoint_velocity(half[i]);
-      mine = true;
-    }
+  const auto now = at_rest_.held().held_part(v, at_rest_.components());
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double wanted = rule_.midpoint_velocity(half[i]);  // zero where nothing is held
+    mine |= now[i] != wanted;
+    v[i] = (v[i] - now[i]) + wanted;
+  }
   if (!any_of_ranks(*mass_->comm(), mine)) return;
   report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
   state.velocity = v;
@@ -115,8 +116,9 @@ double DynamicStep::book(const ContactState& mid, const ContactState& before, co
   mass_->apply_stiffness(w, mw);
   s.apply_stiffness(w, kw);
   double work = 0, damping = 0, friction = 0, fracture = 0;
+  const auto held = at_rest_.held().held_part(reaction, dim);
   for (int i = 0; i < dim * s.owned_nodes(); ++i) {
-    work += 2 * w[i] * (load[i] + (at_rest_.held()[i] ? reaction[i] : 0.0));
+    work += 2 * w[i] * (load[i] + held[i]);
     damping += w[i] * (rule_.mass_damping * mw[i] + rule_.stiffness_damping * kw[i]) * 4 / rule_.time_step;
   }
   const auto gap = model_->gaps(w);
@@ -199,11 +201,12 @@ DynamicStep::Midpoint DynamicStep::midpoint(const ContactState& before, const St
     kinetic += before.velocity[i] * mv[i] / 2;
   }
   mid.energy = total(elastic) + total(kinetic);
-  mid.half.assign(mid.load.size(), 0.0);
+  mid.half.resize(mid.load.size());
   for (std::size_t i = 0; i < mid.load.size(); ++i) {
     mid.load[i] = input.load[i] - mid.load[i] + 2 / rule_.time_step * mv[i];
-    if (at_rest_.held()[i]) mid.half[i] = (input.prescribed[i] - before.displacement[i]) / 2;
+    mid.half[i] = (input.prescribed[i] - before.displacement[i]) / 2;
   }
+  mid.half = at_rest_.held().held_part(mid.half, dim);
   return mid;
 }
 

@@ -17,8 +17,8 @@ double DynamicStep::begin(ContactState& state, bool initial) {
   if (initial) v = at_rest_.initial_velocities();
   state.acceleration.clear();
   state.acceleration_before.clear();
-  for (std::size_t i = 0; i < v.size(); ++i)
-    if (at_rest_.held()[i]) v[i] = 0;
+  const auto held = at_rest_.held().held_part(v, at_rest_.components());
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] -= held[i];
   const auto& points = at_rest_.points();
   for (int k = 0; k < points.size(); ++k)
     if (points.at(k).difference(v) != Vector<3>{}) state.selected[k] = 1;

@@ -109,7 +109,7 @@ class VelocityProjection::ByMass : public Preconditioner {
     };
     for (int k = 0; k < model.points().size(); ++k)
       for (int a = 0; a < dim; ++a) {
-        const double inverse = model.points().at(k).mobility(a, mass_at);
+        const double inverse = model.points().at(k).mobility(a, model.held(), mass_at);
         if (inverse > 0) resisting_[dim * k + a] = 1 / inverse;
       }
   }
@@ -163,9 +163,9 @@ double VelocityProjection::apply(std::vector<double>& velocity, const std::vecto
   std::vector<double> momentum;
   mass_.apply_stiffness(change, momentum);
   const auto& of_points = impulses_->of_points(*lambda);
+  const auto moved = model_.held().held_part(*supports, dim);
   double work = 0;
-  for (int i = 0; i < dim * mass_.owned_nodes(); ++i)
-    if (model_.held()[i]) work += (momentum[i] - of_points[i]) * (*supports)[i];
+  for (int i = 0; i < dim * mass_.owned_nodes(); ++i) work += (momentum[i] - of_points[i]) * moved[i];
   return total_over_ranks(*mass_.comm(), work);
 }
 

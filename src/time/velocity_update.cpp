@@ -20,7 +20,7 @@ namespace voussoir {
 namespace {
 
 /// Components of points whose relative velocities are to vanish: 1 [points x components].
-using Held = std::vector<char>;
+using Marks = std::vector<char>;
 
 /// Which points bear something: per point.
 std::vector<char> loaded_points(const Model& model, const ContactState& state) {
@@ -38,8 +38,8 @@ std::vector<char> loaded_points(const Model& model, const ContactState& state) {
 /// Points that rest on each other: 1 for their normal components. Forces at a vertex of three blocks are not unique, so
 /// a point without one rests there as well when it touches and does not part.
 /// @param speed  relative velocities [m/s]
-Held closed_points(const Model& model, const ContactState& state, const std::vector<char>& loaded,
-                   const PointField& speed, double resting) {
+Marks closed_points(const Model& model, const ContactState& state, const std::vector<char>& loaded,
+                    const PointField& speed, double resting) {
   const int dim = model.components();
   const auto& points = model.points();
   const auto gap = model.gaps(state.displacement);
@@ -47,7 +47,7 @@ Held closed_points(const Model& model, const ContactState& state, const std::vec
   std::vector<char> carries(state.velocity.size() / dim, 0);  // per node
   for (int k = 0; k < points.size(); ++k)
     if (loaded[k]) points.at(k).each([&](int node, double) { carries[node] = 1; });
-  Held closed(speed.size(), 0);
+  Marks closed(speed.size(), 0);
   for (int k = 0; k < points.size(); ++k) {
     const bool between = state.selected[k] && points.at(k).all([&](int node) { return carries[node] != 0; });
     const bool rests = std::abs(gap[dim * k]) < round_off && std::abs(speed[dim * k]) <= resting;
@@ -67,7 +67,8 @@ bool sticks(const Model& model, const ContactState& state, std::size_t k) {
 }
 
 /// Points that rest on each other, and these with those that stick: 1 for every component that is held.
-std::pair<Held, Held> contacts(const Model& model, const ContactState& state, const PointField& speed, double resting) {
+std::pair<Marks, Marks> contacts(const Model& model, const ContactState& state, const PointField& speed,
+                                 double resting) {
   const int dim = model.components();
   const auto loaded = loaded_points(model, state);
   const auto closed = closed_points(model, state, loaded, speed, resting);
@@ -125,7 +126,7 @@ double VelocityUpdate::product(const std::vector<double>& v, const std::vector<d
 }
 
 /// Largest relative velocity of what is held and can move.
-double VelocityUpdate::fastest(const PointField& speed, const Held& held) const {
+double VelocityUpdate::fastest(const PointField& speed, const Marks& held) const {
   const int dim = at_rest_.components();
   double mine = 0;
   for (int i = 0; i < dim * at_rest_.points().owned(); ++i)
@@ -135,12 +136,12 @@ double VelocityUpdate::fastest(const PointField& speed, const Held& held) const 
 
 VelocityUpdate::Supports VelocityUpdate::moving_supports(const std::vector<double>& velocity) const {
   bool mine = false;
-  for (std::size_t i = 0; i < velocity.size(); ++i) mine |= at_rest_.held()[i] && velocity[i] != 0;
+  for (const double v : at_rest_.held().held_part(velocity, at_rest_.components())) mine |= v != 0;
   return any_of_ranks(*mass_.comm(), mine) ? std::make_unique<const std::vector<double>>(velocity) : nullptr;
 }
 
 /// What is held, and all of the points that are tied. Returns the work of supports.
-double VelocityUpdate::project(std::vector<double>& velocity, Held held, const std::vector<char>& selected,
+double VelocityUpdate::project(std::vector<double>& velocity, Marks held, const std::vector<char>& selected,
                                const Supports& supports) {
   const int dim = at_rest_.components();
   for (int i = 0; i < dim * at_rest_.points().size(); ++i)
@@ -150,7 +151,7 @@ double VelocityUpdate::project(std::vector<double>& velocity, Held held, const s
 
 /// The same, as friction does it. Seen from supports the velocities that are left have no part in the ones that were
 /// taken, so the loss is the energy of these: a square, which round-off cannot make a gain.
-EnergyOfJump VelocityUpdate::stop(std::vector<double>& velocity, const Held& held, const std::vector<char>& selected,
+EnergyOfJump VelocityUpdate::stop(std::vector<double>& velocity, const Marks& held, const std::vector<char>& selected,
                                   const Supports& supports) {
   auto taken = velocity;
   EnergyOfJump energy;
@@ -162,7 +163,7 @@ EnergyOfJump VelocityUpdate::stop(std::vector<double>& velocity, const Held& hel
 
 /// How the normal impulses of points that are not at rest spread within a time step.
 VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& lambda, const PointField& speed,
-                                           const Held& closed, double resting, const Supports& supports) {
+                                           const Marks& closed, double resting, const Supports& supports) {
   const int dim = at_rest_.components();
   auto& problem = spread_->problem;
   const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
@@ -182,9 +183,9 @@ VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& 
   std::vector<double> impulses;
   step.structure().apply_stiffness(way.velocity, impulses);
   add_contact_forces(at_rest_.points(), space.cluster(), impulse, 1.0, impulses);
+  const auto moved = space.held_part(*supports);
   double work = 0;
-  for (int i = 0; i < dim * mass_.owned_nodes(); ++i)
-    if (space.held()[dim * space.cluster()[i / dim] + i % dim]) work += impulses[i] * (*supports)[i];
+  for (int i = 0; i < dim * mass_.owned_nodes(); ++i) work += impulses[i] * moved[i];
   way.work_of_supports = total_over_ranks(*mass_.comm(), work) / step.inertia();
   return way;
 }
@@ -194,13 +195,14 @@ VelocityUpdate::Way VelocityUpdate::within_bodies(Way way, const Supports& suppo
   const int dim = at_rest_.components();
   const auto momentum = spread_->bodies.remove_motion(way.velocity);
   if (!supports) return way;
+  const auto moved = at_rest_.held().held_part(*supports, dim);
   std::array<double, 4> mine{};  // velocities of what is held, and how many nodes are
   for (int n = 0; n < mass_.owned_nodes(); ++n) {
     bool holds = false;
     for (int c = 0; c < dim; ++c) holds = holds || at_rest_.held()[dim * n + c];
     if (!holds) continue;
     mine[dim] += 1;
-    for (int c = 0; c < dim; ++c) mine[c] += at_rest_.held()[dim * n + c] ? (*supports)[dim * n + c] : 0.0;
+    for (int c = 0; c < dim; ++c) mine[c] += moved[dim * n + c];
   }
   const auto all = total_of_each(*mass_.comm(), mine);
   for (int c = 0; c < dim; ++c) way.work_of_supports -= momentum[c] * all[c] / all[dim];

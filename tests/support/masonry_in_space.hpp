@@ -166,7 +166,7 @@ class MasonryInSpace {
   std::unique_ptr<BlockSource<3>> source_;
   const Structure<3> structure_;
   const ContactPoints points_;
-  const std::vector<char> held_;
+  const Held held_;
   const std::vector<double> local_stiffness_;
   const PointLaws law_;
   LinearSolver solver_;

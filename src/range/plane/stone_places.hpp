@@ -44,8 +44,10 @@ inline Outline face_now(const Structure<2>& s, const std::vector<double>& u, int
 /// Whether a support holds any component of a local block.
 inline bool is_held(const PlaneModel& model, int block) {
   const auto& b = model.structure().blocks()[block];
-  const auto first = model.held().begin() + 2L * b.first_local;
-  return std::any_of(first, first + 2 * static_cast<long>(b.mesh.position.size()), [](char held) { return held; });
+  const auto first = 2 * static_cast<std::size_t>(b.first_local), end = first + 2 * b.mesh.position.size();
+  bool any = false;
+  for (auto i = first; i < end; ++i) any |= model.held()[i] != 0;
+  return any;
 }
 
 inline std::string names_of(const PlaneModel& model, BlockId i, BlockId j) {

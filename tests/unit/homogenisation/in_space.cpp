@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "homogenisation/block_motions.hpp"
+#include "joints/tractions.hpp"
+#include "linalg/local_view.hpp"
 #include "unit/blocks/cubes.hpp"
 #include "unit/linalg/systems.hpp"
 
@@ -14,22 +16,25 @@ using namespace voussoir::test;
 const Vector<3> up = turned({0, 0, 1});
 
 enum class Chosen { none, even, all };
+enum class On { nothing, ground, normals };
 
-/// The cubes with the points of even numbers selected, or all, or none; the lower one may be held at its base.
+/// The cubes with the points of even numbers selected, or all, or none; the lower one may be held at its base, or slide
+/// on it and the upper one be held along the joint by its nodes there.
 struct TwoCubes {
   std::unique_ptr<BlockSource<3>> source;
   Structure<3> structure;
   ContactPoints points;
-  std::vector<char> held, selected;
+  Held held;
+  std::vector<char> selected;
   MergedSpace space;
 
-  explicit TwoCubes(int n, Chosen chosen, bool on_ground = false)
+  explicit TwoCubes(int n, Chosen chosen, On on = On::nothing)
       : source(two_cubes(n)),
         structure(structure_of(*source, everyone())),
         points(*source, structure),
-        held(3 * structure.nodes(), 0),
+        held(std::vector<char>(3 * structure.nodes(), 0)),
         selected(choice(chosen)),
-        space(structure, points, selected, hold(on_ground)) {}
+        space(structure, points, selected, hold(on)) {}
 
   bool is_upper(int node) const { return structure.blocks()[structure.block_of_node()[node]].mesh.id == 1; }
   /// What moves all nodes of the upper cube, or of both.
@@ -68,10 +73,16 @@ struct TwoCubes {
       marks.push_back(chosen == Chosen::all || (chosen == Chosen::even && p.id % 2 == 0));
     return marks;
   }
-  const std::vector<char>& hold(bool on_ground) {
-    for (int i = 0; i < structure.nodes(); ++i)
-      if (on_ground && std::abs(dot(structure.position()[i], up)) < 1e-9)
-        for (int c = 0; c < 3; ++c) held[3 * i + c] = 1;
+  const Held& hold(On on) {
+    const Matrix<3> axes{up, turned({1, 0, 0}), turned({0, 1, 0})};
+    for (int i = 0; i < structure.nodes(); ++i) {
+      const double height = dot(structure.position()[i], up);
+      const bool at_base = std::abs(height) < 1e-9, at_joint = is_upper(i) && std::abs(height - 1) < 1e-9;
+      for (int c = 0; on == On::ground && at_base && c < 3; ++c) held[3 * i + c] = 1;
+      if (on != On::normals || !(at_base || at_joint)) continue;
+      held.set_frame(i, axes);
+      held[3 * i + (at_base ? 0 : 1)] = 1;
+    }
     return held;
   }
 };
@@ -191,7 +202,7 @@ TEUCHOS_UNIT_TEST(MergedSpaceInSpace, TiesCubesAtPointsThatAreNotSelected) {
 TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsTheSumOfItsDefinition) {
   for (const int n : {1, 2})
     for (const auto chosen : {Chosen::even, Chosen::all}) {
-      const TwoCubes t(n, chosen, true);
+      const TwoCubes t(n, chosen, On::ground);
       SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
       const auto stiffness = t.resistances(true);
       matrix.update(stiffness, t.proximal());
@@ -207,8 +218,46 @@ TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsTheSumOfItsDefinition) {
     }
 }
 
+// H x = R^T (K R x + B^T D B R x) where unknowns of nodes go along axes of their own.
+TEUCHOS_UNIT_TEST(SystemMatrixInSpace, GoesAlongTheAxesOfNodesThatAreHeldAlongANormal) {
+  const TwoCubes t(2, Chosen::all, On::normals);
+  SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
+  const auto stiffness = t.resistances(false);
+  matrix.update(stiffness, {});
+  TpetraVector x(t.space.map()), found(t.space.map()), expected(t.space.map());
+  for (int i = 0; i < 3 * t.space.owned_clusters(); ++i)
+    local_view_to_write(x)[i] = t.space.held()[i] ? 0 : noise(t.space.map()->getGlobalElement(i));
+  matrix.matrix()->apply(x, found);
+  std::vector<double> u, forces;
+  t.space.scatter(x, u);
+  for (int i = 0; i < t.structure.nodes(); ++i) {
+    const Vector<3> moved{u[3 * i], u[3 * i + 1], u[3 * i + 2]};
+    const double height = dot(t.structure.position()[i], up);
+    if (std::abs(height) < 1e-9) TEST_COMPARE(std::abs(dot(moved, up)), <=, 1e-14);
+    if (t.is_upper(i) && std::abs(height - 1) < 1e-9) TEST_COMPARE(std::abs(dot(moved, turned({1, 0, 0}))), <=, 1e-14);
+  }
+  t.structure.apply_stiffness(u, forces);
+  std::vector<double> gap, resists;
+  relative_motions(t.points, u, gap);
+  resists.assign(gap.size(), 0.0);
+  for (int k = 0; k < t.points.size(); ++k) {
+    resists[3 * k] = stiffness[k].normal * gap[3 * k];
+    for (int a = 1; a < 3; ++a)
+      for (int b = 1; b < 3; ++b) resists[3 * k + a] += stiffness[k].along(a - 1, b - 1) * gap[3 * k + b];
+  }
+  add_contact_forces(t.points, {}, resists, 1.0, forces);
+  t.space.sum(forces, expected);
+  for (int i = 0; i < 3 * t.space.owned_clusters(); ++i)
+    if (!t.space.held()[i]) TEST_COMPARE(std::abs(local_view(found)[i] - local_view(expected)[i]), <=, 1e-14 * 1e11);
+  // What a displacement prescribes comes back, and its unknowns are those it had.
+  TpetraVector back(t.space.map());
+  t.space.average(u, back);
+  for (int i = 0; i < 3 * t.space.owned_clusters(); ++i)
+    TEST_COMPARE(std::abs(local_view(back)[i] - local_view(x)[i]), <=, 1e-14);
+}
+
 TEUCHOS_UNIT_TEST(SystemMatrixInSpace, IsSymmetricWhereFrictionDoesNotFollowThePressure) {
-  const TwoCubes t(2, Chosen::all, true);
+  const TwoCubes t(2, Chosen::all, On::ground);
   SystemMatrix matrix(t.structure, t.points, t.selected, t.space);
   const auto stiffness = t.resistances(false);
   matrix.update(stiffness, t.proximal());

@@ -152,6 +152,7 @@ TEUCHOS_UNIT_TEST(Settlement, MovesAndTurnsTheHeldComponentsOnceAtEveryNode) {
   const auto source = wall();
   const auto s = thin(*source);
   SettlementParameters load;
+  load.support = "ground";
   load.ux = 1e-3;
   load.uy = -2e-3;
   load.turn.rotation = 1e-2;
@@ -159,8 +160,12 @@ TEUCHOS_UNIT_TEST(Settlement, MovesAndTurnsTheHeldComponentsOnceAtEveryNode) {
   load.turn.about[1] = -0.25;
   for (const std::string components : {"x", "y", "xy"}) {
     auto u = nothing(s);
-    for (const double factor : {0.25, 0.5})  // added: three quarters in all
-      add_settlement(s, load, SupportParameters{"base", components}, set_number(*source, "base"), factor, u);
+    const std::vector<std::pair<std::string, SupportParameters>> supports{{"ground", {"base", components}}};
+    LoadParameters settlement;
+    settlement.kind = load;
+    auto force = nothing(s);  // added: three quarters in all
+    make_load(settlement, LoadSite<2>{s, *source, supports, "scene > loads > tested"})
+        ->add({{0, 0.25}, {0, 0.5}}, force, u);
     for (int i = 0; i < s.nodes(); ++i) {
       const auto& x = s.position()[i];
       // Counter-clockwise by 1e-2 about (0.5, -0.25): points right of it rise, points above it go left.

@@ -127,6 +127,23 @@ TEUCHOS_UNIT_TEST(SupportsInSpace, HoldTheComponentsTheyName) {
   TEST_ASSERT((count("xy") == std::array<double, 3>{nodes, nodes, 0}));
 }
 
+TEUCHOS_UNIT_TEST(SupportsInSpace, HoldAlongTheNormalsOfTheirFacets) {
+  const Wall wall;
+  SupportParameters base, front;
+  base.on = "base";
+  front.on = "front";
+  base.components = front.components = "normal";
+  const auto set = [&](const SupportParameters& p) { return facet_set(*wall.source, {p.on, ""}); };
+  const auto held = held_by(wall.structure, {{base, set(base)}, {front, set(front)}});
+  for (int i = 0; i < wall.structure.nodes(); ++i) {
+    const auto& x = wall.structure.position()[i];
+    const bool at_base = std::abs(x[2]) < 1e-9, at_front = std::abs(x[1]) < 1e-9;
+    TEST_EQUALITY(held.has_frame(i), at_base || at_front);
+    const auto left = held.free_part(i, Vector<3>{1, 2, 3});
+    TEST_COMPARE(norm(left - Vector<3>{1, at_front ? 0.0 : 2.0, at_base ? 0.0 : 3.0}), <=, 1e-14);
+  }
+}
+
 // Water stands at 0.6 m, in the middle of a course of 0.25 m: faces are cut.
 TEUCHOS_UNIT_TEST(WaterPressureInSpace, IsThatOfTheDepthOnWhatIsWet) {
   constexpr double level = 0.6;

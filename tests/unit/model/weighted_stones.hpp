@@ -84,7 +84,8 @@ struct PressedStones {
   MeetingStones source;
   Structure<2> structure;
   ContactPoints points;
-  std::vector<char> held, selected;
+  Held held;
+  std::vector<char> selected;
   std::vector<double> load, prescribed, stiffness, no_gap, displacement;
   PointField lambda, slip_origin;
 
@@ -100,7 +101,7 @@ struct PressedStones {
             },
             comm),
         points(source, structure, meeting_now()),
-        held(2 * structure.nodes(), 0),
+        held(std::vector<char>(2 * structure.nodes(), 0)),
         selected(points.untieable()),
         load(held.size(), 0.0),
         prescribed(held.size(), 0.0),
