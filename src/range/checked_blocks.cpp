@@ -15,7 +15,7 @@ namespace {
 template <int dim>
 std::unique_ptr<BlockSource<dim>> blocks_of(const MeshParameters& mesh, const Teuchos::Comm<int>& comm, Trust trust) {
   if constexpr (dim == 3)
-    if (mesh.type == MeshType::stones) return read_stone_blocks(mesh.stones, comm);
+    if (mesh.type == MeshType::stones) return read_stone_blocks(mesh.stones, comm, trust);
   return make_block_source<dim>(mesh, comm, trust);
 }
 

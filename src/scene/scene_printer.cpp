@@ -34,9 +34,11 @@ std::string mesh_text(const MeshParameters& mesh) {
   if (const auto* masonry = mesh.masonry()) return masonry->words();
   if (mesh.type == MeshType::stones) {
     const StonesParameters& s = mesh.stones;
-    return "stones of " + s.file + ", unit " + number_text(s.unit) + " m" +
-           (s.element_size > 0 ? ", element size " + number_text(s.element_size) + " m" : "") +
-           (s.cells == StoneCells::tetrahedra ? ", tetrahedra" : "");
+    std::string text = "stones of " + s.file + ", unit " + number_text(s.unit) + " m" +
+                       (s.element_size > 0 ? ", element size " + number_text(s.element_size) + " m" : "") +
+                       (s.cells == StoneCells::tetrahedra ? ", tetrahedra" : "");
+    for (const auto& [name, value] : s.geometry) text += ", " + name + " = " + number_text(value);
+    return text;
   }
   const GmshParameters& g = mesh.gmsh;
   std::string text = g.file + ", " + words_of(g.cells);

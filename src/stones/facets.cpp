@@ -50,20 +50,23 @@ Plane fitted(const Places& points, const Vector<3>& area) {
 class Faces {
  public:
   Faces(const StoneSurface& stone, double tolerance, FacetedStone& result) : stone_(stone) {
-    for (const auto& face : stone.faces) {
+    for (std::size_t f = 0; f < stone.faces.size(); ++f) {
+      const auto& face = stone.faces[f];
+      const int part = stone.part.empty() ? 0 : stone.part[f];
       const auto corners = places_of(stone.points, face);
       const double farthest = face.size() > 3 ? fitted(corners, area_vector(corners)).farthest : 0;
       result.farthest = std::max(result.farthest, farthest);
       if (farthest <= tolerance) {
-        add(face);
+        add(face, part);
         continue;
       }
       ++result.warped;
-      for (const auto& t : cut_into_triangles(corners)) add({face[t[0]], face[t[1]], face[t[2]]});
+      for (const auto& t : cut_into_triangles(corners)) add({face[t[0]], face[t[1]], face[t[2]]}, part);
     }
   }
   std::size_t size() const { return face_.size(); }
   const std::vector<int>& operator[](int f) const { return face_[f]; }
+  int part(int f) const { return part_[f]; }
   const Vector<3>& area(int f) const { return area_[f]; }
   Places corners(int f) const { return places_of(stone_.points, face_[f]); }
   /// The face across an edge of a face, or -1.
@@ -80,15 +83,17 @@ class Faces {
   }
 
  private:
-  void add(const std::vector<int>& face) {
+  void add(const std::vector<int>& face, int part) {
     for (std::size_t k = 0; k < face.size(); ++k)
       of_edge_[{face[k], face[(k + 1) % face.size()]}] = static_cast<int>(face_.size());
     area_.push_back(area_vector(places_of(stone_.points, face)));
     face_.push_back(face);
+    part_.push_back(part);
   }
 
   const StoneSurface& stone_;
   std::vector<std::vector<int>> face_;
+  std::vector<int> part_;
   Places area_;
   std::map<std::pair<int, int>, int> of_edge_;
 };
@@ -106,7 +111,8 @@ std::vector<int> grown_from(int first, const Faces& faces, const StoneSurface& s
     const auto face = faces[region[k]];
     for (std::size_t e = 0; e < face.size(); ++e) {
       const int next = faces.across(face[e], face[(e + 1) % face.size()]);
-      if (next < 0 || taken[next] || dot(faces.area(next), normal) < least_cosine * norm(faces.area(next))) continue;
+      if (next < 0 || taken[next] || faces.part(next) != faces.part(first)) continue;
+      if (dot(faces.area(next), normal) < least_cosine * norm(faces.area(next))) continue;
       const bool flat = std::all_of(faces[next].begin(), faces[next].end(), [&](int point) {
         return std::abs(dot(stone.points[point] - centre, normal)) <= tolerance;
       });

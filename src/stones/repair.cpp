@@ -98,7 +98,9 @@ Repair weld(StoneSurface& stone) {
   stone.points = welded.points();
   std::set<std::vector<int>> known;
   std::vector<std::vector<int>> kept;
-  for (const auto& face : stone.faces) {
+  std::vector<int> part;
+  for (std::size_t f = 0; f < stone.faces.size(); ++f) {
+    const auto& face = stone.faces[f];
     std::vector<int> points;
     for (std::size_t k = 0; k < face.size(); ++k)
       if (number[face[k]] != number[face[(k + face.size() - 1) % face.size()]]) points.push_back(number[face[k]]);
@@ -108,10 +110,13 @@ Repair weld(StoneSurface& stone) {
       ++repair.no_area;
     else if (!known.insert(corners).second)
       ++repair.doubled;
-    else
+    else {
       kept.push_back(std::move(points));
+      if (!stone.part.empty()) part.push_back(stone.part[f]);
+    }
   }
   stone.faces = std::move(kept);
+  stone.part = std::move(part);
   return repair;
 }
 
@@ -177,10 +182,12 @@ std::vector<StoneSurface> shells_of(const StoneSurface& stone) {
     part.name += " part " + std::to_string(s + 1);
     part.points.clear();
     part.faces.clear();
+    part.part.clear();
     std::map<int, int> number;
     for (std::size_t f = 0; f < stone.faces.size(); ++f) {
       if (shell[f] != s) continue;
       part.faces.push_back(stone.faces[f]);
+      if (!stone.part.empty()) part.part.push_back(stone.part[f]);
       for (int& point : part.faces.back()) {
         const auto [known, is_new] = number.emplace(point, static_cast<int>(part.points.size()));
         if (is_new) part.points.push_back(stone.points[point]);

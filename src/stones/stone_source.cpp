@@ -1,10 +1,16 @@
 #include "stones/stone_source.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "linalg/agree.hpp"
+#include "mesh/gmsh_file.hpp"
 #include "stones/cell_mesh.hpp"
+#include "stones/gmsh_volumes.hpp"
+#include "stones/volume_blocks.hpp"
 
 namespace voussoir {
 namespace {
@@ -20,17 +26,72 @@ std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
   return line;
 }
 
+BlockList<3> meshed_here(StoneStructure structure) {
+  auto meshes = mesh_stones(structure);
+  auto list = std::move(meshes.list);
+  list.report = std::move(structure.report);
+  list.report.push_back(of_meshes(meshes.quality, structure.stones.size()));
+  return list;
+}
+
+bool all_tetrahedra(const VolumeMesh& mesh) {
+  for (const auto& volume : mesh.volumes)
+    for (const auto& cell : volume.cells)
+      if (cell.count != 4) return false;
+  return true;
+}
+
+/// Volumes of gmsh whose cells are not kept, from their outlines.
+BlockList<3> meshed_anew(VolumeMesh mesh, const StonesParameters& p, Trust trust, const std::string& origin) {
+  if (!is_mesh(p.file)) {
+    mesh = read_volumes(p, VolumesAs::outlined, trust);
+    turn_up(p.up, mesh.position);
+  }
+  auto structure = structure_of(surfaces_of(mesh, origin), p);
+  if (structure.stones.size() != mesh.volumes.size())
+    throw InputError("mesh: a volume is in pieces\n  (" + list_of(structure.report, 1) +
+                     ").\n  Make each piece a volume of its own.");
+  const double within = std::max(structure.tolerance, structure.weld);
+  auto list = meshed_here(std::move(structure));
+  for (std::size_t k = 0; k < list.blocks.size(); ++k) list.blocks[k].name = mesh.name_of(k);
+  add_sets_of_file(mesh, within, list);
+  return list;
+}
+
+BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust) {
+  const auto origin = std::filesystem::path(p.file).filename().string();
+  auto mesh = read_volumes(p, VolumesAs::meshed, trust);
+  turn_up(p.up, mesh.position);
+  const int turned = find_borders(mesh);
+  const bool asked =
+      (is_mesh(p.file) && p.element_size > 0) || (p.cells == StoneCells::tetrahedra && !all_tetrahedra(mesh));
+  std::string anew = "other cells are asked for than the file has";
+  BlockList<3> list;
+  if (!asked) {
+    const auto stones = surfaces_of(mesh, origin);
+    auto kept = blocks_as_meshed(mesh, stones, tolerance_of(stones, p));
+    anew = kept.unmatched;
+    list = std::move(kept.list);
+    if (anew.empty()) add_sets_of_file(mesh, kept.within, list);
+  }
+  if (!anew.empty()) {
+    list = meshed_anew(std::move(mesh), p, trust, origin);
+    list.report.insert(list.report.begin(), "volumes are meshed anew: " + anew);
+  }
+  if (turned > 0)
+    add_warning(list.warnings,
+                {"volumes_turned", "mesh > stones", "", static_cast<double>(turned),
+                 std::to_string(turned) + " volumes have cells that are inside out, all of them; they are "
+                                          "turned, look whether these stones are as meant"});
+  return list;
+}
+
 }  // namespace
 
-std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm) {
+std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm,
+                                                  Trust trust) {
   BlockList<3> list;
-  on_first_rank(comm, [&] {
-    auto structure = structure_of(p);
-    auto meshes = mesh_stones(structure);
-    list = std::move(meshes.list);
-    list.report = std::move(structure.report);
-    list.report.push_back(of_meshes(meshes.quality, structure.stones.size()));
-  });
+  on_first_rank(comm, [&] { list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p)); });
   broadcast_blocks(comm, list);
   return make_source(std::move(list));
 }

@@ -36,23 +36,6 @@ double median_size(const std::vector<StoneSurface>& stones) {
   return sizes[sizes.size() / 2];
 }
 
-void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) {
-  auto found = overlaps(stones, tolerance);
-  if (found.empty()) return;
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
-  std::string message =
-      "mesh > stones: " + counted(found.size(), found.size() == 1 ? "pair of stones lies" : "pairs of stones lie") +
-      " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
-  for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
-    const auto& [pair, depth, place] = found[k];
-    message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +
-               " or more at (" + six_digits(place[0]) + ", " + six_digits(place[1]) + ", " + six_digits(place[2]) + ")";
-  }
-  throw InputError(message +
-                   "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise "
-                   "joint tolerance above the overlap.");
-}
-
 /// Tells what was found, in lines for the one who looks and in warnings for what may be wrong.
 class Teller {
  public:
@@ -187,13 +170,39 @@ class Teller {
 
 }  // namespace
 
+void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) {
+  auto found = overlaps(stones, tolerance);
+  if (found.empty()) return;
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  std::string message =
+      "mesh > stones: " + counted(found.size(), found.size() == 1 ? "pair of stones lies" : "pairs of stones lie") +
+      " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
+  for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
+    const auto& [pair, depth, place] = found[k];
+    message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +
+               " or more at (" + six_digits(place[0]) + ", " + six_digits(place[1]) + ", " + six_digits(place[2]) + ")";
+  }
+  throw InputError(message +
+                   "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise "
+                   "joint tolerance above the overlap.");
+}
+
+double tolerance_of(const std::vector<StoneSurface>& stones, const StonesParameters& p) {
+  return p.joint_tolerance > 0 ? p.joint_tolerance : defaults.tolerance * median_size(stones);
+}
+
+void turn_up(UpAxis up, Places& places) {
+  const auto axes = axes_of(up);
+  for (auto& x : places) x = {x[axes[0]], x[axes[1]], x[axes[2]]};
+}
+
 StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const StonesParameters& p) {
   StoneStructure s;
   auto mended = closed(drawn);
   s.stones = std::move(mended.stones);
   s.warnings = std::move(mended.warnings);
   const double size = median_size(s.stones);
-  s.tolerance = p.joint_tolerance > 0 ? p.joint_tolerance : defaults.tolerance * size;
+  s.tolerance = tolerance_of(s.stones, p);
   s.weld = p.weld > 0 ? p.weld : defaults.weld * s.tolerance;
   s.element_size = p.element_size > 0 ? p.element_size : defaults.element_size * size;
   s.cells = p.cells;
@@ -212,9 +221,7 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
 
 StoneStructure structure_of(const StonesParameters& p) {
   auto drawn = read_stones(p.file, p.unit);
-  const auto axes = axes_of(p.up);
-  for (auto& stone : drawn)
-    for (auto& x : stone.points) x = {x[axes[0]], x[axes[1]], x[axes[2]]};
+  for (auto& stone : drawn) turn_up(p.up, stone.points);
   return structure_of(drawn, p);
 }
 

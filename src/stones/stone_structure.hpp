@@ -39,6 +39,13 @@ struct StoneDefaults {
   double reach = 30;
 };
 
+/// [m] The joint tolerance of a scene, or the one that is chosen for its stones.
+double tolerance_of(const std::vector<StoneSurface>&, const StonesParameters&);
+/// Turns places of a file so that its axis that points up is z.
+void turn_up(UpAxis, Places&);
+/// Throws InputError for stones that lie in each other by more than the tolerance.
+void refuse_overlaps(const std::vector<StoneSurface>&, double tolerance);
+
 /// Reads the file and finds joints. Throws InputError for files that cannot be read, stones that cannot be mended, that
 /// overlap by more than the tolerance or do not fit together.
 StoneStructure structure_of(const StonesParameters&);

@@ -1,6 +1,7 @@
 // Stones in space from a file: what a scene says of it.
 #pragma once
 
+#include <map>
 #include <string>
 
 namespace voussoir {
@@ -21,6 +22,7 @@ struct StonesParameters {
   double weld = 0;             ///< [m] 0 = a multiple of the tolerance
   double element_size = 0;     ///< [m] 0 = a part of the stones' size
   StoneCells cells = StoneCells::by_shape;
+  std::map<std::string, double> geometry;  ///< numbers set in a .geo, by name, in its units
   void declare(ParameterSection&);
 };
 

@@ -18,6 +18,7 @@ struct StoneSurface {
   int curved = 0;                       ///< faces that the file has curved, here in chords
   Places points;                        ///< [m]
   std::vector<std::vector<int>> faces;  ///< of point numbers
+  std::vector<int> part;                ///< per face: no facet has faces of two; empty where all are of one
 };
 
 /// `stone "Mesh 17" (vault.obj, line 345)`

@@ -1,0 +1,53 @@
+// A file of gmsh in gmsh: opened, and what it holds by entities and physical groups. For child processes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh_parameters.hpp"
+
+namespace voussoir {
+
+/// gmsh from initialisation to its end, silent; errors quote what it said.
+class Gmsh {
+ public:
+  Gmsh();
+  ~Gmsh();
+  Gmsh(const Gmsh&) = delete;
+  Gmsh& operator=(const Gmsh&) = delete;
+
+  /// Runs a command of gmsh; its errors become an InputError about the file.
+  /// @param what  "mesh the file"
+  void run(const std::string& file, const std::string& what, const std::function<void()>& command);
+};
+
+/// A finished mesh, not a geometry to be meshed.
+bool is_mesh(const std::string& file);
+
+/// Throws InputError for a file that is not there.
+void require_file(const std::string& file);
+
+/// Opens a finished mesh; one cannot change its cells.
+void open_mesh(Gmsh&, const GmshParameters&);
+
+/// Opens a .geo with numbers set in it.
+void open_geo(Gmsh&, const GmshParameters&, const std::map<std::string, double>& numbers);
+
+/// Cells of that length [units of the file] everywhere, whatever points and fields of the file say.
+void set_mesh_size(double size);
+
+/// The names of physical groups of a dimension, and for each entity the groups it is in, by tag.
+struct Groups {
+  std::vector<std::string> names;
+  std::map<int, std::vector<int>> of_entity;      ///< indices of names, ascending
+  std::map<int, std::vector<std::string>> named;  ///< a name for each group, though groups may have the same
+};
+Groups read_groups(const std::string& file, int dimension);
+
+/// Nodes of each element of one entity, all of first order. Formats that list no entities have an element once for each
+/// of its groups: it is kept once.
+std::vector<std::vector<std::size_t>> read_elements(const std::string& file, int dimension, int entity, Groups&);
+
+}  // namespace voussoir
