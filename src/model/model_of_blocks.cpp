@@ -112,6 +112,11 @@ double ModelOfBlocks<dim>::passage(int block) const {
   };
   for (const auto& cell : mesh.cells) {
     const int around = dim == 2 ? cell.count : 4;  // corners of a face
+    if (dim == 3 && cell.count == 4) {             // all corners of a tetrahedron are neighbours
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < i; ++j) look_at(cell.node[i], cell.node[j]);
+      continue;
+    }
     for (int i = 0; i < cell.count; ++i) {
       const int face = i / around * around;
       look_at(cell.node[i], cell.node[face + (i + 1) % around]);

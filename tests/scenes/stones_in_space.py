@@ -120,6 +120,17 @@ class StonesFromFiles(program.SceneTest):
             stood = [row["stage"] for row in run.history if row["load_factor"] == 1]
             self.assertEqual(stood, ["own weight", "push 0.999"], f"{cells}: stands at 0.999, falls at 1.001")
 
+    def test_tetrahedra_that_swing_keep_their_energy(self):
+        glue = {"glue": {"friction coefficient": 0.6, "cohesion": 1e8, "tension strength": 1e8}}
+        swing = {"duration": 0.01, "time step": 0.001, "at once": True, "loads": {"weight": 1.0, "push": 0.0}}
+        stages = {"pushed": {"loads": {"weight": 1.0, "push": 1.0}}, "let go": swing}
+        mesh = {"cells": "tetrahedra", "element size": 0.5}
+        run = self.run_stones(COLUMN, scene(loads=push(30, 0.3), stages=stages, mesh=mesh, joints=glue))
+        self.assertEqual(run.outcome, "equilibrium", run.said)
+        swung = max(row["kinetic_J"] for row in run.history)
+        self.assertGreater(swung, 0)
+        self.assertLess(max(abs(row["imbalance_in_time_J"]) for row in run.history), 1e-8 * swung)
+
     def test_units_and_axes_of_the_file(self):
         turned = {name: ([(1000 * y, 1000 * z, 1000 * x) for x, y, z in points], faces) for name, (points, faces) in wall().items()}
         run = self.run_stones(turned, scene(mesh={"unit": 0.001, "up": "y"}))
