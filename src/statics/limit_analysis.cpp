@@ -271,6 +271,10 @@ LimitAnswer<dim> LimitAnalysis<dim>::bears(double factor) const {
   VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
   bool balanced = true;
   const auto loaded = under_loads(factor);
+  if (dim == 3) {  // forces within cones settle it, and stones that stand have them more often than a mechanism
+    auto borne = loaded.largest_borne(1);
+    if (borne.verdict == LimitVerdict::unlimited) return borne;
+  }
   auto answer = loaded.in_motion(1, loaded.with_forces(1, loaded.raised_up_to(1, {}, &balanced)));
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
   return answer;

@@ -91,15 +91,22 @@ LimitAnswer<dim> LimitAnalysis<dim>::least_pressed(double share_of_joints, const
   return judge(p, p.lp.maximise(), 1);
 }
 
-/// Forces that balance loads are found first, without a cost; from them the simplex method goes from one extreme to the
-/// next, which takes it a tenth of what each alone does.
+/// Forces that balance loads are found first, without a cost and without an end, which costs the simplex method several
+/// times as much; from them it goes from one extreme to the next, which takes it a tenth of what each alone does.
 template <int dim>
 std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int supports, double factor) const {
   VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
   std::vector<std::array<ReactionRange, dim>> ranges(static_cast<std::size_t>(supports));
-  auto p = programme({1, Numbers::most_force, Pyramid::around, false});
+  auto p = programme({1, endless, Pyramid::around, false});
   const double f = factor * raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, f, f);
+  p.lp.maximise();
+  for (std::size_t k = 0; k < p.forces.size(); ++k)
+    for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g) {
+      const auto& of = p.forces[k].generators[g];
+      p.lp.set_column(p.columns[k][g], std::max(of.lower / unit_, -Numbers::most_force),
+                      std::min(of.upper / unit_, Numbers::most_force));
+    }
   if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
   for (int support = 0; support < supports; ++support)
     for (std::size_t c = 0; c < dim; ++c) {
