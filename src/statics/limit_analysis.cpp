@@ -285,6 +285,10 @@ LimitAnswer<dim> LimitAnalysis<dim>::refuses(double factor) const {
   VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
   bool balanced = true;
   const auto loaded = under_loads(factor);
+  if (dim == 3) {  // as bears() asks: pyramids around are made finer for long where there are such forces
+    auto borne = loaded.largest_borne(1);
+    if (std::exchange(borne.verdict, LimitVerdict::unknown) == LimitVerdict::unlimited) return borne;
+  }
   auto answer = loaded.in_motion(1, loaded.raised_up_to(1, {}, &balanced));
   answer.verdict = answer.verdict == LimitVerdict::limited ? LimitVerdict::refused : LimitVerdict::unknown;
   return answer;
