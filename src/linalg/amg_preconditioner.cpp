@@ -26,6 +26,8 @@ LevelMatrix matrix_of(MueLu::Level& level) {
 
 constexpr int first_small_level = 2;  // of some 60th part of the unknowns
 constexpr int last_level = 9;         // MueLu makes ten
+/// In space a level has some 20th of the unknowns of the one above, so that the first of them is small too.
+constexpr int first_swept_level(int dim) { return dim == 2 ? first_small_level : first_small_level - 1; }
 
 bool names_smoothers(const Teuchos::ParameterList& list) {
   for (auto entry = list.begin(); entry != list.end(); ++entry)
@@ -47,13 +49,14 @@ void smooth(Teuchos::ParameterList& list, int sweeps) {
 
 /// Along slanting borders, as those of ranks, aggregates come out uneven, and those of aggregates more so: small levels
 /// grow theirs from one to the next, and sweep three times, which costs little there (README.md, "Decisions").
-void treat_small_levels(Teuchos::ParameterList& list, const Teuchos::ParameterList& overrides) {
-  for (int l = first_small_level; l <= last_level; ++l) {
+void treat_small_levels(Teuchos::ParameterList& list, int dim, const Teuchos::ParameterList& overrides) {
+  for (int l = first_swept_level(dim); l <= last_level; ++l) {
     const auto name = "level " + std::to_string(l);
     auto& level = list.sublist(name);
     const bool own = overrides.isSublist(name) && names_smoothers(overrides.sublist(name));
     if (!own && !names_smoothers(overrides)) smooth(level, 3);
-    if (!overrides.isParameter("aggregation: ordering")) level.set("aggregation: ordering", "graph");
+    if (l >= first_small_level && !overrides.isParameter("aggregation: ordering"))
+      level.set("aggregation: ordering", "graph");
   }
 }
 
@@ -74,7 +77,7 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
   if (!names_smoothers(overrides)) smooth(list, 1);
-  treat_small_levels(list, overrides);
+  treat_small_levels(list, dim, overrides);
   if (ranks > 1) {
     list.set("repartition: enable", true);
     list.set("repartition: partitioner", "zoltan2");
