@@ -9,7 +9,8 @@ Expected  A square joint of side a that turns under an even pressure resists by 
           A block that spins on its base is stopped by the same moment. A prism that is set rocking about an edge or about
           a corner is slowed by the constant moment of its weight, as small rotations have it, and keeps its energy.
 Tolerance 4 % where friction is summed up at the nodes of four cells a side, which take 3.9 % too much: the sum over nodes
-          itself to 0.5 %. Of motions 1 %: what elastic stones tremble beside them.
+          itself to 0.5 %. Of motions 1 %: what elastic stones tremble beside them. The way of a stone that slides off, at
+          the corner that moves most, 0.03, two degrees: nothing resists a slow spin beside it, and it is the last solve's.
 """
 
 import math
@@ -79,7 +80,7 @@ class PrismInSpace(program.SceneTest):
         with h5py.File(run.folder / "fields.h5") as fields:
             motion = fields["steps"][sorted(fields["steps"])[-1]]["displacement"][:]
         way = motion[np.linalg.norm(motion, axis=1).argmax()]
-        self.assertLess(np.abs(way / np.linalg.norm(way) - [0.6, 0.8, 0.0]).max(), 0.01)
+        self.assertLess(np.abs(way / np.linalg.norm(way) - [0.6, 0.8, 0.0]).max(), 0.03)
 
     def test_a_slope_that_falls_along_no_axis(self):
         # Gravity is turned and not the drawing: its part along the slope grows evenly from nothing.
