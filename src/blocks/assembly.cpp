@@ -106,9 +106,16 @@ LocalCsr block_mass(const Block<3>& block, double density, Mass kind) {
 }
 
 LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr& b) {
-  VOUSSOIR_CHECK(a.column.size() == b.column.size());
+  VOUSSOIR_CHECK(a.rows() == b.rows());
   LocalCsr c = a;
-  for (std::size_t k = 0; k < c.value.size(); ++k) c.value[k] = factor_a * a.value[k] + factor_b * b.value[k];
+  for (int i = 0; i < c.rows(); ++i) {
+    int of_b = b.start[i];
+    for (int k = c.start[i]; k < c.start[i + 1]; ++k) {
+      const bool both = of_b < b.start[i + 1] && b.column[of_b] == c.column[k];
+      c.value[k] = factor_a * a.value[k] + (both ? factor_b * b.value[of_b++] : 0.0);
+    }
+    VOUSSOIR_CHECK(of_b == b.start[i + 1]);
+  }
   return c;
 }
 

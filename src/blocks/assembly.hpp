@@ -37,7 +37,7 @@ LocalCsr block_mass(const Block<dim>& block, double density, const ModelParamete
     return block_mass(block, density, kind);
 }
 
-/// factor_a a + factor_b b of two matrices with the same rows and columns.
+/// factor_a a + factor_b b of two matrices; b has no entry where a has none.
 LocalCsr sum(double factor_a, const LocalCsr& a, double factor_b, const LocalCsr& b);
 
 /// Of each node the side of the cube that is as large as the cells beside it are in the mean [m].

@@ -3,11 +3,12 @@
 #include <utility>
 
 #include "blocks/assembly.hpp"
+#include "blocks/condensed_edges.hpp"
 
 namespace voussoir {
 
 template <int dim>
-std::shared_ptr<const LocalCsr> StiffnessOfShapes::of(Block<dim> block, const Material& material) {
+BlockMatrices StiffnessOfShapes::of(Block<dim> block, const Material& material) {
   const auto first = block.position.front();
   for (auto& x : block.position) x = x - first;
   std::vector<double> shape{material.young_modulus, material.poisson_ratio, static_cast<double>(block.position.size())};
@@ -16,12 +17,19 @@ std::shared_ptr<const LocalCsr> StiffnessOfShapes::of(Block<dim> block, const Ma
     shape.push_back(cell.count);
     shape.insert(shape.end(), cell.node.begin(), cell.node.begin() + cell.count);
   }
+  for (const auto& edge : block.curved) shape.insert(shape.end(), edge.begin(), edge.end());
   auto& known = known_[std::move(shape)];
-  if (!known) known = std::make_shared<const LocalCsr>(block_stiffness(block, material, model_));
+  if (known.stiffness) return known;
+  known.sparse = known.stiffness = std::make_shared<const LocalCsr>(block_stiffness(block, material, model_));
+  if constexpr (dim == 3)
+    if (!block.curved.empty()) {
+      known.edges = std::make_shared<const CondensedEdges>(block, material);
+      known.stiffness = std::make_shared<const LocalCsr>(known.edges->stiffness(*known.sparse));
+    }
   return known;
 }
 
-template std::shared_ptr<const LocalCsr> StiffnessOfShapes::of(Block<2>, const Material&);
-template std::shared_ptr<const LocalCsr> StiffnessOfShapes::of(Block<3>, const Material&);
+template BlockMatrices StiffnessOfShapes::of(Block<2>, const Material&);
+template BlockMatrices StiffnessOfShapes::of(Block<3>, const Material&);
 
 }  // namespace voussoir

@@ -1,8 +1,10 @@
 #include "blocks/stresses.hpp"
 
 #include "blocks/assembly.hpp"
+#include "blocks/condensed_edges.hpp"
 #include "blocks/element_matrices.hpp"
 #include "blocks/solid_matrices.hpp"
+#include "blocks/tetrahedron.hpp"
 
 namespace voussoir {
 namespace {
@@ -25,28 +27,54 @@ std::array<double, 6> stress_of(const Structure<3>&, const LocalBlock<3>& block,
   return value;
 }
 
+/// Adds what edges add that bend.
+/// @param stress  of the cells of the block
+void add_stress_of_edges(const LocalBlock<3>& block, const std::vector<double>& displacement, double free_strain,
+                         const Vector<3>& body_force, double* stress) {
+  if (!block.edges) return;
+  std::vector<double> u;  // a free strain bends nothing
+  u.reserve(3 * block.mesh.position.size());
+  for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      u.push_back(displacement[3 * (block.first_local + i) + c] -
+                  free_strain * (block.mesh.position[i][c] - block.mesh.position.front()[c]));
+  const auto bends = block.edges->bends(block.mesh, u, body_force);
+  for (std::size_t n = 0; n < block.mesh.cells.size(); ++n) {
+    const auto& cell = block.mesh.cells[n];
+    if (cell.count != 4) continue;
+    const auto x = cell_positions(block.mesh, cell);
+    const auto more = tetrahedron_edge_stress({x[0], x[1], x[2], x[3]}, bends[n], block.material);
+    for (int c = 0; c < 6; ++c) stress[6 * n + c] += more[c];
+  }
+}
+
 }  // namespace
 
 template <int dim>
 std::vector<double> cell_stresses(const Structure<dim>& s, const std::vector<double>& displacement,
-                                  const std::vector<double>& free_strain) {
+                                  const InnerLoads& inner) {
   std::vector<double> stress;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.blocks()[b];
+    const std::size_t first = stress.size();
+    const double free_strain = inner.free_strain.empty() ? 0.0 : inner.free_strain[b];
     for (const auto& cell : block.mesh.cells) {
       std::array<Vector<dim>, 4 * (dim - 1)> u{};
       for (int i = 0; i < cell.count; ++i)
         for (int c = 0; c < dim; ++c) u[i][c] = displacement[dim * (block.first_local + cell.node[i]) + c];
-      const auto value = stress_of(s, block, cell, u, free_strain.empty() ? 0.0 : free_strain[b]);
+      const auto value = stress_of(s, block, cell, u, free_strain);
       stress.insert(stress.end(), value.begin(), value.end());
+    }
+    if constexpr (dim == 3) {
+      Vector<3> force{};
+      for (int c = 0; c < 3 && !inner.body_force.empty(); ++c) force[c] = inner.body_force[3 * b + c];
+      add_stress_of_edges(block, displacement, free_strain, force, stress.data() + first);
     }
   }
   return stress;
 }
 
-template std::vector<double> cell_stresses<2>(const Structure<2>&, const std::vector<double>&,
-                                              const std::vector<double>&);
-template std::vector<double> cell_stresses<3>(const Structure<3>&, const std::vector<double>&,
-                                              const std::vector<double>&);
+template std::vector<double> cell_stresses<2>(const Structure<2>&, const std::vector<double>&, const InnerLoads&);
+template std::vector<double> cell_stresses<3>(const Structure<3>&, const std::vector<double>&, const InnerLoads&);
 
 }  // namespace voussoir

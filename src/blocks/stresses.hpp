@@ -7,17 +7,20 @@
 
 namespace voussoir {
 
+/// What acts within blocks, which stresses depend on beside displacements; empty for none.
+struct InnerLoads {
+  std::vector<double> free_strain;  ///< [-, per local block] taken without stress in every direction, such as by heat
+  std::vector<double> body_force;   ///< [N/m3, dim x local block] on all of a block
+};
+
 /// Mean stress of every cell of the owned blocks, cell by cell [Pa]: (xx, yy, xy), in space (xx, xy, xz, yy, yz, zz).
 /// @param displacement  [m, dim x local node copies]
-/// @param free_strain   what a block would take without stress in every direction, such as by heat
-///                      [-, per local block]; empty for none
 template <int dim>
-std::vector<double> cell_stresses(const Structure<dim>&, const std::vector<double>& displacement,
-                                  const std::vector<double>& free_strain);
+std::vector<double> cell_stresses(const Structure<dim>&, const std::vector<double>& displacement, const InnerLoads&);
 
 extern template std::vector<double> cell_stresses<2>(const Structure<2>&, const std::vector<double>&,
-                                                     const std::vector<double>&);
+                                                     const InnerLoads&);
 extern template std::vector<double> cell_stresses<3>(const Structure<3>&, const std::vector<double>&,
-                                                     const std::vector<double>&);
+                                                     const InnerLoads&);
 
 }  // namespace voussoir

@@ -14,13 +14,15 @@
 #include "blocks/rigid_motion.hpp"
 #include "blocks/shapes.hpp"
 #include "linalg/reduce.hpp"
+#include "mesh/curved_edges.hpp"
 
 namespace voussoir {
 
 template <int dim>
 Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner_of_block, const ModelParameters& model,
                           const std::function<Material(const Block<dim>&)>& material_of,
-                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+                          const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+                          const std::function<bool(const Block<dim>&, const TaggedFacet&)>& held)
     : BlockSystem(dim, std::move(owner_of_block), model, comm) {
   const auto first = first_nodes(source);
   total_nodes_ = first.back();
@@ -31,6 +33,8 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   const auto add = [&](BlockId b) {
     auto block = source.block(b);
     const auto material = material_of(block);
+    if constexpr (dim == 3)
+      if (held) block.curved = curved_edges_off(block, [&](const TaggedFacet& facet) { return held(block, facet); });
     add_block(std::move(block), first[b], material, stiffness, vertex);
   };
   std::vector<BlockId> halo;
@@ -79,7 +83,10 @@ void Structure<dim>::add_block(Block<dim> mesh, NodeId first_node, const Materia
   b.first_node = first_node;
   b.first_local = nodes();
   b.material = material;
-  b.stiffness = stiffness.of(b.mesh, material);
+  const auto matrices = stiffness.of(b.mesh, material);
+  b.stiffness = matrices.stiffness;
+  b.sparse = matrices.sparse;
+  b.edges = matrices.edges;
   const int local = static_cast<int>(blocks_.size());
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
     node_id_.push_back(b.first_node + static_cast<NodeId>(i));
@@ -150,7 +157,7 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
     for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = motion[c];
   }
   if (rigid.turn != turn_[block])  // else it is the matrix of this turn, which blocks that have not turned share
-    b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_));
+    b.sparse = b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_));
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) b.mesh.position[i] = position_[b.first_local + i];
   return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
 }
@@ -177,13 +184,22 @@ double Structure<dim>::move_to(const std::vector<double>& u) {
 /// Blocks that are alike and as dense have one matrix here too, so one must not depend on where its block stands, not
 /// in the last bit either: which of them is asked for depends on ranks.
 template <int dim>
-Structure<dim> Structure<dim>::with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const {
+Structure<dim> Structure<dim>::with_matrices(const std::function<LocalCsr(int block)>& matrix_of,
+                                             const std::function<LocalCsr(int block)>& sparse_of) const {
   Structure other = *this;
-  std::map<std::pair<const LocalCsr*, double>, std::shared_ptr<const LocalCsr>> made;
+  std::map<std::pair<const LocalCsr*, double>,
+           std::pair<std::shared_ptr<const LocalCsr>, std::shared_ptr<const LocalCsr>>>
+      made;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    auto& matrix = made[{blocks_[b].stiffness.get(), blocks_[b].material.density}];
-    if (!matrix) matrix = std::make_shared<const LocalCsr>(matrix_of(static_cast<int>(b)));
+    const auto& block = blocks_[b];
+    auto& [matrix, sparse] = made[{block.stiffness.get(), block.material.density}];
+    if (!matrix) {
+      sparse = matrix = std::make_shared<const LocalCsr>(matrix_of(static_cast<int>(b)));
+      if (sparse_of && block.sparse != block.stiffness)
+        sparse = std::make_shared<const LocalCsr>(sparse_of(static_cast<int>(b)));
+    }
     other.blocks_[b].stiffness = matrix;
+    other.blocks_[b].sparse = sparse;
   }
   return other;
 }

@@ -24,9 +24,11 @@ class Structure : public BlockSystem {
  public:
   /// @param owner_of_block  rank of every block
   /// @param material_of     material of a block, called for blocks of this rank and its halo
+  /// @param held            whether a facet of a block is held, so that its edges stay straight; none for no facet
   Structure(const BlockSource<dim>&, std::vector<int> owner_of_block, const ModelParameters&,
             const std::function<Material(const Block<dim>&)>& material_of,
-            const Teuchos::RCP<const Teuchos::Comm<int>>&);
+            const Teuchos::RCP<const Teuchos::Comm<int>>&,
+            const std::function<bool(const Block<dim>&, const TaggedFacet&)>& held = {});
 
   const std::vector<LocalBlock<dim>>& blocks() const { return blocks_; }
   int local_blocks() const override { return static_cast<int>(blocks_.size()); }
@@ -46,8 +48,10 @@ class Structure : public BlockSystem {
   /// How far a local block has been followed from its drawing [rad], counter-clockwise.
   double turn(int block) const { return turn_.empty() ? 0.0 : turn_[block]; }
   /// The same structure with other matrices in the place of the stiffness of its blocks.
-  /// @param matrix_of  matrix of each local block, in the rows and columns of its stiffness
-  Structure with_matrices(const std::function<LocalCsr(int block)>& matrix_of) const;
+  /// @param matrix_of  matrix of each local block in the place of its stiffness
+  /// @param sparse_of  likewise of what makes preconditioners; none where that is the same matrix
+  Structure with_matrices(const std::function<LocalCsr(int block)>& matrix_of,
+                          const std::function<LocalCsr(int block)>& sparse_of = {}) const;
   /// Middle of the bounding box [m]: what is reckoned from it keeps its digits, wherever the drawing has its origin.
   const Vector<dim>& middle() const { return middle_; }
   Vector<3> centre() const override { return in_space(middle_); }

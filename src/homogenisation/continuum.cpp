@@ -58,7 +58,11 @@ Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const He
   for (int k = 0; k < points.size() && !held.frames().empty(); ++k)
     if (points.at(k).any([&](int node) { return held.has_frame(node); })) free[k] = springs = true;
   space_ = std::make_unique<MergedSpace>(s, points, free, held);
-  SystemMatrix system(s, points, free, *space_);
+  // What is too small for multigrid is factored as it is; else edges that are condensed are left out: dense rows of
+  // whole stones are no graph to coarsen.
+  const auto unknowns = space_->map()->getGlobalNumElements();
+  const bool small = unknowns < static_cast<Tpetra::global_size_t>(numbers.smallest_multigrid);
+  SystemMatrix system(s, points, free, *space_, small ? &NodesOfBlock::stiffness : &NodesOfBlock::sparse);
   if (springs) {
     VOUSSOIR_EXPECT(local_stiffness.size() == free.size());
     std::vector<PointStiffness> stiffness;
@@ -69,8 +73,7 @@ Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const He
 
   // A scene that has wishes for multigrid gets one.
   const bool uneven = muelu.numParams() == 0 && contrast(s) > numbers.even;
-  const int factored = uneven ? numbers.largest_factor : numbers.smallest_multigrid;
-  if (space_->map()->getGlobalNumElements() < static_cast<Tpetra::global_size_t>(factored)) {
+  if (small || (uneven && unknowns < static_cast<Tpetra::global_size_t>(numbers.largest_factor))) {
     preconditioner_ = std::make_shared<DirectPreconditioner>(*matrix_);
     return;
   }

@@ -20,6 +20,7 @@ class Continuum {
             const CoarseOperatorParameters& = {}, const std::vector<double>& local_stiffness = {});
 
   const MergedSpace& space() const { return *space_; }
+  /// What is preconditioned: of blocks as they are where it is factored for its size, else of what is sparse of them.
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
   const std::shared_ptr<const Preconditioner>& preconditioner() const { return preconditioner_; }
   /// Of its multigrid, from the finest to the coarsest; none where it is factored. Collective.

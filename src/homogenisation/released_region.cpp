@@ -40,7 +40,7 @@ ReleasedRegion::ReleasedRegion(const BlockSystem& s, const ContactPoints& points
     auto wider = inside;
     for (int b = 0; b < s.local_blocks(); ++b) {
       const auto& block = s.nodes_of(b);
-      const auto& k = *block.stiffness;
+      const auto& k = *block.sparse;  // which knows the cells
       for (int i = 0; i < block.nodes; ++i) {
         if (!inside[cluster[block.first_local + i]]) continue;
         for (int e = k.start[dim * i]; e < k.start[dim * i + 1]; e += dim)

@@ -43,8 +43,13 @@ class Neighbours {
 }  // namespace
 
 SystemMatrix::SystemMatrix(const BlockSystem& structure, const ContactPoints& points, const std::vector<char>& selected,
-                           const MergedSpace& space)
-    : dim_(structure.components()), structure_(structure), points_(points), selected_(selected), space_(space) {
+                           const MergedSpace& space, Matrix NodesOfBlock::*of_block)
+    : dim_(structure.components()),
+      structure_(structure),
+      points_(points),
+      selected_(selected),
+      space_(space),
+      of_block_(of_block) {
   set_pattern();
   add_stiffness();
   remember_stiffness_of_points();
@@ -74,14 +79,14 @@ void SystemMatrix::set_pattern() {
   for_all(
       [&](const NodesOfBlock& b, int i) {
         neighbours.count(cluster[b.first_local + i],
-                         (b.stiffness->start[dim * i + 1] - b.stiffness->start[dim * i]) / dim);
+                         ((b.*of_block_)->start[dim * i + 1] - (b.*of_block_)->start[dim * i]) / dim);
       },
       [&](int a, int) { neighbours.count(a, 1); });
   neighbours.begin_filling();
   for_all(
       [&](const NodesOfBlock& b, int i) {
-        for (int e = b.stiffness->start[dim * i]; e < b.stiffness->start[dim * i + 1]; e += dim)
-          neighbours.add(cluster[b.first_local + i], cluster[b.first_local + b.stiffness->column[e] / dim]);
+        for (int e = (b.*of_block_)->start[dim * i]; e < (b.*of_block_)->start[dim * i + 1]; e += dim)
+          neighbours.add(cluster[b.first_local + i], cluster[b.first_local + (b.*of_block_)->column[e] / dim]);
       },
       [&](int a, int b) { neighbours.add(a, b); });
   neighbours.sort();
@@ -108,7 +113,7 @@ void SystemMatrix::add_stiffness() {
   Kokkos::deep_copy(value_, 0.0);
   for (int block = 0; block < structure_.local_blocks(); ++block) {
     const auto& b = structure_.nodes_of(block);
-    const auto& k = *b.stiffness;
+    const auto& k = *(b.*of_block_);
     for (int n = 0; n < b.nodes; ++n) {
       const int node = cluster[b.first_local + n];
       if (node >= owned) continue;

@@ -26,7 +26,10 @@ struct OwnedRows {
 
 class SystemMatrix {
  public:
-  SystemMatrix(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&);
+  using Matrix = std::shared_ptr<const LocalCsr>;
+  /// @param of_block  the matrix of each block that H is made of
+  SystemMatrix(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
+               Matrix NodesOfBlock::*of_block = &NodesOfBlock::stiffness);
 
   /// Sets H from statuses and the proximal diagonal [N/m per owned unknown].
   /// @param stiffness  per local contact point; only selected points count
@@ -68,6 +71,7 @@ class SystemMatrix {
   const ContactPoints& points_;
   const std::vector<char>& selected_;
   const MergedSpace& space_;
+  Matrix NodesOfBlock::*of_block_;
   Csr::row_map_type::non_const_type start_;
   Csr::index_type::non_const_type column_;
   Csr::values_type::non_const_type value_;

@@ -108,12 +108,13 @@ int SparseCholesky::size() const { return data_->size; }
 
 long long SparseCholesky::bytes() const { return static_cast<long long>(data_->common.memory_inuse); }
 
-void SparseCholesky::solve(const double* b, double* x) const {
+void SparseCholesky::solve(const double* b, double* x, int columns) const {
   auto& d = *data_;
-  if (d.size == 0) return;
-  cholmod_dense* right = cholmod_allocate_dense(d.size, 1, d.size, CHOLMOD_REAL, &d.common);
+  const std::size_t numbers = static_cast<std::size_t>(d.size) * columns;
+  if (numbers == 0) return;
+  cholmod_dense* right = cholmod_allocate_dense(d.size, columns, d.size, CHOLMOD_REAL, &d.common);
   if (!right) throw std::bad_alloc();
-  std::copy(b, b + d.size, static_cast<double*>(right->x));
+  std::copy(b, b + numbers, static_cast<double*>(right->x));
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, d.factor, right, &d.common);
   if (!solution) {
     const int status = d.common.status;
@@ -121,7 +122,7 @@ void SparseCholesky::solve(const double* b, double* x) const {
     if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     throw solver_failure("CHOLMOD", "solve with its factors", status);
   }
-  std::copy(static_cast<double*>(solution->x), static_cast<double*>(solution->x) + d.size, x);
+  std::copy(static_cast<double*>(solution->x), static_cast<double*>(solution->x) + numbers, x);
   cholmod_free_dense(&solution, &d.common);
   cholmod_free_dense(&right, &d.common);
 }

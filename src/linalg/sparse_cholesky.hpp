@@ -26,8 +26,8 @@ class SparseCholesky {
   int size() const;
   /// Held by CHOLMOD.
   long long bytes() const;
-  /// x = A^-1 b, both [size]; x may be b.
-  void solve(const double* b, double* x) const;
+  /// x = A^-1 b, both [size] column by column; x may be b.
+  void solve(const double* b, double* x, int columns = 1) const;
 
  private:
   struct Data;

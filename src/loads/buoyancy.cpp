@@ -121,6 +121,13 @@ bool is_submerged(const Block<dim>& block, double level) {
   return std::all_of(block.position.begin(), block.position.end(), [&](const auto& x) { return x[dim - 1] <= level; });
 }
 
+template <int dim>
+Vector<dim> up() {
+  Vector<dim> direction{};
+  direction[dim - 1] = 1;
+  return direction;
+}
+
 }  // namespace
 
 void BuoyancyParameters::declare(ParameterSection& section) {
@@ -145,6 +152,7 @@ void add_buoyancy(const Structure<dim>& s, const BuoyancyParameters& load, const
     if (is_submerged(b.mesh, load.level)) {  // its cells need not be cut: each node loses what it weighs in water
       const auto volume = nodal_volumes(b.mesh, s.model());
       for (std::size_t i = 0; i < volume.size(); ++i) force[dim * (b.first_local + i) + dim - 1] += weight * volume[i];
+      hand_over_edges<dim>(b, weight * up<dim>(), force);
     } else {
       for (const auto& cell : b.mesh.cells) add_cell(s, b, cell, load.level, weight, force);
     }
@@ -157,7 +165,13 @@ template <int dim>
 std::unique_ptr<Load<dim>> buoyancy(const BuoyancyParameters& p, const LoadSite<dim>& site) {
   std::vector<char> in_set;
   for (const auto& b : site.structure.blocks()) in_set.push_back(site.in_block_set(b.mesh, p.blocks));
-  return pattern_of(site.structure, [&](auto& unit) { add_buoyancy(site.structure, p, in_set, 1.0, unit); });
+  std::vector<double> unit(static_cast<std::size_t>(dim) * site.structure.nodes(), 0.0), per_volume;
+  add_buoyancy(site.structure, p, in_set, 1.0, unit);
+  for (std::size_t n = 0; n < in_set.size(); ++n) {
+    const bool lifted = in_set[n] && is_submerged(site.structure.blocks()[n].mesh, p.level);
+    for (const double along : up<dim>()) per_volume.push_back(lifted ? along * p.density * p.gravity : 0.0);
+  }
+  return std::make_unique<BodyForce<dim>>(site.structure, unit, std::move(per_volume));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "blocks/condensed_edges.hpp"
+
 namespace voussoir {
 
 template <int dim>
@@ -52,10 +54,33 @@ std::size_t PatternLoad<dim>::bytes() const {
   return sizeof(*this) + index_.capacity() * sizeof(int) + value_.capacity() * sizeof(double);
 }
 
+template <int dim>
+BodyForce<dim>::BodyForce(const Structure<dim>& s, const std::vector<double>& unit, std::vector<double> per_volume)
+    : PatternLoad<dim>(unit) {
+  const auto& blocks = s.blocks();
+  if (std::any_of(blocks.begin(), blocks.end(), [](const auto& b) { return b.edges != nullptr; }))
+    per_volume_ = std::move(per_volume);
+}
+
+template <int dim>
+void BodyForce<dim>::add_body_force(double factor, std::vector<double>& force) const {
+  for (std::size_t i = 0; i < per_volume_.size(); ++i) force[i] += factor * per_volume_[i];
+}
+
+template <>
+void hand_over_edges<2>(const LocalBlock<2>&, const Vector<2>&, std::vector<double>&) {}
+
+template <>
+void hand_over_edges<3>(const LocalBlock<3>& block, const Vector<3>& per_volume, std::vector<double>& force) {
+  if (block.edges) block.edges->hand_over(per_volume, &force[3 * static_cast<std::size_t>(block.first_local)]);
+}
+
 template struct LoadSite<2>;
 template struct LoadSite<3>;
 template class PatternLoad<2>;
 template class PatternLoad<3>;
+template class BodyForce<2>;
+template class BodyForce<3>;
 template std::unique_ptr<Load<2>> make_load<2>(const LoadParameters&, const LoadSite<2>&);
 template std::unique_ptr<Load<3>> make_load<3>(const LoadParameters&, const LoadSite<3>&);
 

@@ -50,6 +50,9 @@ class LoadOnNodes {
   /// Adds factor times the strain that a block would take freely, in every direction of the plane [-, per local block].
   virtual void add_free_strain(double, std::vector<double>&) const {}
   virtual bool strains() const { return false; }
+  /// Adds factor times the force on all of a block [N/m3, dim x local block]; of blocks whose edges bend.
+  virtual void add_body_force(double, std::vector<double>&) const {}
+  virtual bool has_body_force() const { return false; }
   /// [s] A time step that sees how the load varies; infinite when it does not vary by itself. The same on every rank.
   virtual double resolution() const { return std::numeric_limits<double>::infinity(); }
   /// [s] The same for steps between two times.
@@ -92,6 +95,22 @@ class PatternLoad : public Load<dim> {
   std::vector<double> value_;
 };
 
+/// The same of forces on all of a block, which bend edges within: stresses are told of them.
+template <int dim>
+class BodyForce final : public PatternLoad<dim> {
+ public:
+  /// @param per_volume  [N/m3, dim x local block] for factor 1
+  BodyForce(const Structure<dim>&, const std::vector<double>& unit, std::vector<double> per_volume);
+  void add_body_force(double factor, std::vector<double>& force) const override;
+  bool has_body_force() const override { return !per_volume_.empty(); }
+  std::size_t bytes() const override {
+    return PatternLoad<dim>::bytes() + sizeof(per_volume_) + per_volume_.capacity() * sizeof(double);
+  }
+
+ private:
+  std::vector<double> per_volume_;  ///< empty where no edge bends
+};
+
 /// A pattern load from a function that adds forces for factor 1: add(unit).
 template <int dim, class Add>
 std::unique_ptr<Load<dim>> pattern_of(const Structure<dim>& s, const Add& add) {
@@ -99,6 +118,15 @@ std::unique_ptr<Load<dim>> pattern_of(const Structure<dim>& s, const Add& add) {
   add(unit);
   return std::make_unique<PatternLoad<dim>>(unit);
 }
+
+/// Adds to nodes what edges of a block that bend hand over of a force on all of it [N/m3]; else nothing.
+template <int dim>
+void hand_over_edges(const LocalBlock<dim>&, const Vector<dim>& per_volume, std::vector<double>& force);
+
+template <>
+void hand_over_edges<2>(const LocalBlock<2>&, const Vector<2>&, std::vector<double>&);
+template <>
+void hand_over_edges<3>(const LocalBlock<3>&, const Vector<3>&, std::vector<double>&);
 
 extern template class PatternLoad<2>;
 

@@ -39,27 +39,41 @@ void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration,
     for (std::size_t i = 0; i < volume.size(); ++i)
       for (int c = 0; c < dim; ++c)
         force[dim * (b.first_local + i) + c] += factor * b.material.density * volume[i] * acceleration[c];
+    hand_over_edges<dim>(b, factor * b.material.density * acceleration, force);
   }
-}
-
-template <int dim>
-void add_self_weight(const Structure<dim>& s, const SelfWeightParameters& weight, double factor,
-                     std::vector<double>& force) {
-  Vector<dim> down{};
-  down[dim - 1] = -weight.gravity;
-  add_inertia_force(s, down, factor, force);
 }
 
 namespace {
 
 template <int dim>
-std::unique_ptr<Load<dim>> weight(const SelfWeightParameters& p, const LoadSite<dim>& site) {
-  return pattern_of(site.structure, [&](auto& unit) { add_self_weight(site.structure, p, 1.0, unit); });
+Vector<dim> down(double gravity) {
+  Vector<dim> acceleration{};
+  acceleration[dim - 1] = -gravity;
+  return acceleration;
 }
+
+}  // namespace
+
+template <int dim>
+void add_self_weight(const Structure<dim>& s, const SelfWeightParameters& weight, double factor,
+                     std::vector<double>& force) {
+  add_inertia_force(s, down<dim>(weight.gravity), factor, force);
+}
+
+namespace {
 
 template <int dim>
 std::unique_ptr<Load<dim>> inertia_force(const Vector<dim>& acceleration, const LoadSite<dim>& site) {
-  return pattern_of(site.structure, [&](auto& unit) { add_inertia_force(site.structure, acceleration, 1.0, unit); });
+  std::vector<double> unit(static_cast<std::size_t>(dim) * site.structure.nodes(), 0.0), per_volume;
+  add_inertia_force(site.structure, acceleration, 1.0, unit);
+  for (const auto& b : site.structure.blocks())
+    for (const double a : acceleration) per_volume.push_back(b.material.density * a);
+  return std::make_unique<BodyForce<dim>>(site.structure, unit, std::move(per_volume));
+}
+
+template <int dim>
+std::unique_ptr<Load<dim>> weight(const SelfWeightParameters& p, const LoadSite<dim>& site) {
+  return inertia_force(down<dim>(p.gravity), site);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
 #include "linalg/agree.hpp"
+#include "mesh/curved_edges.hpp"
 
 namespace voussoir {
 namespace {
@@ -132,12 +133,17 @@ void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
   broadcast_strings(comm, list.facet_sets);
   broadcast_warnings(comm, list.warnings);
   broadcast_strings(comm, list.report);
+  std::vector<int> quadratic{list.quadratic};
+  broadcast_values(comm, quadratic);
+  list.quadratic = quadratic.front() != 0;
   packed.broadcast(comm);
   if (comm.getRank() != 0) list.blocks = packed.unpacked();
 }
 
 template <int dim>
 std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim> list) {
+  if constexpr (dim == 3)
+    if (list.quadratic) find_curved_edges(list.blocks);
   return std::make_unique<ListedBlocks<dim>>(std::move(list));
 }
 

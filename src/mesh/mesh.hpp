@@ -38,6 +38,8 @@ struct Block {
   std::vector<Vector<dim>> position;  ///< [m] per node
   std::vector<VertexId> vertex;       ///< per node; equal for coincident nodes of touching blocks
   std::vector<Cell> cells;
+  /// Edges of its tetrahedra that may bend, by local nodes, ascending. Linear cells have none.
+  std::vector<std::array<int, 2>> curved;
   std::vector<TaggedFacet> facets;  ///< only those in a named set, or of a joint with parts in planes of their own
   std::vector<int> sets;            ///< indices into BlockSource::block_sets(), ascending
 };

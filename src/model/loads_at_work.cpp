@@ -31,7 +31,7 @@ double factor_of(const std::map<std::string, double>& factors, const std::string
 
 template <int dim>
 LoadsAtWork::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure)
-    : blocks_(structure.blocks().size()) {
+    : blocks_(structure.blocks().size()), components_(dim) {
   std::vector<std::pair<std::string, SupportParameters>> supports;
   for (const auto& support : scene.supports) supports.emplace_back(support.name, support.parameters);
   for (const auto& p : scene.loads) {
@@ -101,15 +101,21 @@ void LoadsAtWork::add_mean(const StepInTime& step, std::vector<double>& force) c
   }
 }
 
-std::vector<double> LoadsAtWork::free_strain(const std::map<std::string, double>& factors, double time) const {
-  std::vector<double> strain;
+InnerLoads LoadsAtWork::inner_loads(const std::map<std::string, double>& factors, double time) const {
+  InnerLoads inner;
   for (const auto& n : loads_) {
     const auto it = factors.find(n.name);
-    if (!n.load->strains() || it == factors.end()) continue;
-    strain.resize(blocks_, 0.0);
-    n.load->add_free_strain(it->second * n.time_function(time), strain);
+    if (it == factors.end()) continue;
+    if (n.load->strains()) {
+      inner.free_strain.resize(blocks_, 0.0);
+      n.load->add_free_strain(it->second * n.time_function(time), inner.free_strain);
+    }
+    if (n.load->has_body_force()) {
+      inner.body_force.resize(components_ * blocks_, 0.0);
+      n.load->add_body_force(it->second * n.time_function(time), inner.body_force);
+    }
   }
-  return strain;
+  return inner;
 }
 
 double LoadsAtWork::resolution() const {

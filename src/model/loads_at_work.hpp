@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "blocks/stresses.hpp"
 #include "loads/load.hpp"
 #include "loads/time_function.hpp"
 #include "model/step_in_time.hpp"
@@ -29,8 +30,8 @@ class LoadsAtWork {
            std::vector<double>& prescribed) const;
   /// Mean nodal forces [N] over a step of time, written over: their impulse is exact however long the step is.
   void add_mean(const StepInTime&, std::vector<double>& force) const;
-  /// Strain that blocks would take freely [-, per local block]; empty when no load strains blocks.
-  std::vector<double> free_strain(const std::map<std::string, double>& factors, double time) const;
+  /// What of them stresses depend on beside displacements.
+  InnerLoads inner_loads(const std::map<std::string, double>& factors, double time) const;
 
   /// [s] A time step that sees how all loads vary; infinite when none does.
   double resolution() const;
@@ -63,7 +64,7 @@ class LoadsAtWork {
 
   std::vector<LoadMoment> moments_of(const Named&, double begin, double end, double from, double to) const;
 
-  std::size_t blocks_;  ///< on this rank
+  std::size_t blocks_, components_;  ///< on this rank; of forces
   std::vector<Named> loads_;
 };
 

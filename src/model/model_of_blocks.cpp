@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "base/check.hpp"
 #include "base/plane_and_space.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
+#include "blocks/tetrahedron.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/partition.hpp"
@@ -36,6 +38,16 @@ std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>
   return partition(source.graph(), weight, comm);
 }
 
+/// Whether a support of the scene holds a facet.
+template <int dim>
+std::function<bool(const Block<dim>&, const TaggedFacet&)> held_by(const Scene& scene, const BlockSource<dim>& source) {
+  std::vector<FacetSet> sets;
+  for (const auto& [name, support] : scene.supports) sets.push_back(facet_set(source, {support.on, support.blocks}));
+  return [sets](const Block<dim>& block, const TaggedFacet& facet) {
+    return std::any_of(sets.begin(), sets.end(), [&](const FacetSet& set) { return set.has(block, facet); });
+  };
+}
+
 std::vector<double> cell_sizes(const Structure<3>& s) {
   std::vector<double> sizes;
   for (const auto& block : s.blocks()) {
@@ -55,7 +67,7 @@ ModelOfBlocks<dim>::ModelOfBlocks(const Scene& scene, const BlockSource<dim>& so
     Phase phase("blocks");
     structure_ = std::make_unique<Structure<dim>>(
         source, owners(source, *comm), scene.model,
-        [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm);
+        [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm, held_by(scene, source));
     if constexpr (dim == 3) cell_size_ = std::make_shared<const std::vector<double>>(cell_sizes(*structure_));
   }
   {
@@ -79,9 +91,12 @@ ModelOfBlocks<dim>::ModelOfBlocks(const ModelOfBlocks& at_rest, const BlockSyste
     : Model(at_rest, rule.mass_factor(), tolerance), source_(at_rest.source_), cell_size_(at_rest.cell_size_) {
   VOUSSOIR_EXPECT(mass.nodes() == at_rest.structure().nodes() && "mass: of the structure at rest");
   const auto& rest = *at_rest.structure_;
-  structure_ = std::make_unique<Structure<dim>>(rest.with_matrices([&](int b) {
-    return sum(rule.stiffness_factor(), *rest.blocks()[b].stiffness, rule.mass_factor(), *mass.nodes_of(b).stiffness);
-  }));
+  const auto with_mass = [&](int b, const LocalCsr& stiffness) {
+    return sum(rule.stiffness_factor(), stiffness, rule.mass_factor(), *mass.nodes_of(b).stiffness);
+  };
+  structure_ = std::make_unique<Structure<dim>>(
+      rest.with_matrices([&](int b) { return with_mass(b, *rest.blocks()[b].stiffness); },
+                         [&](int b) { return with_mass(b, *rest.blocks()[b].sparse); }));
   set_local_stiffness(&mass, rule);
   make_continuum();
 }
@@ -111,6 +126,10 @@ double ModelOfBlocks<dim>::passage(int block) const {
     shortest = std::min(shortest, norm(mesh.position[b] - mesh.position[a]) / wave_speed(block));
   };
   for (const auto& cell : mesh.cells) {
+    if (dim == 3 && cell.count == 4) {
+      for (const auto& edge : tetrahedron_edges) look_at(cell.node[edge[0]], cell.node[edge[1]]);
+      continue;
+    }
     const int around = dim == 2 ? cell.count : 4;  // corners of a face
     if (dim == 3 && cell.count == 4) {             // all corners of a tetrahedron are neighbours
       for (int i = 0; i < 4; ++i)

@@ -13,11 +13,14 @@ constexpr long long bytes_of_number = sizeof(double);
 // How a point loses its strength, and what it has gone through.
 constexpr long long bytes_of_softening = sizeof(Softening) + 2 * sizeof(double);
 
-/// Of all ranks: the mass of each block and the matrix of the midpoint rule, as large as its stiffness; velocity and
-/// acceleration of each node.
+/// Of all ranks: the mass of each block, as large as the stiffness of its cells, and the matrix of the midpoint rule,
+/// as large as its stiffness; velocity and acceleration of each node.
 long long bytes_of_inertia(const BlockSystem& s) {
   long long mine = 2LL * s.components() * s.nodes() * static_cast<long long>(sizeof(double));
-  for (int b = 0; b < s.local_blocks(); ++b) mine += 2 * s.nodes_of(b).stiffness->bytes();
+  for (int b = 0; b < s.local_blocks(); ++b) {
+    const auto& block = s.nodes_of(b);
+    mine += block.stiffness->bytes() + block.sparse->bytes();
+  }
   return total_over_ranks(*s.comm(), mine);
 }
 

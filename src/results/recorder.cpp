@@ -94,7 +94,7 @@ void Recorder::write_tables() {
 std::vector<double> Recorder::stresses(const std::vector<double>& deformation) const {
   const int dim = model_.components(), of_cell = dim * (dim + 1) / 2;
   return model_.in_geometry([&](const auto&, const auto& s) {
-    auto stress = cell_stresses(s, deformation, free_strain_);
+    auto stress = cell_stresses(s, deformation, inner_loads_);
     auto of_block = stress.begin();
     for (int b = 0; b < s.owned_blocks(); ++b) {
       const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * of_cell;

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "blocks/stresses.hpp"
 #include "dynamics/energy_book.hpp"
 #include "model/model.hpp"
 #include "model/step_counts.hpp"
@@ -40,8 +41,8 @@ class Recorder {
   /// @param book  opened before it was;  @param after, load  state and nodal loads [N] at its end
   void record(const LoadStepBook& book, const ContactState& after, const std::vector<double>& load, const StepReport&,
               const std::string& stage, double load_factor, bool write_fields, double seconds);
-  /// Strain that stresses do not see from the next step on, such as by heat [-, per local block; empty for none].
-  void set_free_strain(std::vector<double> strain) { free_strain_ = std::move(strain); }
+  /// What acts within blocks from the next step on.
+  void set_inner_loads(InnerLoads inner) { inner_loads_ = std::move(inner); }
   /// Books and writes a time step that was solved.
   /// @param stage_share  of the stage reached;  @param time [s]
   void record(const ContactState& after, const TimeStepReport&, const std::string& stage, double stage_share,
@@ -89,7 +90,7 @@ class Recorder {
   Observations observations_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;
-  std::vector<double> free_strain_;
+  InnerLoads inner_loads_;
   Record record_;
   bool fields_lost_ = false;
 };

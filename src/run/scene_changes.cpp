@@ -112,8 +112,11 @@ bool is_family(const std::string& key) {
   return key == "loads" || key == "construction" || key == "observations" || key == "steps > stages";
 }
 
-bool is_of_structure(const std::string& section) {
-  return section == "model" || section == "materials" || section == "joints" || section == "supports";
+/// What a mesh is shows by its nodes and cells, which are compared; but for how its cells bend.
+bool is_of_structure(const std::string& key) {
+  const std::string section = names_of(key)[0];
+  return section == "model" || section == "materials" || section == "joints" || section == "supports" ||
+         key == "mesh > stones > element";
 }
 
 std::string was(const std::string& before, const std::string& now) {
@@ -173,7 +176,7 @@ std::vector<std::string> scene_changes(const SceneValues& before, const SceneVal
   const auto compare = [&](const std::string& key) {
     const std::string then = value_of(old_values, key), here = value_of(new_values, key);
     if (then == here || is_family(key)) return;
-    if (is_of_structure(names_of(key)[0])) refuse_structure(path, key, then, here);
+    if (is_of_structure(key)) refuse_structure(path, key, then, here);
     const std::string member = member_of(key);
     const bool in_both = has_member(old_values, member) && has_member(new_values, member);
     const std::string why = reason_to_refuse(key, b, in_both);

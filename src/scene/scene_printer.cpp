@@ -52,7 +52,9 @@ std::string model_text(const Scene& scene) {
   if (scene.mesh.dimension() == 3)
     return std::string("space, ") +
            (model.hexahedra == Hexahedra::plain ? "plain hexahedra" : "hexahedra with incompatible modes") +
-           (scene.mesh.type == MeshType::stones ? ", linear tetrahedra" : "");
+           (scene.mesh.type != MeshType::stones                 ? ""
+            : scene.mesh.stones.element == StoneElement::linear ? ", linear tetrahedra"
+                                                                : ", quadratic tetrahedra that are linear on joints");
   return std::string("plane ") + (model.plane == Plane::stress ? "stress" : "strain") + ", thickness " +
          number_text(model.thickness) + " m";
 }

@@ -92,6 +92,7 @@ std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, con
                                                   Trust trust) {
   BlockList<3> list;
   on_first_rank(comm, [&] { list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p)); });
+  list.quadratic = p.element == StoneElement::quadratic;
   broadcast_blocks(comm, list);
   return make_source(std::move(list));
 }

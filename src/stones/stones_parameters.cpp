@@ -38,6 +38,11 @@ void StonesParameters::declare(ParameterSection& section) {
                                  "are boxes that joints cut along "
                                  "lattice lines, else tetrahedra. Volumes of gmsh whose meshes match node to node keep "
                                  "their cells");
+  section.add_choice<StoneElement>(
+      "element", element, {{"quadratic", StoneElement::quadratic}, {"linear", StoneElement::linear}},
+      "tetrahedra: quadratic ones bend along their edges, but for edges on joints and supports, and are condensed to "
+      "the corners of each stone, so the unknowns are those of linear ones and the error in displacements a seventh "
+      "and less; linear ones are the check, and take a tenth of the memory");
   section.add_numbers("geometry", geometry, "", any_number(),
                       "numbers set in a .geo by their name, such as span = 4.5, in the units of the file");
 }

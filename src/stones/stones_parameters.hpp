@@ -14,6 +14,9 @@ enum class UpAxis { x, y, z };
 /// Hexahedra where stones are boxes and joints allow it, tetrahedra elsewhere; or tetrahedra alone.
 enum class StoneCells { by_shape, tetrahedra };
 
+/// Tetrahedra that are quadratic between joints and linear on them, or linear ones.
+enum class StoneElement { quadratic, linear };
+
 struct StonesParameters {
   std::string file;   ///< or a folder; a scene that was read holds an absolute path
   double unit = 1.0;  ///< [m] length that the file calls 1
@@ -22,6 +25,7 @@ struct StonesParameters {
   double weld = 0;             ///< [m] 0 = a multiple of the tolerance
   double element_size = 0;     ///< [m] 0 = a part of the stones' size
   StoneCells cells = StoneCells::by_shape;
+  StoneElement element = StoneElement::quadratic;
   std::map<std::string, double> geometry;  ///< numbers set in a .geo, by name, in its units
   void declare(ParameterSection&);
 };

@@ -155,8 +155,8 @@ TEUCHOS_UNIT_TEST(Effects, OfTimeAreAbsentFromLoadStepsAndHoldNothing) {
 
 /// Largest stress that differs from (xx, yy, 0) [Pa].
 double stress_error(Experiment& e, double xx, double yy) {
-  const auto strain = e.model().loads_at_work().free_strain({{"heat", 1.0}}, 0.0);
-  const auto stress = cell_stresses(e.model().structure(), e.state().displacement, strain);
+  const auto inner = e.model().loads_at_work().inner_loads({{"heat", 1.0}}, 0.0);
+  const auto stress = cell_stresses(e.model().structure(), e.state().displacement, inner);
   double wrong = 0;
   for (std::size_t i = 0; i < stress.size(); i += 3)
     wrong = std::max({wrong, std::abs(stress[i] - xx), std::abs(stress[i + 1] - yy), std::abs(stress[i + 2])});
