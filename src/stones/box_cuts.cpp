@@ -161,7 +161,7 @@ std::vector<std::array<std::vector<int>, 3>> BoxCuts::cells() const {
           int& cells = number[alike.root(intervals.first[k][d] + static_cast<int>(i))];
           const double length = (at[i + 1] - at[i]) * box_[k]->shape.length(d);
           if (counting)
-            cells = std::max(cells, static_cast<int>(std::ceil(length / s_.element_size - 1e-9)));
+            cells = std::max(cells, static_cast<int>(std::ceil(length / s_.hexahedron_size - 1e-9)));
           else
             result[k][d].push_back(cells);
         }

@@ -51,7 +51,7 @@ std::vector<StoneSkin> skins_of_stones(const StoneStructure& s, const Skins& ski
     for (const auto& t : stone.mesh.triangles) stone.nodes.insert(stone.nodes.end(), t.begin(), t.end());
     sort_unique(stone.nodes);
     stone.mesh.nodes = places_of(skins.nodes, stone.nodes);
-    stone.mesh.size = s.element_size;
+    stone.mesh.size = s.tetrahedron_size;
     for (auto& t : stone.mesh.triangles)
       for (int& node : t)
         node = static_cast<int>(std::lower_bound(stone.nodes.begin(), stone.nodes.end(), node) - stone.nodes.begin());

@@ -119,7 +119,7 @@ Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted) {
   Skins skins;
   skins.nodes = s.imprint.points;
   skins.triangles.resize(cells.size());
-  EdgeNodes edges(skins.nodes, s.element_size);
+  EdgeNodes edges(skins.nodes, s.tetrahedron_size);
   std::vector<CellBorder> borders;
   std::vector<FlatDomain> domains;
   std::vector<std::size_t> first;  // of the one or two cells of each domain
@@ -128,7 +128,7 @@ Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted) {
     if (!wanted[cells[c].stone] || (other >= 0 && other < static_cast<int>(c))) continue;
     borders.push_back(border_of(cells[c], s.imprint.points, edges));
     domains.emplace_back();
-    domains.back().size = s.element_size;
+    domains.back().size = s.tetrahedron_size;
     for (const auto& loop : borders.back().loops) {
       domains.back().loops.emplace_back();
       for (const int node : loop) domains.back().loops.back().push_back(borders.back().axes(skins.nodes[node]));

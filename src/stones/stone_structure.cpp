@@ -100,12 +100,13 @@ class Teller {
         six_digits(s_.joints.area()) + " m2, faces up to " + metres(farthest) + " apart; " +
         counted(s_.joints.slivers, "slivers narrower than the tolerance left out, ") +
         six_digits(s_.joints.sliver_area) + " m2");
-    say("shortest edge " + metres(s_.imprint.shortest_edge) + ", cells of " + metres(s_.element_size));
-    if (s_.imprint.shortest_edge < 0.1 * s_.element_size)
+    const double size = s_.tetrahedron_size;
+    say("shortest edge " + metres(s_.imprint.shortest_edge) + ", tetrahedra of " + metres(size) + ", hexahedra of " +
+        metres(s_.hexahedron_size));
+    if (s_.imprint.shortest_edge < 0.1 * size)
       warn("short_edges", s_.imprint.shortest_edge,
            "cut by their joints, faces have edges down to " + metres(s_.imprint.shortest_edge) +
-               " where cells are of " + metres(s_.element_size) +
-               ": cells there are flat; a larger weld makes such corners one");
+               " where cells are of " + metres(size) + ": cells there are flat; a larger weld makes such corners one");
     of_neighbours(pairs);
   }
 
@@ -204,7 +205,9 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
   const double size = median_size(s.stones);
   s.tolerance = tolerance_of(s.stones, p);
   s.weld = p.weld > 0 ? p.weld : defaults.weld * s.tolerance;
-  s.element_size = p.element_size > 0 ? p.element_size : defaults.element_size * size;
+  const bool quadratic = p.element == StoneElement::quadratic;
+  s.hexahedron_size = p.element_size > 0 ? p.element_size : defaults.element_size * size;
+  s.tetrahedron_size = p.element_size == 0 && quadratic ? defaults.quadratic_size * size : s.hexahedron_size;
   s.cells = p.cells;
   refuse_overlaps(s.stones, s.tolerance);
   s.faceted = facets_of(s.stones, s.tolerance);

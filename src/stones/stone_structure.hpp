@@ -15,7 +15,8 @@ struct StoneStructure {
   std::vector<FacetedStone> faceted;  ///< of `stones`, by address
   StoneJoints joints;
   Imprint imprint;
-  double tolerance = 0, weld = 0, element_size = 0;  ///< [m]
+  double tolerance = 0, weld = 0;                    ///< [m]
+  double tetrahedron_size = 0, hexahedron_size = 0;  ///< [m] wanted length of edges
   StoneCells cells = StoneCells::by_shape;
   std::vector<std::string> report;  ///< lines of what was found
   Warnings warnings;
@@ -33,8 +34,11 @@ struct StoneDefaults {
   double tolerance = 2e-3;
   /// Of the tolerance: corners of the two sides of a joint lie farther apart than its planes.
   double weld = 3;
-  /// Of the median cube root of volume: a stone has about 100 corners of cells.
+  /// Of the median cube root of volume: hexahedra, and linear tetrahedra (200 corners a stone).
   double element_size = 0.25;
+  /// Quadratic tetrahedra: 100 corners a stone, with which a vault bends within 1 % of fine cells (elements.md). The
+  /// matrix of a stone grows with the square of its corners.
+  double quadratic_size = 0.4;
   /// Of the tolerance: what faces each other so closely was probably meant to touch, with mortar between.
   double reach = 30;
 };

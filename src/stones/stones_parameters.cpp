@@ -27,11 +27,10 @@ void StonesParameters::declare(ParameterSection& section) {
       "corners of stones that are nearer than this become one; 0 = 3 x joint tolerance. Stones that were measured "
       "want 2 to 10 of it",
       "a length", "Give 0 to have it chosen.");
-  section.add(
-      "element size", element_size, "m", at_least(0.0),
-      "wanted length of cell edges; 0 = a quarter of the median stone (cube root of its volume), of files of gmsh "
-      "what they say. A .msh is meshed anew by it",
-      "a length", "Give 0 to have it chosen.");
+  section.add("element size", element_size, "m", at_least(0.0),
+              "wanted length of cell edges; 0 = a quarter of the median stone (cube root of its volume), of quadratic "
+              "tetrahedra two fifths, of files of gmsh what they say. A .msh is meshed anew by it",
+              "a length", "Give 0 to have it chosen.");
   section.add_choice<StoneCells>("cells", cells,
                                  {{"by shape", StoneCells::by_shape}, {"tetrahedra", StoneCells::tetrahedra}},
                                  "by shape: hexahedra where a stone and all it touches, directly or through others, "

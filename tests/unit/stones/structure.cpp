@@ -65,7 +65,8 @@ TEUCHOS_UNIT_TEST(Structure, ChoosesNumbersByTheSizeOfStonesAndTellsWhatItFinds)
   const double size = std::cbrt(volume(s.stones[0]));
   TEST_FLOATING_EQUALITY(s.tolerance, 2e-3 * size, 1e-12);
   TEST_FLOATING_EQUALITY(s.weld, 6e-3 * size, 1e-12);
-  TEST_FLOATING_EQUALITY(s.element_size, 0.25 * size, 1e-12);
+  TEST_FLOATING_EQUALITY(s.hexahedron_size, 0.25 * size, 1e-12);
+  TEST_FLOATING_EQUALITY(s.tetrahedron_size, 0.4 * size, 1e-12);
   TEST_ASSERT(tells(s, "9 stones"));
   TEST_ASSERT(tells(s, "8 joints of 8 pairs of stones, 4.8 m2"));
   TEST_ASSERT(tells(s, "one neighbour: voussoir 0, voussoir 8"));
