@@ -10,18 +10,15 @@
 namespace voussoir {
 namespace {
 
-// Of a stone, by volume. A bar with joints on two sides bends by 0.45 of a beam where all of its cells lie so, by 0.83
-// where none does (src/stones/elements.md).
-constexpr double most = 0.5;
-
 double volume_of(const Block<3>& block, const Cell& cell) {
   const auto at = [&](int k) { return block.position[cell.node[k]] - block.position[cell.node[0]]; };
   return dot(at(3), cross(at(1), at(2))) / 6;
 }
 
-/// The share of its volume in cells whose corners are all on joints or supports.
+/// Whether the greater part of its volume is in cells whose corners are all on joints or supports. A bar with joints on
+/// two sides bends by 0.45 of a beam where all of its cells lie so, by 0.83 where none does (src/stones/elements.md).
 /// @param curved  edges that are not, ascending
-double share_between_joints(const Block<3>& block, const std::vector<std::array<int, 2>>& curved) {
+bool is_mostly_between_joints(const Block<3>& block, const std::vector<std::array<int, 2>>& curved) {
   std::vector<char> on_joint(block.position.size(), 0);
   const auto each_edge = [&](const auto& visit) {
     for (const auto& cell : block.cells)
@@ -31,14 +28,14 @@ double share_between_joints(const Block<3>& block, const std::vector<std::array<
   each_edge([&](int a, int b) {
     if (!std::binary_search(curved.begin(), curved.end(), std::array<int, 2>{a, b})) on_joint[a] = on_joint[b] = 1;
   });
-  double all = 0, between = 0;
+  double inside = 0, between = 0;
   for (const auto& cell : block.cells) {
     const double volume = volume_of(block, cell);
-    all += volume;
-    if (std::all_of(cell.node.begin(), cell.node.begin() + 4, [&](int n) { return on_joint[n] != 0; }))
-      between += volume;
+    const bool between_joints =
+        std::all_of(cell.node.begin(), cell.node.begin() + 4, [&](int n) { return on_joint[n] != 0; });
+    (between_joints ? between : inside) += volume;
   }
-  return between / all;
+  return between > inside;
 }
 
 }  // namespace
@@ -57,7 +54,7 @@ Warnings warnings_of_stiff_stones(const Scene& scene, const BlockSource<3>& sour
     const auto curved = curved_edges_off(block, [&](const TaggedFacet& facet) {
       return std::any_of(supports.begin(), supports.end(), [&](const auto& set) { return set.has(block, facet); });
     });
-    if (share_between_joints(block, curved) <= most) continue;
+    if (!is_mostly_between_joints(block, curved)) continue;
     if (found++ == 0) first = block.name;
   }
   if (found == 0) return {};
