@@ -1,6 +1,7 @@
 """One self-contained page: sections, figures with captions, tables. Every text that comes in is escaped here."""
 import base64
 import html
+import urllib.parse
 
 STYLE = """
 :root { --ink: #222; --soft: #5c5c5c; --line: #d8d5ce; --paper: #fff; --accent: #0072b2; }
@@ -93,6 +94,12 @@ class Page:
         self.parts.append(f'<figure><img width="{width}" alt="{escape(caption)}" src="data:image/png;base64,{data}">'
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
 
+    def drawing(self, path, caption):
+        """An SVG as data URI, as wide as the page lets it be."""
+        data = base64.b64encode(path.read_bytes()).decode("ascii")
+        self.parts.append(f'<figure><img alt="{escape(caption)}" src="data:image/svg+xml;base64,{data}">'
+                          f"<figcaption>{escape(caption)}</figcaption></figure>")
+
     def animation(self, path, caption):
         """An animated GIF as data URI, in its own size."""
         data = base64.b64encode(path.read_bytes()).decode("ascii")
@@ -120,8 +127,9 @@ class Page:
                 raise ValueError("a script that would end its own element")
             self.parts.append(f"<script>{script}</script>")
 
-    def table(self, columns, rows, words=()):
-        """columns: headings; words: numbers of the columns that hold text and are set flush left."""
+    def table(self, columns, rows, words=(), links=None):
+        """columns: headings; words: numbers of the columns that hold text and are set flush left; links: of every row the
+        page its first cell leads to, or None."""
         long = [k for k in words if any(len(str(row[k])) > LONG for row in rows)]
 
         def cell(tag, k, value):
@@ -131,7 +139,11 @@ class Page:
             return f"<{tag} class={kind}>{escape(value).replace('_', '_<wbr>')}</{tag}>"  # names without blanks break too
 
         head = "".join(cell("th", k, name) for k, name in enumerate(columns))
-        body = "".join("<tr>" + "".join(cell("td", k, value) for k, value in enumerate(row)) + "</tr>" for row in rows)
+        cells = [[cell("td", k, value) for k, value in enumerate(row)] for row in rows]
+        for row, link in zip(cells, links or ()):
+            if link:
+                row[0] = row[0].replace(">", f'><a href="{escape(urllib.parse.quote(link, safe="/=+,"))}">', 1).replace("</td>", "</a></td>")
+        body = "".join("<tr>" + "".join(row) + "</tr>" for row in cells)
         self.parts.append(f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>')
 
     def write(self, path):

@@ -11,7 +11,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^">]+)[">]', re.MULTILINE)
 
 def code_files(*suffixes):
     """Files of ours with one of these endings, as paths below ROOT."""
-    folders = ("src", "drivers", "tests", "cmake", ".ci")
+    folders = ("src", "drivers", "python", "tests", "cmake", ".ci")
     files = [path for folder in folders for path in (ROOT / folder).rglob("*") if path.is_file()]
     files += [path for path in ROOT.iterdir() if path.is_file()]
     return sorted(path.relative_to(ROOT) for path in files

@@ -4,7 +4,7 @@ import re
 
 import house
 
-COMMANDS = ("drivers/run", "tests/run", "build/release/drivers/voussoir")
+COMMANDS = ("drivers/run", "drivers/sweep", "tests/run", "build/release/drivers/voussoir")
 COMMAND = re.compile(r"(?<![\w./-])(?:" + "|".join(map(re.escape, COMMANDS)) + r")(?![\w/-])")
 OPTION = re.compile(r"(?<!\S)--[a-z][a-z-]*")
 
@@ -49,7 +49,8 @@ def problems_of(path, text, known):
 def known_options():
     voussoir = set(OPTION.findall(house.read("drivers/voussoir.cpp").replace('"', " ").replace("=", " ")))
     run = set(OPTION.findall(house.read("drivers/run").replace("=", " ").replace("|", " ")))
-    return {"build/release/drivers/voussoir": voussoir, "drivers/run": run | voussoir}
+    sweep = set(OPTION.findall(house.read("python/voussoir/sweep_command.py").replace('"', " ")))
+    return {"build/release/drivers/voussoir": voussoir, "drivers/run": run | voussoir, "drivers/sweep": sweep}
 
 
 if __name__ == "__main__":

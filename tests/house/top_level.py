@@ -4,7 +4,7 @@ import subprocess
 
 import house
 
-ALLOWED = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "cmake", "drivers", "meshes", "src", "tests", "xml"}
+ALLOWED = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "cmake", "drivers", "meshes", "python", "src", "tests", "xml"}
 
 
 def problems_of(paths):

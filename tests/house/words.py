@@ -17,7 +17,7 @@ PATH = re.compile(r"(?<![\w./<>*-])((?:\.\./)*[A-Za-z_]\w*(?:/[\w.-]+)+)")
 # Web addresses, longer pieces of code, and settings of a scene, which look like paths.
 NO_PATHS = re.compile(r"https?://\S+|```.*?```|\"[^\"\n]*=[^\"\n]*\"|--set \S+", re.DOTALL)
 CODE = re.compile(r"`([^`\n]*)`")
-TOP = ("src", "drivers", "tests", "xml", "meshes", "cmake")
+TOP = ("src", "drivers", "python", "tests", "xml", "meshes", "cmake")
 
 
 def problems_of_words(path, text):
