@@ -38,9 +38,10 @@ struct Arguments {
   std::vector<std::string> overrides;
   RunOptions run;
   bool quiet = false, trust = false;
-  bool version = false, parameters = false, internals = false;  ///< to print instead of running
-  std::string help;                                             ///< the same, when it was asked for
-  bool prints() const { return version || parameters || internals || !help.empty(); }
+  bool version = false, internals = false;  ///< to print instead of running
+  std::string parameters;                   ///< the same: "plain" or "json", when they were asked for
+  std::string help;                         ///< the same, when it was asked for
+  bool prints() const { return version || !parameters.empty() || internals || !help.empty(); }
 };
 
 void declare(CommandLine& line, Arguments& a) {
@@ -58,7 +59,8 @@ void declare(CommandLine& line, Arguments& a) {
   line.add_flag("--dry-run", a.run.dry_run, "also count unknowns and predict the cost, then stop");
   line.add_flag("--limit-analysis", a.run.limit_analysis,
                 "rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall");
-  line.add_flag("--print-parameters", a.parameters, "print every parameter with unit, default and range, as a scene");
+  line.add_flag("--print-parameters", "json", a.parameters,
+                "print every parameter with unit, default and range, as a scene or for programs");
   line.add_flag("--print-internals", a.internals,
                 "print every number that decides how a step is solved, for studies of the program itself");
   line.add_flag("--quiet", a.quiet, "say nothing but errors");
@@ -147,8 +149,8 @@ void print(const Arguments& a) {
     std::cout << a.help;
   else if (a.version)
     std::cout << "voussoir " << version() << "\n";
-  else if (a.parameters)
-    print_reference(std::cout);
+  else if (!a.parameters.empty())
+    a.parameters == "json" ? print_reference_as_json(std::cout) : print_reference(std::cout);
   else
     print_internals_reference(std::cout);
 }

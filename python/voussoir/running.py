@@ -82,8 +82,9 @@ def _go(path, folder, ranks, progress, options):
     process = program.start([f"--xml={path}", f"--out={folder}", *options], ranks, subprocess.PIPE)
 
     def listen():
-        for line in process.stdout:
-            lines.put(line)
+        with process.stdout:
+            for line in process.stdout:
+                lines.put(line)
         lines.put(None)
 
     threading.Thread(target=listen, daemon=True).start()

@@ -22,7 +22,7 @@ class HelpText : public CLI::Formatter {
   std::string make_option_name(const CLI::Option* option, bool) const override { return option->get_name(); }
   std::string make_option_opts(const CLI::Option* option) const override {
     const std::string word = option->get_type_name();
-    return (word.empty() ? "" : word.find('=') == std::string::npos ? "=" : " ") + word;
+    return (word.empty() || word[0] == '[' ? "" : word.find('=') == std::string::npos ? "=" : " ") + word;
   }
 };
 
@@ -58,7 +58,8 @@ struct CommandLine::Parser {
   void check_equal_sign(const std::string& word) const {
     const auto sign = word.find('=');
     const auto* option = sign == std::string::npos ? nullptr : app.get_option_no_throw(word.substr(0, sign));
-    if (option && option->get_items_expected_max() == 0) refuse(option->get_name() + " takes no value.");
+    const bool flag = option && option->get_items_expected_max() == 0;
+    if (flag && option->get_type_name().empty()) refuse(option->get_name() + " takes no value.");
     if (option && sign + 1 == word.size()) refuse(option->get_name() + " needs a value.");
   }
 };
@@ -123,6 +124,18 @@ void CommandLine::add_repeated(const std::string& option, const std::string& sta
 
 void CommandLine::add_flag(const std::string& option, bool& given, const std::string& text) {
   parser_->declared(parser_->app.add_flag(option, given, text)->take_last(), "");
+}
+
+void CommandLine::add_flag(const std::string& option, const std::string& word, std::string& how,
+                           const std::string& text) {
+  const CLI::callback_t take = [this, option, word, &how](const CLI::results_t& values) {
+    const auto& given = values.back();
+    if (given != "true" && given != word) refuse(option, given, "must be " + word + ", or left out.");
+    how = given == word ? word : "plain";
+    return true;
+  };
+  auto* flag = parser_->app.add_option(option, take, text)->take_last()->expected(0);
+  parser_->declared(flag, "[=" + word + "]");
 }
 
 std::string CommandLine::help(const std::string& closing) const {

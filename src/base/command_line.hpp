@@ -34,6 +34,8 @@ class CommandLine {
                     const std::string& text);
   /// An option without a value.
   void add_flag(const std::string& option, bool&, const std::string& text);
+  /// An option whose value may be left out: --option or --option=word, of which `how` becomes "plain" or the word.
+  void add_flag(const std::string& option, const std::string& word, std::string& how, const std::string& text);
 
   /// What the options do, in the order in which they were added; --help, which every program has, is the last.
   /// @param closing  what follows them

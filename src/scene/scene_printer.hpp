@@ -21,4 +21,7 @@ void print_internals_reference(std::ostream&);
 /// xml/reference.xml: a scene that shows and explains every parameter there is.
 void print_reference(std::ostream&);
 
+/// The same for programs: every parameter with type, default, range and meaning (json_printer.hpp).
+void print_reference_as_json(std::ostream&);
+
 }  // namespace voussoir

@@ -49,6 +49,19 @@ TEUCHOS_UNIT_TEST(CommandLine, AValueStandsBehindAnEqualSignOrAsTheNextWord) {
   TEST_ASSERT(sample.restart);
 }
 
+TEUCHOS_UNIT_TEST(CommandLine, AFlagMayHaveOneWordBehindAnEqualSignAndTakesNotTheNext) {
+  for (const auto& [word, how] : {std::pair("--print", "plain"), std::pair("--print=json", "json")}) {
+    Sample sample;
+    std::string printed;
+    sample.line.add_flag("--print", "json", printed, "print all");
+    TEST_ASSERT(sample.line.read({word, "--restart"}));
+    TEST_EQUALITY(printed, how);
+    TEST_ASSERT(sample.restart);
+    TEST_EQUALITY(sample.refusal({"--print=xml"}), "sample: --print = \"xml\"\n  must be json, or left out." + advice);
+    TEST_EQUALITY(sample.refusal({"--print", "json"}), "sample: 'json' is no option." + advice);
+  }
+}
+
 TEUCHOS_UNIT_TEST(CommandLine, TheLastOfAnOptionCountsAndARepeatedOneKeepsAll) {
   Sample sample;
   // A text of its own may begin with a bracket or a minus, hold blanks and commas, and end with its equal sign.
