@@ -1,5 +1,7 @@
 #include "joints/joint_facets.hpp"
 
+#include <algorithm>
+
 #include "joints/same_side.hpp"
 #include "mesh/border.hpp"
 
@@ -26,6 +28,13 @@ std::vector<std::vector<Place>> points_at_nodes(const Structure<2>& s, const Con
   return at_node;
 }
 
+/// Whether a point is that of a facet: of those of its joint at the node the one that faces the most as the facet does.
+bool faces(const Place& p, const std::vector<Place>& at_node, const Vector<2>& outward) {
+  return on_same_side(p.outward, outward, false) && std::all_of(at_node.begin(), at_node.end(), [&](const Place& q) {
+           return q.joint != p.joint || dot(q.outward, outward) <= dot(p.outward, outward);
+         });
+}
+
 }  // namespace
 
 std::vector<std::vector<FacetOfJoint>> facets_of_joints(const BlockSource<2>& source, const Structure<2>& s,
@@ -43,10 +52,10 @@ std::vector<std::vector<FacetOfJoint>> facets_of_joints(const BlockSource<2>& so
       const auto along =
           s.position()[block.first_local + edge.node[1]] - s.position()[block.first_local + edge.node[0]];
       const Vector<2> outward{along[1], -along[0]};
-      const auto faces = [&](const Place& p) { return on_same_side(p.outward, outward); };
       for (const auto& one : at(edge.node[0]))
         for (const auto& other : at(edge.node[1]))
-          if (one.joint == other.joint && faces(one) && faces(other))
+          if (one.joint == other.joint && faces(one, at(edge.node[0]), outward) &&
+              faces(other, at(edge.node[1]), outward))
             facets[static_cast<std::size_t>(one.joint)].push_back({one.within, other.within});
     }
   }

@@ -10,9 +10,9 @@ namespace {
 
 /// Adds half an edge to the point it belongs to.
 void add_half_edge(std::vector<PointOfTwoBlocks>& points, VertexId vertex, int node_i, int node_j,
-                   const Vector<2>& normal) {
+                   const Vector<2>& normal, bool fold) {
   for (auto& p : points)
-    if (p.vertex == vertex && on_same_side(p.normal, normal)) {
+    if (p.vertex == vertex && on_same_side(p.normal, normal, fold)) {
       p.normal = p.normal + normal;
       p.length += norm(normal) / 2;
       return;
@@ -34,7 +34,7 @@ std::vector<PointOfTwoBlocks> points_of_joint(const Block<2>& i, const std::vect
     const Vector<2> normal{along[1], -along[0]};  // the block lies to the left of its border
     for (int node_i : a.node) {
       const int node_j = j.vertex[b->node[0]] == i.vertex[node_i] ? b->node[0] : b->node[1];
-      add_half_edge(points, i.vertex[node_i], node_i, node_j, normal);
+      add_half_edge(points, i.vertex[node_i], node_i, node_j, normal, is_fold(i, node_i) || is_fold(j, node_j));
     }
   }
   for (auto& p : points) p.normal = (1 / norm(p.normal)) * p.normal;

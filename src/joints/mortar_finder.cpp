@@ -120,14 +120,14 @@ struct Dual {
 };
 
 /// The point of a node on the side with this normal.
-Growing& point_of(std::vector<Growing>& points, int node, const Vector<2>& normal) {
+Growing& point_of(std::vector<Growing>& points, int node, const Vector<2>& normal, bool fold) {
   for (auto& p : points)
-    if (p.node == node && on_same_side(p.normal, normal)) return p;
+    if (p.node == node && on_same_side(p.normal, normal, fold)) return p;
   points.push_back({node, {}, 0, {}});
   return points.back();
 }
 
-std::vector<Growing> grow(const std::vector<Edge>& edges, const std::vector<Edge>& others,
+std::vector<Growing> grow(const Block<2>& block, const std::vector<Edge>& edges, const std::vector<Edge>& others,
                           const std::vector<std::vector<Overlap>>& overlaps) {
   std::vector<Growing> points;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -135,7 +135,7 @@ std::vector<Growing> grow(const std::vector<Edge>& edges, const std::vector<Edge
     const Dual dual(overlaps[e]);
     const double length = norm(edges[e].along());
     for (int a = 0; a < 2; ++a) {
-      auto& p = point_of(points, edges[e].node[a], edges[e].outward());
+      auto& p = point_of(points, edges[e].node[a], edges[e].outward(), is_fold(block, edges[e].node[a]));
       p.normal = p.normal + edges[e].outward();
       p.share += length * dual.share[a];
       Dual::each_gauss_point(overlaps[e], [&](const Overlap& o, double here, double there, double weight) {
@@ -178,7 +178,7 @@ std::vector<FoundPoint> mortar_points(const BlockWithBorder<2>& i, const BlockWi
   };
   const bool on_i = met(of_i) >= met(of_j);
   const auto& mine = on_i ? i.block : j.block;
-  auto points = on_i ? grow(edges_i, edges_j, of_i) : grow(edges_j, edges_i, of_j);
+  auto points = on_i ? grow(mine, edges_i, edges_j, of_i) : grow(mine, edges_j, edges_i, of_j);
   std::stable_sort(points.begin(), points.end(),
                    [&](const auto& a, const auto& b) { return mine.vertex[a.node] < mine.vertex[b.node]; });
   std::vector<FoundPoint> all;

@@ -46,7 +46,8 @@ std::vector<int> same_places(const std::vector<PointPlace>& points, const std::v
     const auto joint = of_joint.find({p.block_i, p.block_j});
     if (joint == of_joint.end()) continue;
     for (const int k : joint->second) {
-      if (taken[k] || norm(others[k].place - p.place) > near || !on_same_side(others[k].normal, p.normal)) continue;
+      if (taken[k] || norm(others[k].place - p.place) > near || !on_same_side(others[k].normal, p.normal, false))
+        continue;
       const int best = same.back();  // of a fold, whose points lie in one place, that of the same part
       if (best < 0 || dot(others[k].normal, p.normal) > dot(others[best].normal, p.normal)) same.back() = k;
     }

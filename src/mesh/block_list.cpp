@@ -59,17 +59,19 @@ void broadcast_warnings(const Teuchos::Comm<int>& comm, Warnings& warnings) {
 template <int dim>
 struct Packed {
   std::vector<std::string> names;
-  std::vector<int> counts, sets, cells, facets;  ///< counts: nodes, sets, cells, facets of each block
+  std::vector<int> counts, sets, cells, facets, folds;  ///< counts: nodes, sets, cells, facets, folds of each block
   std::vector<double> positions;
   std::vector<VertexId> vertices;
 
   void pack(const Block<dim>& block) {
     names.push_back(block.name);
     counts.insert(counts.end(), {static_cast<int>(block.position.size()), static_cast<int>(block.sets.size()),
-                                 static_cast<int>(block.cells.size()), static_cast<int>(block.facets.size())});
+                                 static_cast<int>(block.cells.size()), static_cast<int>(block.facets.size()),
+                                 static_cast<int>(block.folds.size())});
     for (const Vector<dim>& x : block.position) positions.insert(positions.end(), x.begin(), x.end());
     vertices.insert(vertices.end(), block.vertex.begin(), block.vertex.end());
     sets.insert(sets.end(), block.sets.begin(), block.sets.end());
+    folds.insert(folds.end(), block.folds.begin(), block.folds.end());
     for (const Cell& cell : block.cells) {
       cells.push_back(cell.count);
       cells.insert(cells.end(), cell.node.begin(), cell.node.end());
@@ -88,16 +90,17 @@ struct Packed {
     broadcast_values(comm, sets);
     broadcast_values(comm, cells);
     broadcast_values(comm, facets);
+    broadcast_values(comm, folds);
   }
 
   std::vector<Block<dim>> unpacked() const {
     std::vector<Block<dim>> blocks(names.size());
     auto x = positions.begin();
     auto v = vertices.begin();
-    auto s = sets.begin(), c = cells.begin(), f = facets.begin();
+    auto s = sets.begin(), c = cells.begin(), f = facets.begin(), d = folds.begin();
     for (std::size_t b = 0; b < names.size(); ++b) {
       Block<dim>& block = blocks[b];
-      const int* count = &counts[4 * b];
+      const int* count = &counts[5 * b];
       block.id = static_cast<BlockId>(b);
       block.name = names[b];
       block.position.resize(count[0]);
@@ -107,6 +110,8 @@ struct Packed {
       v += count[0];
       block.sets.assign(s, s + count[1]);
       s += count[1];
+      block.folds.assign(d, d + count[4]);
+      d += count[4];
       block.cells.resize(count[2]);
       for (Cell& cell : block.cells) {
         cell.count = *c++;

@@ -164,6 +164,8 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
   std::vector<std::size_t> node_tags;
   gmsh::model::mesh::getNodes(node_tags, coordinates, parametric, -1, -1, false, false);
   const NodeNumbers number(p.file, p.unit, node_tags, coordinates, mesh);
+  gmsh::model::mesh::getNodes(node_tags, coordinates, parametric, 0, -1, false, false);
+  for (const auto tag : node_tags) mesh.corners.push_back(number(tag));
   Groups surface_groups = read_groups(p.file, 2), curve_groups = read_groups(p.file, 1);
   mesh.block_sets = surface_groups.names;
   mesh.facet_sets = curve_groups.names;

@@ -27,7 +27,7 @@ struct Cell {
 struct TaggedFacet {
   std::array<int, 4> node{};  ///< local node numbers; a triangle has its last one twice
   int count = 0;              ///< 2 in 2D, 3 or 4 in 3D
-  int set = 0;                ///< index into BlockSource::facet_sets(); below 0: -1 - part of a bent joint, of no set
+  int set = 0;                ///< index into BlockSource::facet_sets()
 };
 
 /// Mesh of one block.
@@ -40,7 +40,10 @@ struct Block {
   std::vector<Cell> cells;
   /// Edges of its tetrahedra that may bend, by local nodes, ascending. Linear cells have none.
   std::vector<std::array<int, 2>> curved;
-  std::vector<TaggedFacet> facets;  ///< only those in a named set, or of a joint with parts in planes of their own
+  /// Nodes where the drawing has an edge (a corner in 2D), ascending: facets that meet there at an angle are two sides
+  /// of a joint, where others are parts of something curved (joints/same_side.hpp).
+  std::vector<int> folds;
+  std::vector<TaggedFacet> facets;  ///< only those in a named set
   std::vector<int> sets;            ///< indices into BlockSource::block_sets(), ascending
 };
 

@@ -10,6 +10,7 @@ template <class Bytes, class Mesh>
 void exchange(Bytes& bytes, Mesh& mesh) {
   plain_list(bytes, mesh.position);
   plain_list(bytes, mesh.lines);
+  plain_list(bytes, mesh.corners);
   for (auto* names : {&mesh.block_sets, &mesh.facet_sets}) {
     const std::size_t count = bytes.size(*names, sizeof(std::size_t));
     for (std::size_t k = 0; k < count; ++k) plain_list(bytes, (*names)[k]);
@@ -28,6 +29,7 @@ void check_indices(const SurfaceMesh& mesh) {
     if (index < 0 || static_cast<std::size_t>(index) >= size)
       refuse_bytes(std::string("a number of ") + of + " is none");
   };
+  for (const int node : mesh.corners) require_index(node, mesh.position.size(), "a node");
   for (const SurfaceMesh::Line& line : mesh.lines) {
     for (const int node : line.node) require_index(node, mesh.position.size(), "a node");
     require_index(line.set, mesh.facet_sets.size(), "a set of curves");

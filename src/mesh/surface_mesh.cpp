@@ -90,6 +90,10 @@ Block<2> block_of(const SurfaceMesh& mesh, const SurfaceMesh::Surface& surface, 
     block.vertex.push_back(vertex[node]);
     block.position.push_back(vertex_position[vertex[node]]);
   }
+  for (const int corner : mesh.corners)
+    if (const auto n = std::lower_bound(nodes.begin(), nodes.end(), corner); n != nodes.end() && *n == corner)
+      block.folds.push_back(static_cast<int>(n - nodes.begin()));
+  sort_unique(block.folds);
   for (Cell& cell : block.cells) {
     for (int k = 0; k < cell.count; ++k)
       cell.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), cell.node[k]) - nodes.begin());

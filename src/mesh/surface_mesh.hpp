@@ -21,6 +21,7 @@ struct SurfaceMesh {
   std::vector<Vector<2>> position;  ///< [m] per node
   std::vector<Surface> surfaces;    ///< in the order of the blocks
   std::vector<Line> lines;
+  std::vector<int> corners;  ///< nodes at points of the drawing, where what is drawn may turn
   std::vector<std::string> block_sets;
   std::vector<std::string> facet_sets;
 };

@@ -76,9 +76,7 @@ long long sets_digest(const BlockSource<dim>& source, const Structure<dim>& s, c
     for (const int set : mesh.sets)
       if (const auto& name = source.block_sets()[set]; sets.of_blocks.count(name)) sum += add(name, block);
     for (const auto& facet : mesh.facets)
-      if (facet.set < 0)
-        continue;
-      else if (const auto& name = source.facet_sets()[facet.set]; sets.of_facets.count(name))
+      if (const auto& name = source.facet_sets()[facet.set]; sets.of_facets.count(name))
         sum += add(name, digest(facet.node.data(), facet.count * sizeof(int), block));
   }
   return sum_of_digests(sum, *s.comm());

@@ -178,14 +178,15 @@ void add_free_triangles(const StoneStructure& s, const Skins& skins, const std::
   }
 }
 
-/// Per joint which part it is of what its two stones share, -1 where that has one part: joints whose planes are within
-/// 5 degrees of each other, directly or through others, are one, as facets of something curved are.
+/// Per joint which part it is of what its two stones share: joints whose planes are within 5 degrees of each other,
+/// directly or through others, are one, as facets of something curved are. -1 where the stones share one part.
 std::vector<int> parts_of_joints(const StoneJoints& all) {
   std::vector<int> part(all.joints.size(), -1);
   std::map<std::array<int, 2>, std::vector<std::size_t>> of_pair;
   for (std::size_t k = 0; k < all.joints.size(); ++k) of_pair[all.joints[k].stone].push_back(k);
+  int parts = 0;
   for (const auto& [pair, joints] : of_pair) {
-    int parts = 0;
+    const int before = parts;
     for (const auto first : joints) {
       if (part[first] >= 0) continue;
       part[first] = parts++;
@@ -199,21 +200,26 @@ std::vector<int> parts_of_joints(const StoneJoints& all) {
         }
       }
     }
-    if (parts == 1)
+    if (parts == before + 1)
       for (const auto k : joints) part[k] = -1;
   }
   return part;
 }
 
-/// Marks faces of joints by their part, so that each has points of its own: a fold that is drawn is none of a mesh.
-void mark_parts(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones, BlockList<3>& list) {
+/// Folds of joints that are drawn: where parts of them meet.
+void add_folds(const StoneStructure& s, const Skins& skins, const std::vector<StoneSkin>& stones, BlockList<3>& list) {
   const auto part = parts_of_joints(s.joints);
+  std::vector<std::map<int, int>> part_of_node(list.blocks.size());
   for (std::size_t c = 0; c < s.imprint.cells.size(); ++c) {
     const auto& cell = s.imprint.cells[c];
     if (s.imprint.other[c] < 0 || cell.joint < 0 || part[cell.joint] < 0) continue;
     for (const auto& t : skins.triangles[c])
-      list.blocks[cell.stone].facets.push_back(facet_of(t, stones[cell.stone].nodes, -1 - part[cell.joint]));
+      for (const int node : facet_of(t, stones[cell.stone].nodes, 0).node)
+        if (const auto at = part_of_node[cell.stone].insert({node, part[cell.joint]}).first;
+            at->second != part[cell.joint])
+          list.blocks[cell.stone].folds.push_back(node);
   }
+  for (auto& block : list.blocks) sort_unique(block.folds);
 }
 
 /// The set "faces".
@@ -256,7 +262,7 @@ void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, 
   }
   if (!faults.empty()) refuse_unfilled(faults, stones.size());
   add_free_triangles(s, skins, stones, ends, result.list);
-  mark_parts(s, skins, stones, result.list);
+  add_folds(s, skins, stones, result.list);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/sort_unique.hpp"
 #include "mesh/bytes.hpp"
 #include "mesh/gmsh_failures.hpp"
 #include "mesh/gmsh_file.hpp"
@@ -83,12 +84,34 @@ void open_volumes(Gmsh& gmsh_itself, const GmshParameters& p, VolumesAs wanted) 
   gmsh_itself.run(p.file, "mesh the surfaces of the file", [] { gmsh::model::mesh::generate(2); });
 }
 
+/// Nodes at points of the drawing, and on its curves where two surfaces meet.
+std::vector<int> folds_of(const Nodes& number) {
+  std::vector<int> folds;
+  std::vector<std::size_t> tags;
+  std::vector<double> x, parametric;
+  const auto add = [&](int dim, int entity) {
+    gmsh::model::mesh::getNodes(tags, x, parametric, dim, entity, false, false);
+    for (const auto tag : tags) folds.push_back(number(tag));
+  };
+  add(0, -1);
+  gmsh::vectorpair curves;
+  gmsh::model::getEntities(curves, 1);
+  for (const auto& [dim, curve] : curves) {
+    std::vector<int> surfaces, points;
+    gmsh::model::getAdjacencies(dim, curve, surfaces, points);
+    sort_unique(surfaces);
+    if (surfaces.size() != 1) add(dim, curve);  // one: the seam of something round; none: a mesh without drawing
+  }
+  return folds;
+}
+
 VolumeMesh read(const GmshParameters& p, VolumesAs wanted) {
   VolumeMesh mesh;
   const Nodes number(p.file, p.unit, mesh.position);
   Groups volumes = read_groups(p.file, 3), surfaces = read_groups(p.file, 2);
   mesh.block_sets = volumes.names;
   mesh.facet_sets = surfaces.names;
+  if (wanted == VolumesAs::meshed) mesh.folds = folds_of(number);
   gmsh::vectorpair entities, around;
   gmsh::model::getEntities(entities, 3);
   std::sort(entities.begin(), entities.end());

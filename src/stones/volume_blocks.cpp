@@ -61,6 +61,10 @@ std::vector<Block<3>> blocks_of(const VolumeMesh& mesh, double within) {
       block.vertex.push_back(vertex);
       block.position.push_back(welded.points()[vertex]);
     }
+    for (const int fold : mesh.folds)
+      if (const auto n = std::lower_bound(nodes.begin(), nodes.end(), fold); n != nodes.end() && *n == fold)
+        block.folds.push_back(static_cast<int>(n - nodes.begin()));
+    sort_unique(block.folds);
     for (auto& cell : block.cells)
       for (int k = 0; k < cell.count; ++k)
         cell.node[k] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), cell.node[k]) - nodes.begin());

@@ -21,6 +21,7 @@ template <class Bytes, class Mesh>
 void exchange(Bytes& bytes, Mesh& mesh) {
   plain_list(bytes, mesh.position);
   plain_list(bytes, mesh.faces);
+  plain_list(bytes, mesh.folds);
   for (auto* names : {&mesh.block_sets, &mesh.facet_sets}) {
     const std::size_t count = bytes.size(*names, sizeof(std::size_t));
     for (std::size_t k = 0; k < count; ++k) plain_list(bytes, (*names)[k]);
@@ -44,6 +45,7 @@ void check_indices(const VolumeMesh& mesh) {
     if (face.count != 3 && face.count != 4) refuse_bytes("a face is neither triangle nor quadrilateral");
     for (int k = 0; k < face.count; ++k) require_index(face.node[k], mesh.position.size(), "a node");
   };
+  for (const int node : mesh.folds) require_index(node, mesh.position.size(), "a node");
   for (const auto& named : mesh.faces) {
     require_face(named.face);
     require_index(named.set, mesh.facet_sets.size(), "a set of surfaces");
@@ -234,9 +236,7 @@ void leave_to_file(const VolumeMesh& mesh, BlockList<3>& list) {
     throw InputError("mesh: a physical group is named \"" + list.facet_sets.back() +
                      "\"\n  which always means all faces of stones.\n  Choose another name.");
   for (auto& block : list.blocks) {
-    const auto of_file = [&](const TaggedFacet& f) {
-      return f.set >= 0 && is_named(mesh.facet_sets, list.facet_sets[f.set]);  // others mark parts of joints
-    };
+    const auto of_file = [&](const TaggedFacet& f) { return is_named(mesh.facet_sets, list.facet_sets[f.set]); };
     const auto in_file = [&](int set) { return is_named(mesh.block_sets, list.block_sets[set]); };
     block.facets.erase(std::remove_if(block.facets.begin(), block.facets.end(), of_file), block.facets.end());
     block.sets.erase(std::remove_if(block.sets.begin(), block.sets.end(), in_file), block.sets.end());

@@ -28,6 +28,7 @@ struct VolumeMesh {
   Places position;              ///< [m] per node
   std::vector<Volume> volumes;  ///< in the order of the blocks
   std::vector<Named> faces;
+  std::vector<int> folds;  ///< nodes at points and curves of the drawing, but for seams of one surface
   std::vector<std::string> block_sets, facet_sets;
 
   /// "volume 17 (ring, west)"

@@ -63,6 +63,14 @@ class Run:
         return self.table("history.csv")
 
 
+def run(scene, out, *options, ranks=1, environment=None, seconds=600):
+    """Runs the scene of that path into a folder."""
+    launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    done = subprocess.run([*launch, PROGRAM, f"--xml={scene}", f"--out={out}", *options], capture_output=True, text=True,
+                          check=False, timeout=seconds, env={**os.environ, **ENVIRONMENT, **(environment or {})})
+    return Run(out, done)
+
+
 class SceneTest(unittest.TestCase):
     """Every test has a folder of its own, which is empty when it begins."""
 
@@ -78,11 +86,7 @@ class SceneTest(unittest.TestCase):
             scene.write_text(text, encoding="utf-8")
         if drawing is not None:
             (self.folder / "stones.geo").write_text(drawing, encoding="utf-8")
-        launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        done = subprocess.run([*launch, PROGRAM, f"--xml={scene}", f"--out={self.folder / out}", *options],
-                              capture_output=True, text=True, check=False, timeout=seconds,
-                              env={**os.environ, **ENVIRONMENT, **(environment or {})})
-        return Run(self.folder / out, done)
+        return run(scene, self.folder / out, *options, ranks=ranks, environment=environment, seconds=seconds)
 
 
 def main():
