@@ -1,8 +1,8 @@
 """Random small masonry through three stages, of load steps, of time and of construction, in any order.
 
-    three_stages.py PROGRAM MPIEXEC [--count N] [--first SEED]
+    three_stages.py PROGRAM MPIEXEC [--count N] [--first SEED] [--space]
 
-Set-up    A wall in bond, a stack or a portal whose lintel has a prop, dry, with joints that soften, or on mortar as springs.
+Set-up    A wall in bond, a stack or a portal whose lintel has a prop (in space a corner of two walls too), dry, with joints that soften, or on mortar as springs.
           Its first stage is its own weight. The other two are load steps or take time; in each a support may settle, the
           structure is pushed, its top is loaded by wind, a push comes as a pulse in time, and a stone appears or disappears.
           Every structure bears what it is given by far.
@@ -19,7 +19,6 @@ Tolerance Ranks: 1e-6 of the largest energy and displacement, a hundred times wh
 """
 
 import argparse
-import math
 import os
 import pathlib
 import signal
@@ -37,8 +36,8 @@ sys.path[:0] = [str(HERE / "ground"), str(HERE.parent / "support")]
 import program  # noqa: E402  (modules of folders of their own)
 import scenes  # noqa: E402
 from staged import Posed  # noqa: E402
+from staged_in_space import PosedInSpace  # noqa: E402
 
-DENSITY, GRAVITY = scenes.STONE["density"], scenes.GRAVITY
 SMALL = 1e-6
 PATIENCE = 300  # [s] of a run
 STOPPED = 5  # exit code of a run that a signal stopped
@@ -65,56 +64,10 @@ class Work:
         self.is_cap = np.array([names[s] == "cap" if s >= 0 else False for s in block_set])[block_of_cell]
         assert self.is_cap.any() and not self.is_cap.all()
 
-    def mass(self, cap):
-        """Mass that belongs to every node [kg], of the cap or of all else; 1 m thick."""
-        m = np.zeros(len(self.place))
-        for cell in self.cells[self.is_cap == cap]:
-            nodes = list(dict.fromkeys(cell))
-            x = self.place[nodes]
-            if len(nodes) == 3:
-                area = abs(np.cross(x[1] - x[0], x[2] - x[0])) / 2
-                m[nodes] += DENSITY * area / 3
-                continue
-            a = 1 / math.sqrt(3)
-            for u, v in ((-a, -a), (a, -a), (a, a), (-a, a)):
-                s = np.array([(1 - u) * (1 - v), (1 + u) * (1 - v), (1 + u) * (1 + v), (1 - u) * (1 + v)]) / 4
-                du = np.array([-(1 - v), 1 - v, 1 + v, -(1 + v)]) / 4
-                dv = np.array([-(1 - u), -(1 + u), 1 + u, 1 - u]) / 4
-                m[nodes] += DENSITY * s * abs(np.linalg.det(np.array([du, dv]) @ x))
-        return m
-
-    def windward(self):
-        """Length of the loaded set that belongs to every node [m]: edges of one cell alone that lie in its curves."""
-        drawing = self.posed.scene["mesh"]
-        ends = {number: pair for pair, number in drawing.sides.items()}
-        length = np.zeros(len(self.place))
-        for curve in drawing.curves["top"]:
-            a, b = (np.array(p[:2]) for p in ends[curve])
-            along = (b - a) / np.linalg.norm(b - a)
-            for cell in self.cells[~self.is_cap]:
-                nodes = list(dict.fromkeys(cell))
-                for p, q in zip(nodes, nodes[1:] + nodes[:1]):
-                    if all(self.on(self.place[n], a, b, along) for n in (p, q)):
-                        length[[p, q]] += np.linalg.norm(self.place[p] - self.place[q]) / 2
-        return length
-
-    @staticmethod
-    def on(x, a, b, along):
-        t = np.dot(x - a, along)
-        return np.linalg.norm(x - a - t * along) < 1e-9 and -1e-9 < t < np.linalg.norm(b - a) + 1e-9
-
     def loads(self):
         """Nodal forces of every load at factor one [N]; the cap apart, since it is not always there."""
-        p = self.posed.loads
-        shapes = {}
-        for cap in (False, True):
-            m = self.mass(cap)[:, None]
-            shapes["weight", cap] = m * [0.0, -GRAVITY]
-            shapes["push", cap] = m * [p["push"]["ax"], p["push"]["ay"]]
-            if "pulse" in p:
-                shapes["pulse", cap] = m * [p["pulse"]["ax"], 0.0]
-        shapes["wind", False] = self.windward()[:, None] * [p["wind"]["tx"], p["wind"]["ty"]]
-        return shapes
+        return {(load, cap): forces for cap in (False, True)
+                for load, forces in self.posed.nodal_forces(self.place, self.cells[self.is_cap == cap], cap).items()}
 
     def mean(self, load, stage, start, end, t):
         """Mean factor of a load over a step between two shares of a stage that begins at time t, and its factor at the end."""
@@ -150,7 +103,7 @@ class Work:
                 total += force * np.sum(shape * (after - u))
                 before[key] = there * end
             for name in posed.supports:
-                for c in "xy":
+                for c in "xyz"[:self.place.shape[1]]:
                     way, now = row[f"u{c}_m of {name}"], row[f"f{c}_N of {name}"]
                     in_time = bool(posed.stages[stage].get("duration"))
                     force = now if in_time else (reaction.get((name, c), 0.0) + now) / 2
@@ -166,10 +119,10 @@ class Work:
 class Judge:
     """Runs a scene in its ways and collects what is wrong."""
 
-    def __init__(self, seed, folder):
-        self.posed, self.folder, self.faults = Posed(seed), folder / str(seed), []
+    def __init__(self, posed, folder):
+        self.posed, self.folder, self.faults = posed, folder, []
         self.folder.mkdir(parents=True)
-        self.path = scenes.write(self.posed.scene, self.folder)
+        self.path = posed.write(self.folder)
 
     def command(self, out, *options, ranks=1):
         launch = [program.MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
@@ -270,14 +223,16 @@ def main():
     parser.add_argument("mpiexec")
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--space", action="store_true", help="masonry in space")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder to keep the runs in")
     options = parser.parse_args()
     program.PROGRAM, program.MPIEXEC = options.program, options.mpiexec
+    posed = PosedInSpace if options.space else Posed
     failed = 0
     with tempfile.TemporaryDirectory() as temporary:
         for seed in range(options.first, options.first + options.count):
             start = time.monotonic()
-            judge = Judge(seed, options.keep or pathlib.Path(temporary))
+            judge = Judge(posed(seed), (options.keep or pathlib.Path(temporary)) / str(seed))
             faults = judge.judge()
             failed += bool(faults)
             print(f"{seed:4} {'FAILS' if faults else 'holds'} {time.monotonic() - start:5.1f} s  {judge.posed}", flush=True)

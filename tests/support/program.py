@@ -23,7 +23,7 @@ PROGRAM = MPIEXEC = None
 # What runs of several ranks need where cores are few and users are root; see cmake/voussoir_add_test.cmake.
 ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
-               "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+               "OMPI_MCA_mpi_yield_when_idle": os.environ.get("OMPI_MCA_mpi_yield_when_idle", "1"), "OMPI_MCA_hwloc_base_binding_policy": "none"}
 
 
 def number(text):

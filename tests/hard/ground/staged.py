@@ -3,6 +3,7 @@
 Posed(seed) is a scene, and what is known of it without the program: factors of its loads, which stones are there.
 """
 
+import math
 import random
 
 import numpy as np
@@ -10,7 +11,12 @@ import numpy as np
 import scenes
 from drawing import Drawing, foundations_and_wall
 
-GRAVITY = scenes.GRAVITY
+DENSITY, GRAVITY = scenes.STONE["density"], scenes.GRAVITY
+
+
+def held(*sets):
+    """Supports, each the set of its name."""
+    return {name: {"on": name} for name in sets}
 
 
 def wall(r):
@@ -22,7 +28,7 @@ def wall(r):
     cap(drawing, top[1:4], h)
     for a, b in [*zip(top[:1], top[1:2]), *zip(top[3:], top[4:])]:
         drawing.name("top", b, a)
-    return drawing, [f"foot {i}" for i in range(stones)]
+    return drawing, held(*(f"foot {i}" for i in range(stones)))
 
 
 def stack(r):
@@ -34,7 +40,7 @@ def stack(r):
         drawing.box(0.0, k * height, width, (k + 1) * height - k * height, sets=("stones",),
                     **({"bottom": "ground", "right": "side"} if k == 0 else {"right": "top"} if k == count - 1 else {}))
     cap(drawing, [(0.0, count * height), (width, count * height)], height)
-    return drawing, ["ground"]
+    return drawing, held("ground")
 
 
 def portal(r):
@@ -48,7 +54,7 @@ def portal(r):
     above = [(x, height + 0.5) for x in (2.0, 0.0)]
     drawing.stone(below + above, corners=(0, 5, 6, 7), sets=("stones",))
     drawing.name("top", *above)
-    return drawing, ["left", "right", "foot of the prop"]
+    return drawing, held("left", "right", "foot of the prop")
 
 
 def cap(drawing, below, height):
@@ -58,19 +64,44 @@ def cap(drawing, below, height):
     drawing.stone(below + above, corners=(0, count - 1, count, count + 1), sets=("cap",))
 
 
-HOSTS = {"wall": wall, "stack": stack, "portal": portal}
 LAWS = ("dry", "softening", "mortar")
 TASKS = ("load", "time")
+
+
+def mass_of_nodes(place, cells):
+    """Mass of the cells that belongs to every node [kg], 1 m thick."""
+    m = np.zeros(len(place))
+    for cell in cells:
+        nodes = list(dict.fromkeys(cell))
+        x = place[nodes]
+        if len(nodes) == 3:
+            area = abs(np.cross(x[1] - x[0], x[2] - x[0])) / 2
+            m[nodes] += DENSITY * area / 3
+            continue
+        a = 1 / math.sqrt(3)
+        for u, v in ((-a, -a), (a, -a), (a, a), (-a, a)):
+            s = np.array([(1 - u) * (1 - v), (1 + u) * (1 - v), (1 + u) * (1 + v), (1 - u) * (1 + v)]) / 4
+            du = np.array([-(1 - v), 1 - v, 1 + v, -(1 + v)]) / 4
+            dv = np.array([-(1 - u), -(1 + u), 1 + u, 1 - u]) / 4
+            m[nodes] += DENSITY * s * abs(np.linalg.det(np.array([du, dv]) @ x))
+    return m
+
+
+def lies_on(x, a, b, along):
+    t = np.dot(x - a, along)
+    return np.linalg.norm(x - a - t * along) < 1e-9 and -1e-9 < t < np.linalg.norm(b - a) + 1e-9
 
 
 class Posed:
     """One scene, and what is known of it without the program."""
 
+    HOSTS = {"wall": wall, "stack": stack, "portal": portal}
+
     def __init__(self, seed):
         r = self.random = random.Random(seed)
-        self.host = list(HOSTS)[seed % len(HOSTS)]
-        self.law = LAWS[seed // len(HOSTS) % len(LAWS)]
-        drawing, self.supports = HOSTS[self.host](r)
+        self.host = list(self.HOSTS)[seed % len(self.HOSTS)]
+        self.law = LAWS[seed // len(self.HOSTS) % len(LAWS)]
+        mesh, self.supports = self.HOSTS[self.host](r)
         tasks = ["load", *(("load", "load") if self.law == "mortar" else (r.choice(TASKS), r.choice(TASKS)))]
         self.function = [(0.0, 0.0)]  # of the pulse: time [s], factor
         self.loads = self.pose_loads()
@@ -79,7 +110,7 @@ class Posed:
         self.construction = self.pose_construction()
         self.ranks = 2 if seed % 2 else 4
         self.scene = scenes.scene(
-            drawing, friction=0.7, supports={name: {"on": name} for name in self.supports}, loads=self.loads,
+            mesh, friction=0.7, supports=self.supports, loads=self.loads,
             stages=self.stages, joints={"dry": self.pose_joints()},
             observations={name: {"place": "support", "support": name} for name in self.supports},
             output={"report": False, "checkpoint every": 1, "checkpoint seconds": 0.0})
@@ -105,7 +136,7 @@ class Posed:
         r = self.random
         loads = {"push": {"type": "acceleration", "ax": GRAVITY, "ay": r.uniform(-1, 1)},
                  "wind": {"type": "traction", "on": "top", "tx": r.uniform(-1e3, 1e3), "ty": -r.uniform(0, 5e3)},
-                 "sink": {"type": "settlement", "support": r.choice(self.supports), "ux": r.uniform(-2e-5, 2e-5),
+                 "sink": {"type": "settlement", "support": r.choice(list(self.supports)), "ux": r.uniform(-2e-5, 2e-5),
                           "uy": -r.uniform(0, 5e-5)}}
         return loads
 
@@ -163,3 +194,31 @@ class Posed:
     def pulse(self, t):
         times, values = zip(*self.function)
         return float(np.interp(t, times, values))
+
+    def write(self, folder):
+        return scenes.write(self.scene, folder)
+
+    def nodal_forces(self, place, cells, cap):
+        """Of every load at factor one on the cap or on all else [N], 1 m thick: by name, [nodes, 2]."""
+        m = mass_of_nodes(place, cells)[:, None]
+        forces = {"weight": m * [0.0, -GRAVITY], "push": m * [self.loads["push"]["ax"], self.loads["push"]["ay"]]}
+        if "pulse" in self.loads:
+            forces["pulse"] = m * [self.loads["pulse"]["ax"], 0.0]
+        if not cap:
+            forces["wind"] = self.windward(place, cells)[:, None] * [self.loads["wind"]["tx"], self.loads["wind"]["ty"]]
+        return forces
+
+    def windward(self, place, cells):
+        """Length of the loaded set that belongs to every node [m]: edges of one cell alone that lie in its curves."""
+        drawing = self.scene["mesh"]
+        ends = {number: pair for pair, number in drawing.sides.items()}
+        length = np.zeros(len(place))
+        for curve in drawing.curves["top"]:
+            a, b = (np.array(p[:2]) for p in ends[curve])
+            along = (b - a) / np.linalg.norm(b - a)
+            for cell in cells:
+                nodes = list(dict.fromkeys(cell))
+                for p, q in zip(nodes, nodes[1:] + nodes[:1]):
+                    if all(lies_on(place[n], a, b, along) for n in (p, q)):
+                        length[[p, q]] += np.linalg.norm(place[p] - place[q]) / 2
+        return length
