@@ -17,6 +17,7 @@ import argparse
 import math
 import pathlib
 import random
+import subprocess
 import sys
 import tempfile
 import time
@@ -286,6 +287,12 @@ class Planted:
         stones = self.stones if alone else {**self.stones, **self.loose, **self.posts, **self.prop}
         (folder / "stones.obj").write_text(self.drawn(stones), encoding="utf-8")
         (folder / "scene.xml").write_text(xml("planted", self.scene(mode, alone)) + "\n", encoding="utf-8")
+        try:
+            return self.judge(folder, mode, alone)
+        except subprocess.TimeoutExpired:
+            return f"no end within {LONGEST} s"
+
+    def judge(self, folder, mode, alone):
         run = program.run(folder / "scene.xml", folder / "out", ranks=self.ranks, seconds=LONGEST)
         if run.code not in (0, 3):
             return f"exit code {run.code}: {run.words[:900]}"
