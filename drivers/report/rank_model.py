@@ -16,8 +16,10 @@ from pathlib import Path
 PARTS = ("krylov", "block_motions", "transfer", "continuum")
 RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096, 10000)
 # Of one iteration of conjugate gradients with the symmetric preconditioner: products with H, solves with block
-# motions (each a sum over ranks of one number per coarse unknown), passages to the continuum and back, scalar products.
+# motions, passages to the continuum and back, scalar products.
 PRODUCTS, MOTIONS, TRANSFERS, SCALARS = 5, 2, 2, 3
+HALO_OF_MOTIONS = 2      # exchanges of a solve with block motions: right side and solution
+MOTIONS_ON_FIRST = 50000  # up to so many they go to the first rank and back (BlockMotionParameters)
 V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, restriction, prolongation
 SMALL_LEVEL = 2      # from here on there are three sweeps for one, down (the first without an exchange) and up
 MORE_SWEEPS = 4
@@ -58,7 +60,8 @@ class Widths:
     """Unknowns exchanged along a border as long as the wall, per root of all unknowns: fitted on two ranks."""
 
     def __init__(self, rows):
-        self.motions_entries = median(r["set_up_largest_collective_bytes"] / NUMBER / r["blocks"] for r in rows)
+        self.motions = median((per_iteration(r, "block_motions", "total", "bytes") - to_first_and_back(r)[1])
+                              / (motions_halo(r, 1.0)) for r in rows)
         self.product = median(self.width(r, "krylov", PRODUCTS, r["unknowns"]) for r in rows)
         self.transfer = median(self.width(r, "transfer", TRANSFERS, r["unknowns"]) for r in rows)
         self.level = median((per_iteration(r, "continuum", "total", "bytes") - v_cycle(r, 0)[1])
@@ -81,6 +84,21 @@ def per_iteration(r, part, which, what):
 
 def continuum_rows(r):
     return float(r["level_rows"].split()[0]) if r["level_rows"] else 0.55 * r["unknowns"]
+
+
+def on_first(coarse_unknowns):
+    return coarse_unknowns <= MOTIONS_ON_FIRST
+
+
+def to_first_and_back(r):
+    """Messages and bytes of all ranks in one iteration, of block motions that the first rank factors."""
+    if not on_first(r["coarse_unknowns"]):
+        return 0, 0
+    return (MOTIONS * 2 * (r["ranks"] - 1), MOTIONS * 2 * NUMBER * r["coarse_unknowns"] * (1 - 1 / r["ranks"]))
+
+
+def motions_halo(r, width):
+    return MOTIONS * HALO_OF_MOTIONS * NUMBER * width * border(r["ranks"]) * math.sqrt(r["coarse_unknowns"])
 
 
 def v_cycle(r, width):
@@ -107,15 +125,15 @@ def predicted(r, widths):
         "transfer bytes": TRANSFERS * NUMBER * widths.transfer * border(ranks) * math.sqrt(n),
         "continuum messages": messages,
         "continuum bytes": bytes_sent,
-        "block_motions collective_bytes": MOTIONS * NUMBER * r["coarse_unknowns"] * ranks,
-        "collectives": (SCALARS + MOTIONS) * ranks,
+        "block_motions messages": MOTIONS * HALO_OF_MOTIONS * 2 * pairs(ranks) + to_first_and_back(r)[0],
+        "block_motions bytes": motions_halo(r, widths.motions) + to_first_and_back(r)[1],
+        "collectives": SCALARS * ranks,
     }
 
 
 def measured(r):
     found = {f"{part} {what}": per_iteration(r, part, "total", what)
-             for part in ("krylov", "transfer", "continuum") for what in ("messages", "bytes")}
-    found["block_motions collective_bytes"] = per_iteration(r, "block_motions", "total", "collective_bytes")
+             for part in ("krylov", "transfer", "continuum", "block_motions") for what in ("messages", "bytes")}
     found["collectives"] = sum(per_iteration(r, part, "total", "collectives") for part in PARTS)
     return found
 
@@ -180,20 +198,27 @@ def seconds(blocks, ranks, machine, widths, iterations):
         if j + 1 < len(found) and found[j + 1][1] < on:
             from_each = on / found[j + 1][1]
             multigrid += 2 * machine.exchange(from_each, NUMBER * found[j + 1][0] / found[j + 1][1])
-    sums = SCALARS * machine.sum(ranks, NUMBER) + MOTIONS * machine.sum(ranks, NUMBER * coarse)
+    motions = MOTIONS * HALO_OF_MOTIONS * machine.exchange(k, NUMBER * widths.motions * inner * math.sqrt(coarse))
+    if ranks > 1 and on_first(coarse):
+        motions += MOTIONS * 2 * machine.exchange(ranks - 1, NUMBER * coarse * (1 - 1 / ranks))
+    # MUMPS factors the root of its tree on one rank: 1 - 1/sqrt 2 of all in the plane. The rest is shared at best.
+    root = 1 if on_first(coarse) else 1 - 1 / math.sqrt(2)
+    root_of_solve = 1 if on_first(coarse) else 1 / math.log2(coarse)
     applied = iterations + 1
     return {
         "blocks and products": applied * machine.iteration * unknowns / ranks * 1.03,  # METIS: 3 % off balance
         "halo": applied * halo,
         "multigrid": applied * multigrid,
-        "sums": applied * sums + machine.sum(ranks, NUMBER * widths.motions_entries * blocks),
-        "block motions, on every rank": applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse)
-                                        + machine.factor * coarse ** 1.5,
+        "sums": applied * SCALARS * machine.sum(ranks, NUMBER),
+        "messages of block motions": applied * motions,
+        "block motions": applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse)
+                         * (root_of_solve + (1 - root_of_solve) / ranks)
+                         + machine.factor * coarse ** 1.5 * (root + (1 - root) / ranks),
     }
 
 
 def replicated_bytes(rows):
-    """Of block motions and one block, on every rank: what does not become less with ranks."""
+    """Of block motions and one block, on the first rank: what does not become less with ranks where it factors them."""
     most = max((r for r in rows if r["level_rows"]), key=lambda r: (r["ranks"], r["size"]))
     alone = next(r for r in rows if r["ranks"] == 1 and r["size"] == most["size"])
     ranks = most["ranks"]
@@ -201,9 +226,10 @@ def replicated_bytes(rows):
 
 
 def memory(blocks, ranks, alone, replicated):
-    """GB of a rank: its share of everything, and the matrix and factors of block motions whole."""
+    """GB of the first rank: its share of everything, and the factors of block motions whole or its share of them."""
     own = alone["peak_memory_MB"] * 1e6 / alone["blocks"] - replicated
-    return (own * blocks / ranks + replicated * blocks) / 1e9
+    motions = blocks * alone["coarse_unknowns"] / alone["blocks"]
+    return (own * blocks / ranks + replicated * blocks / (1 if on_first(motions) else ranks)) / 1e9
 
 
 def tables(rows, widths, options):
@@ -214,7 +240,7 @@ def tables(rows, widths, options):
           f"factors its block motions in {machine.alone['motions_factor_s']:.2g} s; {iterations} iterations.\n"
           f"Network: {machine.latency:g} s, {machine.bandwidth:g} bytes/s of a rank. "
           f"Memory of a rank: {options['memory']:g} GB; "
-          f"{replicated / 1e3:.2g} kB of each block on every rank.\n")
+          f"{replicated / 1e3:.2g} kB of each block on the first rank, where it factors block motions.\n")
     table = []
     for kind in ("strong", "weak"):
         print(f"{kind} scaling: " + (f"{options['blocks']:g} blocks" if kind == "strong" else
@@ -228,10 +254,7 @@ def tables(rows, widths, options):
                 continue
             parts = seconds(blocks, ranks, machine, widths, iterations)
             all_parts = sum(parts.values())
-            others = all_parts - parts["block motions, on every rank"]
-            others -= 0 if ranks == 1 else (
-                (iterations + 1) * MOTIONS * 2 * NUMBER * 3 * blocks + 2 * NUMBER * widths.motions_entries * blocks
-            ) / machine.bandwidth
+            others = all_parts - parts["block motions"] - parts["messages of block motions"]
             first = first or (all_parts, others)
             ideal = ranks if kind == "strong" else 1
             limit = max(parts, key=parts.get)

@@ -8,7 +8,6 @@
 #include "base/components.hpp"
 #include "base/sort_unique.hpp"
 #include "homogenisation/block_motions_kernel.hpp"
-#include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/traffic.hpp"
 
@@ -61,14 +60,41 @@ LocalCsr pattern_of(const std::vector<Pairs::Pair>& pairs, int modes) {
 template <int dim>
 BlockMotions::Motions<dim>::Motions(const BlockSystem& s, const ContactPoints& points,
                                     const std::vector<char>& selected, const MergedSpace& space,
-                                    const std::vector<int>& active)
+                                    const std::vector<char>& active, long long most_on_first)
     : structure_(s), points_(points), space_(space) {
-  std::vector<int> number(active.size(), -1);  // of each block among those that are active
-  for (std::size_t b = 0; b < active.size(); ++b)
-    if (active[b]) number[b] = blocks_++;
-  find_copies(number, copies_met(selected));
+  number_blocks(active, most_on_first);
+  find_copies(copies_met(selected));
   set_pattern(selected);
   add_elastic_energy();
+}
+
+/// Numbers of active blocks on this rank, and of their motions among those of all.
+template <int dim>
+void BlockMotions::Motions<dim>::number_blocks(const std::vector<char>& active, long long most_on_first) {
+  const auto& s = structure_;
+  number_.assign(active.size(), -1);
+  SharedSystem::Unknowns unknowns;
+  for (int b = 0; b < s.local_blocks(); ++b) {
+    if (active[b]) number_[b] = blocks_++;
+    if (b < s.owned_blocks()) unknowns.owned = modes * blocks_;
+  }
+  long long before = 0;
+  Teuchos::scan(*s.comm(), Teuchos::REDUCE_SUM, static_cast<long long>(unknowns.owned), Teuchos::outArg(before));
+  before -= unknowns.owned;
+  std::vector<long long> first(s.nodes(), -1);  // of the motions of the block of each node
+  for (int b = 0; b < s.owned_blocks(); ++b)
+    for (int n = 0; n < s.nodes_of(b).nodes && active[b]; ++n)
+      first[s.nodes_of(b).first_local + n] = before + modes * number_[b];
+  s.node_exchange().update(first);
+  for (int b = 0; b < s.local_blocks(); ++b) {
+    const auto number = first[s.nodes_of(b).first_local];
+    VOUSSOIR_EXPECT((number >= 0) == (active[b] != 0) && "active blocks: the same for all who know them");
+    for (int m = 0; m < modes && active[b]; ++m) {
+      unknowns.number.push_back(number + m);
+      unknowns.owner.push_back(s.owner_of_block()[s.nodes_of(b).id]);
+    }
+  }
+  system_ = std::make_unique<SharedSystem>(std::move(unknowns), s.comm(), most_on_first);
 }
 
 /// The copies at owned vertices, and those of all other clusters that an owned point with weights reaches.
@@ -94,9 +120,9 @@ std::vector<int> BlockMotions::Motions<dim>::copies_met(const std::vector<char>&
 /// Sorts copies by clusters.
 /// @param met  the copies
 template <int dim>
-void BlockMotions::Motions<dim>::find_copies(const std::vector<int>& number, const std::vector<int>& met) {
+void BlockMotions::Motions<dim>::find_copies(const std::vector<int>& met) {
   const auto& s = structure_;
-  const auto number_of = [&](int node) { return number[s.nodes_of(s.block_of_node()[node]).id]; };
+  const auto number_of = [&](int node) { return number_[s.block_of_node()[node]]; };
   const auto& cluster = space_.cluster();
   copy_start_.assign(space_.clusters() + 1, 0);
   for (int k : met)
@@ -155,7 +181,7 @@ void BlockMotions::Motions<dim>::add_motion(int cluster, Vector<dim> direction, 
   }
 }
 
-/// Pairs of blocks that meet at a node of an owned block or across a point; all ranks get all of them.
+/// Pairs of blocks that meet at a node of an owned block or across an owned point.
 template <int dim>
 void BlockMotions::Motions<dim>::set_pattern(const std::vector<char>& selected) {
   Pairs met;
@@ -183,10 +209,8 @@ void BlockMotions::Motions<dim>::set_pattern(const std::vector<char>& selected) 
     couple();
   }
   for (int b = 0; b < blocks_; ++b) met.add(b, b);
-  auto pairs = all_gather(std::move(met).all(), *structure_.comm());
-  sort_unique(pairs);
-  matrix_ = pattern_of(pairs, modes);
-  VOUSSOIR_ENSURE(matrix_.rows() == size());
+  matrix_ = pattern_of(std::move(met).all(), modes);
+  VOUSSOIR_ENSURE(matrix_.rows() == modes * blocks_);
 }
 
 /// Where in the first row of a block the columns of another begin.
@@ -286,21 +310,14 @@ void BlockMotions::Motions<dim>::update(const std::vector<PointStiffness>& stiff
     add_motion(static_cast<int>(i) / dim, direction, 1.0, row);
     add_product(row, proximal[i]);
   }
-  if (structure_.comm()->getSize() > 1) {
-    const auto mine = matrix_.value;
-    Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(),
-                       matrix_.value.data());
-  }
-  if (factor_)
-    factor_->refactor(matrix_);
-  else
-    factor_ = std::make_unique<SparseCholesky>(matrix_);
+  system_->factor(matrix_);
   matrix_.value = std::vector<double>();  // a factor needs no matrix, and Krylov vectors may need its room
 }
 
 template <int dim>
 void BlockMotions::Motions<dim>::add(const TpetraVector& r, TpetraVector& z) const {
-  std::vector<double> mine(size(), 0.0), coarse(size(), 0.0);
+  const TrafficScope sent_for(TrafficOf::block_motions);
+  std::vector<double> mine(matrix_.rows(), 0.0), coarse;
   const double* fine = local_view(r);
   for (int cluster = 0; cluster < space_.owned_clusters(); ++cluster) {
     Vector<dim> force{};  // on each copy
@@ -313,11 +330,7 @@ void BlockMotions::Motions<dim>::add(const TpetraVector& r, TpetraVector& z) con
       for (int m = 0; m < modes; ++m) mine[modes * block + m] += moments[m];
     }
   }
-  {
-    const TrafficScope sent_for(TrafficOf::block_motions);
-    Teuchos::reduceAll(*structure_.comm(), Teuchos::REDUCE_SUM, size(), mine.data(), coarse.data());
-  }
-  factor_->solve(coarse.data(), coarse.data());
+  system_->solve(mine, coarse);
   double* value = local_view_to_write(z);
   for (int cluster = 0; cluster < space_.owned_clusters(); ++cluster) {
     Vector<dim> moved{};
@@ -335,18 +348,20 @@ void BlockMotions::Motions<dim>::add(const TpetraVector& r, TpetraVector& z) con
 
 template <int dim>
 long long BlockMotions::Motions<dim>::bytes() const {
-  return (factor_ ? factor_->bytes() : 0) + matrix_.bytes() +
+  return system_->bytes() + matrix_.bytes() +
          static_cast<long long>(copies_.size() * sizeof(Copy) + elastic_.size() * sizeof(double) +
-                                (copy_start_.size() + couplings_.size()) * sizeof(int));
+                                (copy_start_.size() + couplings_.size() + number_.size()) * sizeof(int));
 }
 
 BlockMotions::BlockMotions(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
-                           const MergedSpace& space, const std::vector<int>& active)
+                           const MergedSpace& space, const std::vector<char>& active, long long most_on_first)
     : kernel_(with_components(s.components(), [&](auto dim) -> std::unique_ptr<Kernel> {
-        return std::make_unique<Motions<dim>>(s, points, selected, space, active);
+        return std::make_unique<Motions<dim>>(s, points, selected, space, active, most_on_first);
       })) {}
 
 BlockMotions::~BlockMotions() = default;
+
+void BlockMotions::factor_on_first_rank() { kernel_->factor_on_first_rank(); }
 
 void BlockMotions::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
   kernel_->update(stiffness, proximal);
@@ -354,7 +369,7 @@ void BlockMotions::update(const std::vector<PointStiffness>& stiffness, const st
 
 void BlockMotions::add(const TpetraVector& r, TpetraVector& z) const { kernel_->add(r, z); }
 
-int BlockMotions::size() const { return kernel_->size(); }
+long long BlockMotions::size() const { return kernel_->size(); }
 
 long long BlockMotions::bytes() const { return kernel_->bytes(); }
 

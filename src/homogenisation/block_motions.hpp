@@ -1,30 +1,35 @@
 // The rigid-block operator: what is left of a structure when its stones only move as wholes.
 //
 // Coarse unknowns are, for every block with a selected point, its rigid motions (3 in 2D, 6 in 3D). Where nodes are
-// tied the motion is the mean of the blocks'. To save memory Z is kept as one lever arm per node copy, Z^T H Z, which
-// is symmetric, as its upper half, and what a point adds to it is computed at every update. Every rank holds and
-// factors the whole coarse matrix.
+// tied the motion is the mean of the blocks'. To save memory Z is kept as one lever arm per node copy, this rank's part
+// of Z^T H Z, which is symmetric, as its upper half, and what a point adds to it is computed at every update. A rank
+// knows the motions of its own blocks and of those around; parts are added up and factored by linalg/shared_system.
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "homogenisation/block_motion_parameters.hpp"
 #include "homogenisation/system_matrix.hpp"
-#include "linalg/sparse_cholesky.hpp"
 
 namespace voussoir {
 
 class BlockMotions {
  public:
-  /// @param active  per block of the whole structure: 1 if a point of it is selected
+  /// @param active         per local block: 1 if a point of it is selected
+  /// @param most_on_first  motions up to which the first rank factors Z^T H Z. Collective
   BlockMotions(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
-               const std::vector<int>& active);
+               const std::vector<char>& active, long long most_on_first = BlockMotionParameters::most_on_first);
   ~BlockMotions();
 
+  /// However many motions there are. Before the first update.
+  void factor_on_first_rank();
   /// Assembles Z^T H Z for new statuses and factors it. Collective.
   void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
   /// z += Z (Z^T H Z)^-1 Z^T r. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
-  int size() const;
+  /// Of all ranks.
+  long long size() const;
   long long bytes() const;
 
  private:

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "homogenisation/block_motions.hpp"
+#include "linalg/shared_system.hpp"
 
 namespace voussoir {
 
 struct BlockMotions::Kernel {
   virtual ~Kernel() = default;
+  virtual void factor_on_first_rank() = 0;
   virtual void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) = 0;
   virtual void add(const TpetraVector& r, TpetraVector& z) const = 0;
-  virtual int size() const = 0;
+  virtual long long size() const = 0;
   virtual long long bytes() const = 0;
 };
 
@@ -21,10 +23,11 @@ template <int dim>
 class BlockMotions::Motions final : public BlockMotions::Kernel {
  public:
   Motions(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
-          const std::vector<int>& active);
+          const std::vector<char>& active, long long most_on_first);
+  void factor_on_first_rank() override { system_->factor_on_first_rank(); }
   void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) override;
   void add(const TpetraVector& r, TpetraVector& z) const override;
-  int size() const override { return modes * blocks_; }
+  long long size() const override { return system_->size(); }
   long long bytes() const override;
 
  private:
@@ -32,7 +35,7 @@ class BlockMotions::Motions final : public BlockMotions::Kernel {
   using Modes = std::array<double, modes>;
   /// A node copy that moves with its block.
   struct Copy {
-    int block;        ///< among those that are active
+    int block;        ///< among those that are active and that this rank knows, its own first
     Vector<dim> arm;  ///< [-] from the first node of the block, by the length of its first diagonal
   };
   /// What the motions of one block contribute to some combination of unknowns.
@@ -45,7 +48,8 @@ class BlockMotions::Motions final : public BlockMotions::Kernel {
   static Modes motion(const Vector<dim>& arm, const Vector<dim>& direction);
   static Vector<dim> displacement(const Vector<dim>& arm, const Modes&);
   std::vector<int> copies_met(const std::vector<char>& selected) const;
-  void find_copies(const std::vector<int>& number, const std::vector<int>& met);
+  void number_blocks(const std::vector<char>& active, long long most_on_first);
+  void find_copies(const std::vector<int>& met);
   void set_pattern(const std::vector<char>& selected);
   void add_elastic_energy();
   void add_motion(int cluster, Vector<dim> direction, double factor, Row&) const;
@@ -56,13 +60,14 @@ class BlockMotions::Motions final : public BlockMotions::Kernel {
   const BlockSystem& structure_;
   const ContactPoints& points_;
   const MergedSpace& space_;
-  int blocks_ = 0;               ///< that are active
+  int blocks_ = 0;               ///< that are active and that this rank knows
+  std::vector<int> number_;      ///< of each local block among them, -1 where it is not active
   std::vector<int> copy_start_;  ///< per cluster, those of other ranks too where an owned block touches them
   std::vector<Copy> copies_;
   std::vector<int> couplings_;   ///< owned selected points that couple clusters
-  LocalCsr matrix_;              ///< upper half of Z^T H Z, the same pattern on every rank; values while it is factored
-  std::vector<double> elastic_;  ///< this rank's part of Z^T K Z, in the pattern of the matrix
-  std::unique_ptr<SparseCholesky> factor_;
+  LocalCsr matrix_;              ///< upper half of this rank's part of Z^T H Z; values while it is factored
+  std::vector<double> elastic_;  ///< its part of Z^T K Z, in the pattern of the matrix
+  std::unique_ptr<SharedSystem> system_;
 };
 
 }  // namespace voussoir

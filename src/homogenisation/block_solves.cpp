@@ -9,13 +9,13 @@
 
 namespace voussoir {
 
-BlockSolves::BlockSolves(const BlockSystem& s, const MergedSpace& space, const std::vector<int>& active) {
+BlockSolves::BlockSolves(const BlockSystem& s, const MergedSpace& space, const std::vector<char>& active) {
   const int dim = space.components();
   std::vector<int> count(static_cast<std::size_t>(dim) * space.owned_clusters(), 0);
   block_start_.push_back(0);
   for (int b = 0; b < s.owned_blocks(); ++b) {
     const auto& block = s.nodes_of(b);
-    if (!active[block.id]) continue;
+    if (!active[b]) continue;
     std::vector<int> rows;
     for (int i = 0; i < block.nodes; ++i) {
       const int k = space.cluster()[block.first_local + i];

@@ -10,8 +10,8 @@ namespace voussoir {
 
 class BlockSolves {
  public:
-  /// @param active  per block of the whole structure: 1 if a point of it is selected
-  BlockSolves(const BlockSystem&, const MergedSpace&, const std::vector<int>& active);
+  /// @param active  per local block: 1 if a point of it is selected
+  BlockSolves(const BlockSystem&, const MergedSpace&, const std::vector<char>& active);
 
   /// Factors the blocks' parts of H.
   void update(const OwnedRows& h);

@@ -10,21 +10,31 @@
 #include <new>
 #include <utility>
 
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 namespace {
 
-/// Blocks with a selected point, over the whole structure.
-std::vector<int> active_blocks(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected) {
-  std::vector<int> mine(s.owner_of_block().size(), 0);
-  for (int k = 0; k < points.owned(); ++k) {
-    if (!selected[k]) continue;
-    const auto& joint = points.joints()[points.points()[k].joint];
-    mine[joint.block_i] = mine[joint.block_j] = 1;
+/// 1 for each local block with a selected point. Collective.
+std::vector<char> active_blocks(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected) {
+  Post<BlockId> post(*s.comm());
+  for (int k = 0, joint = -1; k < points.owned(); ++k) {
+    if (!selected[k] || points.points()[k].joint == joint) continue;
+    joint = points.points()[k].joint;
+    for (const BlockId b : {points.joints()[joint].block_i, points.joints()[joint].block_j})
+      post.add(s.owner_of_block()[b], b);
   }
-  return largest_of_each(*s.comm(), mine);
+  std::vector<double> of_node(s.nodes(), 0.0);
+  for (const BlockId b : std::move(post).send_all()) {
+    const auto& block = s.nodes_of(s.local_block(b));
+    std::fill_n(of_node.begin() + block.first_local, block.nodes, 1.0);
+  }
+  s.node_exchange().update(of_node, 1);
+  std::vector<char> active;
+  for (int b = 0; b < s.local_blocks(); ++b) active.push_back(of_node[s.nodes_of(b).first_local] > 0);
+  return active;
 }
 
 }  // namespace
@@ -47,8 +57,8 @@ CoarseOperator::CoarseOperator(const BlockSystem& s, const ContactPoints& points
     directly = region->pays();
     if (directly && region->size() > 0) region_ = std::move(region);
   }
-  const auto active = directly ? std::vector<int>() : active_blocks(s, points, selected);
-  const bool any = std::find(active.begin(), active.end(), 1) != active.end();
+  const auto active = directly ? std::vector<char>() : active_blocks(s, points, selected);
+  const bool any = any_of_ranks(*s.comm(), std::find(active.begin(), active.end(), 1) != active.end());
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection>(continuum, space);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves>(s, space, active);
   if (parameters.rigid_blocks && any) motions_ = std::make_unique<BlockMotions>(s, points, selected, space, active);
@@ -75,6 +85,11 @@ void CoarseOperator::update(const SystemMatrix& h, const std::vector<PointStiffn
   factored_stiffness_ = stiffness;
   factored_proximal_ = proximal;
   factored_ = true;
+}
+
+void CoarseOperator::factor_on_first_rank() {
+  factors_are_ = FactorsAre::on_first_rank;
+  if (motions_) motions_->factor_on_first_rank();
 }
 
 bool CoarseOperator::begin_step() {

@@ -45,11 +45,12 @@ class CoarseOperator : public Preconditioner {
   /// Factors H, and every H that update takes over from here on, instead of all parts. Returns false where there was
   /// no room, or MUMPS failed: the parts then stay, and H is not factored whole any more. Collective.
   bool factor_whole();
-  /// From here on H is factored whole on the first rank alone where it is: the same bits in every run.
-  void factor_on_first_rank() { factors_are_ = FactorsAre::on_first_rank; }
+  /// From here on H is factored whole on the first rank alone where it is, and so are block motions: the same bits in
+  /// every run.
+  void factor_on_first_rank();
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
-  int motions() const { return motions_ ? motions_->size() : 0; }
+  long long motions() const { return motions_ ? motions_->size() : 0; }
   /// Counts since the beginning; bytes held at present.
   SystemCost cost() const;
 

@@ -2,10 +2,11 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
@@ -95,42 +96,67 @@ void ReleasedRegion::set_pattern(const OwnedRows& h) {
     }
     length.push_back(static_cast<int>(row.size()));
   }
-  for (const int n : all_gather(length, comm)) matrix_.start.push_back(matrix_.start.back() + n);
-  matrix_.column = all_gather(column, comm);
+  for (const int n : gather_on_first(length, comm)) matrix_.start.push_back(matrix_.start.back() + n);
+  matrix_.column = gather_on_first(column, comm);
+  known_ = true;
+  if (comm.getSize() == 1) return;
+  const auto rows = [&](int first, int count) {
+    std::vector<GlobalOrdinal> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), first);
+    return Teuchos::rcp(
+        new TpetraMap(Tpetra::global_size_t(size_), Teuchos::arrayViewFromVector(numbers), 0, space_.map()->getComm()));
+  };
+  from_first_ =
+      Teuchos::rcp(new TpetraImport(rows(0, matrix_.rows()), rows(first_, static_cast<int>(unknown_.size()))));
 }
 
 bool ReleasedRegion::update(const SystemMatrix& system) {
   const auto h = system.local();
-  if (matrix_.rows() == 0) {
-    set_pattern(h);
-    right_.resize(size_);
-    solution_.resize(size_);
-  }
+  const auto& comm = *space_.map()->getComm();
+  if (!known_) set_pattern(h);
   std::vector<double> value;
   value.reserve(entry_.size());
   for (const std::size_t e : entry_) value.push_back(h.value[e]);
-  matrix_.value = all_gather(value, *space_.map()->getComm());
-  return factor_.factor(matrix_);
+  matrix_.value = gather_on_first(value, comm);
+  bool regular = true;
+  all_or_none(comm, [&] {
+    if (comm.getRank() == 0) regular = factor_.factor(matrix_);
+  });
+  return all_of_ranks(comm, regular);
+}
+
+/// Of the first rank: not a number where it cannot.
+void ReleasedRegion::solve(const double* right, double* solution) const {
+  std::vector<double> x(matrix_.rows());
+  solve_or_not_a_number(x, [&] {
+    if (!factor_.solve(matrix_, right, x.data()))
+      throw SolverFailure("UMFPACK found the matrix around what has parted singular");
+  });
+  std::copy(x.begin(), x.end(), solution);
 }
 
 void ReleasedRegion::add(const TpetraVector& r, TpetraVector& z) const {
+  const TrafficScope sent_for(TrafficOf::block_motions);
   const double* residual = local_view(r);
-  std::vector<double> mine(right_.size(), 0.0);
-  for (std::size_t i = 0; i < unknown_.size(); ++i) mine[first_ + i] = residual[unknown_[i]];
-  {
-    const TrafficScope sent_for(TrafficOf::block_motions);
-    Teuchos::reduceAll(*space_.map()->getComm(), Teuchos::REDUCE_SUM, size(), mine.data(), right_.data());
+  std::vector<double> mine;
+  for (const int i : unknown_) mine.push_back(residual[i]);
+  if (from_first_.is_null()) {
+    solve(mine.data(), mine.data());
+  } else {
+    TpetraVector here(from_first_->getTargetMap()), all(from_first_->getSourceMap());
+    std::copy(mine.begin(), mine.end(), local_view_to_write(here));
+    all.doExport(here, *from_first_, Tpetra::INSERT);
+    if (matrix_.rows() > 0) solve(local_view(all), local_view_to_write(all));
+    here.doImport(all, *from_first_, Tpetra::INSERT);
+    std::copy_n(local_view(here), mine.size(), mine.begin());
   }
-  if (!factor_.solve(matrix_, right_.data(), solution_.data()))
-    throw SolverFailure("UMFPACK found the matrix around what has parted singular");
   double* value = local_view_to_write(z);
-  for (std::size_t i = 0; i < unknown_.size(); ++i) value[unknown_[i]] += solution_[first_ + i];
+  for (std::size_t i = 0; i < unknown_.size(); ++i) value[unknown_[i]] += mine[i];
 }
 
 long long ReleasedRegion::bytes() const {
   return matrix_.bytes() + factor_.bytes() +
-         static_cast<long long>(entry_.size() * sizeof(std::size_t) + unknown_.size() * sizeof(int) +
-                                (right_.size() + solution_.size()) * sizeof(double));
+         static_cast<long long>(entry_.size() * sizeof(std::size_t) + unknown_.size() * sizeof(int));
 }
 
 }  // namespace voussoir

@@ -1,8 +1,8 @@
 // Direct solution around the points that a selection lets go.
 //
 // Where few joints are resolved the bonded continuum is the structure itself, but for the nodes that have parted: what
-// it does not know lies within a few layers of cells around them. These unknowns of all ranks are gathered and factored
-// on each, friction included.
+// it does not know lies within a few layers of cells around them. The first rank gathers these unknowns of all and
+// factors them, friction included.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,7 @@ class ReleasedRegion {
   bool pays() const { return pays_; }
   /// Factors the region's part of H. Returns whether it is regular, the same on all ranks. Collective.
   [[nodiscard]] bool update(const SystemMatrix& h);
-  /// z += E (H_EE)^-1 E^T r, E the unknowns of the region. Collective.
+  /// z += E (H_EE)^-1 E^T r, E the unknowns of the region. Not a number where that fails. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
   /// On this rank.
   long long bytes() const;
@@ -33,6 +33,7 @@ class ReleasedRegion {
  private:
   void number(const std::vector<char>& inside);
   void set_pattern(const OwnedRows& h);
+  void solve(const double* right, double* solution) const;
 
   const MergedSpace& space_;
   std::vector<int> unknown_;  ///< owned ones of the region, ascending
@@ -40,9 +41,10 @@ class ReleasedRegion {
   int first_ = 0;             ///< number of the first owned one
   bool pays_ = false;
   std::vector<std::size_t> entry_;  ///< of the owned rows: where in H each entry of the region stands
-  LocalCsr matrix_;                 ///< of all ranks
+  bool known_ = false;              ///< the pattern is
+  LocalCsr matrix_;                 ///< of all ranks, on the first
   SparseLu factor_;
-  mutable std::vector<double> right_, solution_;
+  Teuchos::RCP<const TpetraImport> from_first_;  ///< of unknowns of the region; none on one rank
 };
 
 }  // namespace voussoir

@@ -8,6 +8,7 @@
 
 #include "joints/joint_finder.hpp"
 #include "joints/joint_finder_in_space.hpp"
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -129,7 +130,7 @@ std::vector<PointId> ContactPoints::find(const BlockSource<dim>& source, const S
 /// The count of points over all blocks i gives every point its number. Collective.
 void ContactPoints::number(const std::vector<PointId>& index, const std::vector<long long>& mine,
                            const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  const auto count = total_of_each(*comm, mine);
+  const auto count = total_of_list(*comm, mine, WhyWhole{"a count of points per block, while a mesh is read"});
   total_joints_ = total_over_ranks(*comm, total_joints_);
   std::vector<PointId> first(count.size() + 1, 0);
   for (std::size_t b = 0; b < count.size(); ++b) first[b + 1] = first[b] + count[b];

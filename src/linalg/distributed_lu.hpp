@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "linalg/linear_solver.hpp"
 #include "linalg/preconditioner.hpp"
 
 namespace voussoir {
@@ -11,12 +12,14 @@ namespace voussoir {
 /// order in which it arrives, so spread ones differ by round-off from run to run; those of one rank do not.
 enum class FactorsAre { spread, on_first_rank };
 
-/// LU factors of a distributed matrix. A pattern is ordered once for all matrices that have it.
+/// LU factors of a distributed matrix, or L D L^T of a symmetric one. No rank holds a right side or a solution whole
+/// but the first where it factors alone. A pattern is ordered once for all matrices that have it.
 class DistributedLu : public Preconditioner {
  public:
   /// Every rank calls this, factor, apply and the destructor. Global numbers may have gaps.
   /// @param map  of rows, as of all matrices to come
-  explicit DistributedLu(const Teuchos::RCP<const TpetraMap>& map, FactorsAre = FactorsAre::spread);
+  explicit DistributedLu(const Teuchos::RCP<const TpetraMap>& map, FactorsAre = FactorsAre::spread,
+                         Symmetry = Symmetry::none);
   ~DistributedLu() override;
 
   /// Factors a matrix, of the pattern of the first one given. Where it is singular rows that say nothing are left out.

@@ -86,6 +86,10 @@ int MPI_Barrier(MPI_Comm c) {
   collective(c);
   return PMPI_Barrier(c);
 }
+int MPI_Ibarrier(MPI_Comm c, MPI_Request* q) {
+  collective(c);
+  return PMPI_Ibarrier(c, q);
+}
 int MPI_Bcast(void* b, int n, MPI_Datatype t, int root, MPI_Comm c) {
   collective(c, n, t);
   return PMPI_Bcast(b, n, t, root, c);

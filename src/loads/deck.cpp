@@ -80,7 +80,7 @@ std::vector<DeckPiece> pieces_of_deck(const Structure<dim>& s, const FacetSet& s
   auto mine = owned_pieces(s, set, across, false);
   // A line along the far side of the deck has all of it on the other hand.
   if (!any_of_ranks(*s.comm(), !mine.empty())) mine = owned_pieces(s, set, across, true);
-  auto pieces = all_gather(mine, *s.comm());
+  auto pieces = all_gather(mine, *s.comm(), WhyWhole{"pieces of a line of facets"});
   std::sort(pieces.begin(), pieces.end(), [](const DeckPiece& a, const DeckPiece& b) {
     return std::make_pair(a.x[0], a.id[0]) < std::make_pair(b.x[0], b.id[0]);
   });

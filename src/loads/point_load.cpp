@@ -76,6 +76,8 @@ void add_point_load(const Structure<dim>& s, const PointLoadParameters& load, do
 
 namespace {
 
+constexpr WhyWhole at_one_place{"stones at one place"};
+
 // Nodes as near as the nearest but for round-off: places are rounded to 1e-16 of coordinates and 1e-9 as text.
 constexpr double round_off = 1e-9;  // of the size of the structure
 
@@ -100,8 +102,8 @@ std::vector<BlockId> stones_near(const Structure<dim>& s, const Vector<dim>& poi
     const BlockId stone = s.blocks()[s.block_of_node()[i]].mesh.id;
     (i == nearest.local ? bearer : others).push_back(stone);
   }
-  auto stones = all_gather(bearer, *s.comm());
-  const auto more = all_gather(others, *s.comm());
+  auto stones = all_gather(bearer, *s.comm(), at_one_place);
+  const auto more = all_gather(others, *s.comm(), at_one_place);
   stones.insert(stones.end(), more.begin(), more.end());
   return stones;
 }

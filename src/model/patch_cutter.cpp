@@ -1,31 +1,13 @@
 #include "model/patch_cutter.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <unordered_map>
-#include <utility>
 
-#include "base/disjoint_sets.hpp"
-#include "base/sort_unique.hpp"
-#include "linalg/gather.hpp"
 #include "linalg/local_view.hpp"
-#include "linalg/reduce.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/traffic.hpp"
-#include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 
 namespace voussoir {
-namespace {
-
-/// Blocks that any rank names, ascending, the same list on every rank.
-std::vector<BlockId> over_ranks(std::vector<BlockId> mine, const Teuchos::Comm<int>& comm) {
-  sort_unique(mine);
-  auto all = all_gather(mine, comm);
-  sort_unique(all);
-  return all;
-}
-
-}  // namespace
 
 /// K x - f and the gaps, unless they are known.
 void PatchCutter::measure(const TpetraVector& x) {
@@ -33,97 +15,6 @@ void PatchCutter::measure(const TpetraVector& x) {
   linear_ = Teuchos::rcp(new TpetraVector(parts_.space.map()));
   parts_.problem.evaluate(x, *linear_, gap_);
   measured_ = true;
-}
-
-bool PatchCutter::find_stuck(const TpetraVector& x, const PointField& lambda, double threshold) {
-  const TrafficScope sent_for(TrafficOf::set_up);
-  measured_ = false;
-  measure(x);
-  const auto& s = parts_.structure;
-  const auto& cluster = parts_.space.cluster();
-  auto& problem = parts_.problem;
-  const auto id_of = [&](int node) { return s.nodes_of(s.block_of_node()[node]).id; };
-  std::vector<BlockId> mine;
-  TpetraVector residual(*linear_, Teuchos::Copy);
-  problem.subtract_contact_forces(lambda, residual);
-  const double* off = local_view(residual);
-  for (int i = 0; i < s.nodes(); ++i) {
-    if (cluster[i] >= parts_.space.owned_clusters()) continue;
-    for (int c = 0; c < dim_; ++c)
-      if (std::abs(off[dim_ * cluster[i] + c]) > threshold) mine.push_back(id_of(i));
-  }
-  PointField lawful;
-  lawful_forces(problem, CurrentLaws(problem, {}, lambda, gap_), lambda, gap_, lawful);
-  for (int k = 0; k < problem.owned_points(); ++k) {
-    if (!problem.selected()[k]) continue;
-    const auto& joint = parts_.points.joint_of(k);
-    for (int c = dim_ * k; c < dim_ * (k + 1); ++c)
-      if (std::abs(lawful[c] - lambda[c]) > threshold) mine.insert(mine.end(), {joint.block_i, joint.block_j});
-  }
-  stuck_ = over_ranks(mine, *s.comm());
-  return !stuck_.empty();
-}
-
-/// Blocks that a selection has parted from others.
-std::vector<BlockId> PatchCutter::parted_blocks() const {
-  const auto& s = parts_.structure;
-  std::vector<BlockId> mine;
-  for (int k = 0; k < parts_.problem.owned_points(); ++k) {
-    if (!parts_.problem.selected()[k]) continue;
-    const auto& joint = parts_.points.joint_of(k);
-    mine.insert(mine.end(), {joint.block_i, joint.block_j});
-  }
-  return over_ranks(mine, *s.comm());
-}
-
-/// Adds the neighbours and groups what meets.
-void PatchCutter::find_patches(const std::vector<BlockId>& of) {
-  const auto& s = parts_.structure;
-  const auto stuck = [&](BlockId b) { return std::binary_search(of.begin(), of.end(), b); };
-  std::vector<BlockId> mine = of;
-  for (const auto& j : parts_.points.joints())
-    if (stuck(j.block_i) || stuck(j.block_j)) mine.insert(mine.end(), {j.block_i, j.block_j});
-  block_ = over_ranks(mine, *s.comm());
-
-  // Blocks of one joint, or that share unknowns, belong together.
-  struct Pair {
-    BlockId a, b;
-  };
-  std::vector<Pair> pairs;
-  const auto within = [&](BlockId b) { return std::binary_search(block_.begin(), block_.end(), b); };
-  for (const auto& j : parts_.points.joints())
-    if (within(j.block_i) && within(j.block_j)) pairs.push_back({j.block_i, j.block_j});
-  std::vector<BlockId> first(parts_.space.clusters(), -1);
-  for (int i = 0; i < s.nodes(); ++i) {
-    const BlockId b = s.nodes_of(s.block_of_node()[i]).id;
-    if (!within(b)) continue;
-    auto& other = first[parts_.space.cluster()[i]];
-    if (other >= 0 && other != b) pairs.push_back({other, b});
-    other = b;
-  }
-  pairs = all_gather(pairs, *s.comm());
-  DisjointSets sets(block_.size());
-  const auto place = [&](BlockId b) {
-    return static_cast<int>(std::lower_bound(block_.begin(), block_.end(), b) - block_.begin());
-  };
-  for (const auto& p : pairs) sets.unite(place(p.a), place(p.b));
-  patch_.assign(block_.size(), -1);
-  patches_ = 0;
-  for (int i = 0; i < static_cast<int>(block_.size()); ++i)
-    patch_[i] = sets.root(i) == i ? patches_++ : patch_[sets.root(i)];
-}
-
-bool PatchCutter::keep_stuck(const std::vector<int>& numbers) {
-  const auto patches = all_gather(numbers, *parts_.structure.comm());
-  stuck_.clear();
-  for (std::size_t b = 0; b < block_.size(); ++b)
-    if (std::find(patches.begin(), patches.end(), patch_[b]) != patches.end()) stuck_.push_back(block_[b]);
-  return !stuck_.empty();
-}
-
-int PatchCutter::patch_of_block(BlockId b) const {
-  const auto found = std::lower_bound(block_.begin(), block_.end(), b);
-  return found != block_.end() && *found == b ? patch_[found - block_.begin()] : -1;
 }
 
 std::vector<int> PatchCutter::patch_of_clusters() const {
@@ -134,18 +25,6 @@ std::vector<int> PatchCutter::patch_of_clusters() const {
     if (mine >= 0) patch[parts_.space.cluster()[i]] = mine;
   }
   return patch;
-}
-
-double PatchCutter::group(bool all_that_parted) {
-  const TrafficScope sent_for(TrafficOf::set_up);
-  find_patches(all_that_parted ? parted_blocks() : stuck_);
-  const auto& s = parts_.structure;
-  double mine = 0;
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    const auto& block = s.nodes_of(b);
-    if (patch_of_block(block.id) >= 0) mine += dim_ * static_cast<double>(block.nodes);
-  }
-  return total_over_ranks(*s.comm(), mine) / static_cast<double>(parts_.space.map()->getGlobalNumElements());
 }
 
 std::vector<PatchCutter::Unknown> PatchCutter::unknowns(const TpetraVector& x, const TpetraVector& start) const {
@@ -240,56 +119,79 @@ PatchCutter::PointsAndShares PatchCutter::points(const PointField& lambda,
   return all;
 }
 
-/// Of a patch, null where it is another rank's.
-PatchCutter::Mine* PatchCutter::mine(int patch) {
-  const auto& comm = *parts_.structure.comm();
-  return patch % comm.getSize() == comm.getRank() ? &mine_[patch / comm.getSize()] : nullptr;
+/// Number of an unknown in a patch of this rank, -1 outside of it.
+int PatchCutter::number_in(int patch, GlobalOrdinal unknown) const {
+  const auto found = place_.find(unknown);
+  return found == place_.end() || found->second.first != patch ? -1 : found->second.second;
 }
 
-/// Patches are put together from what all ranks know of them.
+void PatchCutter::take_unknowns(const TpetraVector& x, const TpetraVector& start) {
+  Post<Unknown> post(*parts_.structure.comm());
+  for (const auto& u : unknowns(x, start)) post.add(owner_of_patch_[u.patch], u);
+  place_.clear();
+  for (const auto& parcel : std::move(post).send())
+    for (const auto& u : parcel.items) {
+      auto& m = mine_.at(u.patch);
+      place_[u.id] = {u.patch, static_cast<int>(m.unknowns.size())};
+      m.unknowns.push_back(u.id);
+      m.owner_of_unknown.push_back(parcel.rank);
+      m.parts.imbalance.push_back(u.imbalance);
+      m.parts.start.push_back(u.start);
+      m.parts.proximal_weight.push_back(u.proximal);
+    }
+}
+
+void PatchCutter::take_stiffness() {
+  Post<Entry> post(*parts_.structure.comm());
+  const auto& map = *parts_.space.map();
+  for (const auto& e : entries()) post.add(owner_of_patch_[cluster_patch_[map.getLocalElement(e.row) / dim_]], e);
+  for (const auto& e : std::move(post).send_all()) {
+    const auto [patch, row] = place_.at(e.row);
+    if (const int column = number_in(patch, e.column); column >= 0)
+      mine_.at(patch).parts.stiffness.push_back({row, column, e.value});
+  }
+}
+
+void PatchCutter::take_points(const PointField& lambda, const std::vector<PointStiffness>& resistance) {
+  const auto& comm = *parts_.structure.comm();
+  Post<Point> post(comm);
+  Post<Share> shares_to(comm);
+  const auto touching = points(lambda, resistance);
+  auto next = touching.shares.begin();
+  for (const auto& p : touching.points) {
+    post.add(owner_of_patch_[p.patch], p);
+    for (const auto last = next + p.shares; next != last; ++next) shares_to.add(owner_of_patch_[p.patch], *next);
+  }
+  const auto shares = std::move(shares_to).send_all();
+  auto share = shares.begin();
+  for (const auto& parcel : std::move(post).send())
+    for (const auto& p : parcel.items) {
+      auto& m = mine_.at(p.patch);
+      PatchPoint local{p.point, {}};
+      for (const auto last = share + p.shares; share != last; ++share)
+        if (const int at = number_in(p.patch, share->unknown); at >= 0)
+          local.shares.push_back({at, share->component, share->weight});
+      (p.border ? m.parts.border : m.parts.points).push_back(local);
+      (p.border ? m.border : m.points).push_back(p.id);
+      (p.border ? m.owner_of_border : m.owner_of_point).push_back(parcel.rank);
+    }
+}
+
+/// Patches are put together from what those know of them who own their unknowns and points.
 std::vector<CutPatch> PatchCutter::cut(const TpetraVector& x, const PointField& lambda, const PatchRequest& request) {
   const TrafficScope sent_for(TrafficOf::set_up);
-  const auto& comm = *parts_.structure.comm();
+  const int rank = parts_.structure.comm()->getRank();
   measure(x);
   cluster_patch_ = patch_of_clusters();
-  mine_.assign((patches_ - comm.getRank() + comm.getSize() - 1) / comm.getSize(), {});
-  std::unordered_map<GlobalOrdinal, std::pair<int, int>> place;  // patch, number there
-  for (const auto& u : all_gather(unknowns(x, request.start), comm)) {
-    auto* const m = mine(u.patch);
-    if (!m) continue;
-    place[u.id] = {u.patch, static_cast<int>(m->unknowns.size())};
-    m->unknowns.push_back(u.id);
-    m->parts.imbalance.push_back(u.imbalance);
-    m->parts.start.push_back(u.start);
-    m->parts.proximal_weight.push_back(u.proximal);
-  }
-  const auto number = [&](GlobalOrdinal id, int patch) {  // -1 outside of the patch
-    const auto found = place.find(id);
-    return found == place.end() || found->second.first != patch ? -1 : found->second.second;
-  };
-  for (const auto& e : all_gather(entries(), comm)) {
-    const auto row = place.find(e.row);
-    if (row == place.end()) continue;
-    const int patch = row->second.first, column = number(e.column, patch);
-    if (column >= 0) mine(patch)->parts.stiffness.push_back({row->second.second, column, e.value});
-  }
-  const auto mine_of_points = points(lambda, request.resistance);
-  const auto shares = all_gather(mine_of_points.shares, comm);
-  auto next = shares.begin();
-  for (const auto& p : all_gather(mine_of_points.points, comm)) {
-    const auto first = std::exchange(next, next + p.shares);
-    auto* const m = mine(p.patch);
-    if (!m) continue;
-    PatchPoint local{p.point, {}};
-    for (auto share = first; share != next; ++share)
-      if (const int at = number(share->unknown, p.patch); at >= 0)
-        local.shares.push_back({at, share->component, share->weight});
-    (p.border ? m->parts.border : m->parts.points).push_back(local);
-    (p.border ? m->border : m->points).push_back(p.id);
-  }
+  mine_.clear();
+  for (std::size_t patch = 0; patch < owner_of_patch_.size(); ++patch)
+    if (owner_of_patch_[patch] == rank) mine_[static_cast<int>(patch)];
+  take_unknowns(x, request.start);
+  take_stiffness();
+  take_points(lambda, request.resistance);
   std::vector<CutPatch> patches;
-  for (int patch = comm.getRank(); patch < patches_; patch += comm.getSize()) {
-    auto& parts = mine(patch)->parts;
+  for (auto& [patch, m] : mine_) {
+    auto& parts = m.parts;
     parts.components = dim_;
     parts.force_scale = request.scale;
     parts.length_scale = parts_.structure.size();
@@ -300,36 +202,46 @@ std::vector<CutPatch> PatchCutter::cut(const TpetraVector& x, const PointField& 
   return patches;
 }
 
-void PatchCutter::put_back(const std::vector<SolvedPatch>& solved, TpetraVector& x, PointField& lambda) {
-  const TrafficScope sent_for(TrafficOf::set_up);
-  const auto& comm = *parts_.structure.comm();
-  std::vector<Motion> motion;
-  std::vector<Force> force;
-  const auto tell = [&](const auto& id, const auto& before, const auto& after) {
+void PatchCutter::move_unknowns(const std::vector<SolvedPatch>& solved, TpetraVector& x) {
+  Post<Motion> post(*parts_.structure.comm());
+  for (const auto& patch : solved) {
+    const auto& m = mine_.at(patch.number);
+    for (std::size_t u = 0; u < m.unknowns.size(); ++u)
+      post.add(m.owner_of_unknown[u], {m.unknowns[u], patch.displacement[u]});
+  }
+  double* value = local_view_to_write(x);
+  for (const auto& m : std::move(post).send_all()) value[x.getMap()->getLocalElement(m.id)] += m.by;
+}
+
+void PatchCutter::change_forces(const std::vector<SolvedPatch>& solved, PointField& lambda) {
+  Post<Force> post(*parts_.structure.comm());
+  const auto tell = [&](const auto& owner, const auto& id, const auto& before, const auto& after) {
     for (std::size_t k = 0; k < id.size(); ++k) {
-      force.push_back({id[k], {}});
-      for (int c = 0; c < dim_; ++c) force.back().change[c] = after[k].force[c] - before[k].force[c];
+      Force force{id[k], {}};
+      for (int c = 0; c < dim_; ++c) force.change[c] = after[k].force[c] - before[k].force[c];
+      post.add(owner[k], force);
     }
   };
   for (const auto& patch : solved) {
-    const auto& m = *mine(patch.number);
-    for (std::size_t u = 0; u < m.unknowns.size(); ++u) motion.push_back({m.unknowns[u], patch.displacement[u]});
-    tell(m.points, m.parts.points, patch.points);
-    tell(m.border, m.parts.border, patch.border);
-  }
-  double* value = local_view_to_write(x);
-  for (const auto& m : all_gather(motion, comm)) {
-    const auto local = x.getMap()->getLocalElement(m.id);
-    if (local != Teuchos::OrdinalTraits<LocalOrdinal>::invalid()) value[local] += m.by;
+    const auto& m = mine_.at(patch.number);
+    tell(m.owner_of_point, m.points, m.parts.points, patch.points);
+    tell(m.owner_of_border, m.border, m.parts.border, patch.border);
   }
   std::unordered_map<PointId, Vector<3>> change;
-  for (const auto& f : all_gather(force, comm))
+  for (const auto& f : std::move(post).send_all())
     for (int c = 0; c < dim_; ++c) change[f.id][c] += f.change[c];
-  for (int k = 0; k < parts_.points.size(); ++k) {
+  for (int k = 0; k < parts_.points.owned(); ++k) {
     const auto found = change.find(parts_.points.points()[k].id);
     if (found == change.end()) continue;
     for (int c = 0; c < dim_; ++c) lambda[dim_ * k + c] += found->second[c];
   }
+  parts_.points.exchange().update(lambda, dim_);
+}
+
+void PatchCutter::put_back(const std::vector<SolvedPatch>& solved, TpetraVector& x, PointField& lambda) {
+  const TrafficScope sent_for(TrafficOf::set_up);
+  move_unknowns(solved, x);
+  change_forces(solved, lambda);
   measured_ = false;
 }
 

@@ -1,9 +1,13 @@
 // Cuts stuck stones out of a structure, as patches for src/nonlinear/stuck_stones.
 //
 // Blocks that are out of balance, or have a point that violates its law, by more than a threshold are cut out together
-// with their neighbours; those that meet make a patch. Patches are shared among ranks by their numbers, and all ranks
-// get what came out. Which blocks those are does not depend on ranks.
+// with their neighbours; those that meet make a patch. Each goes to the rank that owns most of its blocks, and what
+// came out to the owners of its unknowns and points. Which blocks those are does not depend on ranks.
 #pragma once
+
+#include <map>
+#include <unordered_map>
+#include <utility>
 
 #include "homogenisation/merged_space.hpp"
 #include "model/patch_messages.hpp"
@@ -27,7 +31,7 @@ class PatchCutter : public PatchSource {
   bool find_stuck(const TpetraVector& x, const PointField& lambda, double threshold) override;
   bool parts_together() const override { return together_; }
   void part_no_more_together() override { together_ = false; }
-  double group(bool all_that_parted) override;
+  bool group(bool all_that_parted, double most) override;
   std::vector<CutPatch> cut(const TpetraVector& x, const PointField& lambda, const PatchRequest&) override;
   void put_back(const std::vector<SolvedPatch>& mine, TpetraVector& x, PointField& lambda) override;
   bool keep_stuck(const std::vector<int>& numbers) override;
@@ -43,11 +47,14 @@ class PatchCutter : public PatchSource {
   struct Mine {
     std::vector<GlobalOrdinal> unknowns;
     std::vector<PointId> points, border;
+    std::vector<int> owner_of_unknown, owner_of_point, owner_of_border;
     PatchParts parts;
   };
 
   void measure(const TpetraVector& x);
-  void find_patches(const std::vector<BlockId>& stuck);
+  double share_of(const std::vector<BlockId>&) const;
+  void find_patches();
+  void choose_owners();
   std::vector<BlockId> parted_blocks() const;
   int patch_of_block(BlockId) const;
   std::vector<int> patch_of_clusters() const;
@@ -60,7 +67,12 @@ class PatchCutter : public PatchSource {
   PointsAndShares points(const PointField& lambda, const std::vector<PointStiffness>& resistance) const;
   std::vector<int> patches_of(int point) const;
   PointOfPatch of_patch(int point, const PointLaw&, const PointField& lambda, const PointStiffness&) const;
-  Mine* mine(int patch);
+  void take_unknowns(const TpetraVector& x, const TpetraVector& start);
+  void take_stiffness();
+  void take_points(const PointField& lambda, const std::vector<PointStiffness>& resistance);
+  void move_unknowns(const std::vector<SolvedPatch>&, TpetraVector& x);
+  void change_forces(const std::vector<SolvedPatch>&, PointField& lambda);
+  int number_in(int patch, GlobalOrdinal unknown) const;
 
   Parts parts_;
   int dim_;
@@ -69,10 +81,12 @@ class PatchCutter : public PatchSource {
   std::vector<BlockId> stuck_;  ///< ascending, the same on every rank
   std::vector<BlockId> block_;  ///< of patches, ascending, the same on every rank
   std::vector<int> patch_;      ///< of each of them
-  int patches_ = 0;
+  std::vector<int> owner_of_patch_;
   std::vector<int> cluster_patch_;  ///< per local cluster, -1 outside
-  std::vector<Mine> mine_;          ///< of the patches of this rank, in their order
-  bool measured_ = false;           ///< linear_ and gap_ are those of where the structure is
+  std::map<int, Mine> mine_;        ///< the patches of this rank
+  /// Of unknowns of those: the patch, and the number there.
+  std::unordered_map<GlobalOrdinal, std::pair<int, int>> place_;
+  bool measured_ = false;  ///< linear_ and gap_ are those of where the structure is
   bool together_ = true;
 };
 

@@ -1,4 +1,5 @@
-// What ranks tell each other of patches: of the unknowns and points that each owns, and what became of them.
+// What ranks send those who solve patches: of the unknowns and points that each owns; and are sent, of what became of
+// them.
 #pragma once
 
 #include <vector>

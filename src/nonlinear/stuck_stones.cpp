@@ -49,14 +49,14 @@ int bring_to_rest(PatchSource& source, const Teuchos::Comm<int>& comm, TpetraVec
   if (!source.find_stuck(x, lambda, request.threshold)) return 0;
   int solves = 0;
   if (source.parts_together()) {
-    if (source.group(true) <= numbers.largest_share / 2) {
+    if (source.group(true, numbers.largest_share / 2)) {
       const auto round = solve_round(source, comm, x, lambda, request, request.most, methods);
       solves += round.solves;
       if (round.at_rest) return solves;
     }
     source.part_no_more_together();
   }
-  for (int ring = 0; source.group(false) <= numbers.largest_share; ++ring) {
+  for (int ring = 0; source.group(false, numbers.largest_share); ++ring) {
     const bool last = ring == numbers.more_rings;
     const auto round = solve_round(source, comm, x, lambda, request, last ? request.most : request.bearable, methods);
     solves += round.solves;

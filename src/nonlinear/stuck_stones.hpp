@@ -1,9 +1,9 @@
 // Stones that keep a structure from closing, brought to rest alone (patches.md).
 //
 // A structure hands out patches as values: the stones that are stuck, with their neighbours. Each is solved here by the
-// rank that was given it, and all ranks take back what came out. A patch that leaves more to its surroundings than they
-// should bear is left as it was and tried with more neighbours. Where little of a structure has parted, all of that is
-// one patch.
+// rank that was given it, and those who own its unknowns and points take back what came out. A patch that leaves more
+// to its surroundings than they should bear is left as it was and tried with more neighbours. Where little of a
+// structure has parted, all of that is one patch.
 #pragma once
 
 #include <vector>
@@ -48,8 +48,9 @@ class PatchSource {
   /// May all that has parted be one patch? That is no more tried once it was too much, or came to no rest.
   virtual bool parts_together() const = 0;
   virtual void part_no_more_together() = 0;
-  /// Groups what is stuck with its neighbours, or else all that has parted. Returns its share of all unknowns.
-  virtual double group(bool all_that_parted) = 0;
+  /// Groups what is stuck with its neighbours, or else all that has parted. Returns whether that is no more than a
+  /// share of all unknowns; else nothing is grouped.
+  virtual bool group(bool all_that_parted, double most) = 0;
   /// The groups that this rank solves, cut out of the state (x, lambda).
   virtual std::vector<CutPatch> cut(const TpetraVector& x, const PointField& lambda, const PatchRequest&) = 0;
   /// Moves x and lambda by what came to rest.

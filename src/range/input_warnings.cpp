@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "linalg/reduce.hpp"
+#include "linalg/gather.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
@@ -18,6 +18,8 @@
 
 namespace voussoir {
 namespace {
+
+constexpr WhyWhole of_laws{"numbers per law of a scene"};
 
 // Largest stones laid in masonry are some 20 m long (Baalbek); beyond 50 m a drawing is in millimetres or centimetres.
 constexpr double large_stone = 50;  // [m]
@@ -148,7 +150,7 @@ void warn_of_idle_laws(const Scene& scene, const Model& model, Warnings& all) {
       for (std::size_t f = 0; f < laws; ++f) mine[laws + f] += joins(source, scene.joints[f].parameters, i, j);
     });
   }
-  const auto total = total_of_each(*s.comm(), mine);
+  const auto total = total_of_list(*s.comm(), mine, of_laws);
   for (std::size_t f = 0; f < laws; ++f) {
     const auto& law = scene.joints[f].parameters;
     const bool fallback = law.between == "all" && law.and_ == "all";  // needed, also where others hold everywhere
@@ -182,7 +184,7 @@ void warn_of_raised_energies(const Scene& scene, const Model& model, Warnings& a
     raise(0, law.tension_strength, law.cohesion, rate.per_opening);
     raise(1, law.cohesion, law.tension_strength, rate.per_slip);
   }
-  const auto most = largest_of_each(*model.structure().comm(), mine);
+  const auto most = largest_of_list(*model.structure().comm(), mine, of_laws);
   for (std::size_t i = 0; i < most.size(); ++i) {
     const auto& law = scene.joints[i / 2].parameters;
     const double asked = i % 2 == 0 ? law.fracture_energy : law.shear_fracture_energy;

@@ -158,7 +158,7 @@ std::string direction(const BlockMotion<3>& m, double size) {
 template <int dim>
 std::string of_blocks(const Model& model, const Structure<dim>& s, const std::vector<double>& motion, double least,
                       const MechanismSummary& most) {
-  const auto blocks = all_gather(block_motions(s, motion, least), *s.comm());
+  const auto blocks = all_gather(block_motions(s, motion, least), *s.comm(), WhyWhole{"blocks of a mechanism"});
   const bool one = blocks.size() == 1;
   std::string words = std::to_string(blocks.size()) + " of " + std::to_string(model.block_count()) +
                       (one ? " blocks moves, " : " blocks move, ") + most.name + (one ? ": " : " most, ");
@@ -179,7 +179,7 @@ std::string mechanism_in_words(const Model& model, const std::vector<double>& mo
   const auto& comm = *model.structure().comm();
   const auto most = largest_mover(model, motion);
   const double least = noticeable * most.largest_displacement;
-  auto joints = all_gather(moving_joints(model, motion, least), comm);
+  auto joints = all_gather(moving_joints(model, motion, least), comm, WhyWhole{"joints of a mechanism"});
   // By size; equal ones by their blocks, whatever ranks they came from.
   std::sort(joints.begin(), joints.end(), [](const MovingJoint& a, const MovingJoint& b) {
     return std::make_tuple(-a.size, a.block_i, a.block_j) < std::make_tuple(-b.size, b.block_i, b.block_j);

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -15,7 +16,7 @@ template <int dim, class Count>
 std::vector<long long> first_of_each(const Structure<dim>& s, const Count& count) {
   std::vector<long long> mine(s.owner_of_block().size(), 0);
   for (int b = 0; b < s.owned_blocks(); ++b) mine[s.blocks()[b].mesh.id] = count(s.blocks()[b].mesh);
-  const auto all = total_of_each(*s.comm(), mine);
+  const auto all = total_of_list(*s.comm(), mine, WhyWhole{"a count per block, while rows of results are numbered"});
   std::vector<long long> first(all.size() + 1, 0);
   for (std::size_t b = 0; b < all.size(); ++b) first[b + 1] = first[b] + all[b];
   return first;

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/plane_and_space.hpp"
 #include "base/text.hpp"
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "loads/loads.hpp"
 #include "model/scene_fit.hpp"
@@ -143,7 +144,7 @@ std::vector<double> Observations::values(const Observed& observed) const {
     if (const auto& field = of(sums_[k].field); !field.empty())
       for (const auto& [at, weight] : sums_[k].weights)
         (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
-  auto all = total_of_each(*structure_.comm(), mine);
+  auto all = total_of_list(*structure_.comm(), mine, WhyWhole{"numbers that a scene observes"});
   constexpr double round_off = 1e-9;  // of weights, which add up to 1
   for (std::size_t k = 0; k < columns; ++k) {
     const bool is_mean = sums_[k].field != Field::reaction;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "linalg/reduce.hpp"
+#include "linalg/gather.hpp"
 
 namespace voussoir {
 
@@ -13,7 +13,8 @@ PartitionQuality partition_quality(const Model& model) {
     const auto& block = structure.nodes_of(b);
     work[block.id] = structure.components() * block.nodes;
   }
-  return partition_quality(model.graph(), structure.owner_of_block(), total_of_each(*structure.comm(), work),
+  return partition_quality(model.graph(), structure.owner_of_block(),
+                           total_of_list(*structure.comm(), work, WhyWhole{"a number per block, told once of a run"}),
                            structure.comm()->getSize());
 }
 

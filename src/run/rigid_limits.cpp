@@ -17,6 +17,8 @@
 namespace voussoir {
 namespace {
 
+constexpr WhyWhole whole_programme{"all stones and points of a linear programme"};
+
 template <int dim>
 struct StoneRow {
   BlockId block;
@@ -140,9 +142,9 @@ RigidLimits<dim>::RigidLimits(const ModelOfBlocks<dim>& model, const RigidTask& 
   const auto& comm = *s.comm();
   std::vector<StoneRow<dim>> own;
   for (int b = 0; b < s.owned_blocks(); ++b) own.push_back(stone_of(s, b, task));
-  const auto supports = all_gather(supports_of(model, own), comm);
-  auto stones = all_gather(own, comm);
-  auto points = all_gather(points_of(model, task), comm);
+  const auto supports = all_gather(supports_of(model, own), comm, WhyWhole{"supports of a scene"});
+  auto stones = all_gather(own, comm, whole_programme);
+  auto points = all_gather(points_of(model, task), comm, whole_programme);
   std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   RigidStructure<dim> rigid;

@@ -15,7 +15,6 @@ namespace voussoir {
 /// @param eta    [J] per owned point, >= 0
 /// @param share  in (0, 1]; 1 marks every point with eta > 0
 /// @return 1 where marked
-std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>&,
-                            const RestParameters& = {});
+std::vector<char> mark_bulk(const std::vector<double>& eta, double share, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

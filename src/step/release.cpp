@@ -37,7 +37,7 @@ long long release(const Model& model, const PointLaws& law, const std::vector<in
   const auto& comm = *model.structure().comm();
   const auto& parameters = model.settings().selection;
   const double share = parameters.error_tolerance > 0 ? parameters.bulk : 1.0;
-  const auto marked = mark_bulk(eta, share, comm, model.settings().internals.rest);
+  const auto marked = mark_bulk(eta, share, comm);
   std::vector<double> flag(points.size(), 0.0);
   for (int k = 0; k < points.owned(); ++k) flag[k] = marked[k];
   points.exchange().update(flag, 1);

@@ -124,7 +124,7 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
 void time_motions(const ContactProblem& problem, const PlaneModel& model, const ContactState& state,
                   const std::vector<PointStiffness>& stiffness, SystemRow& row) {
   const auto& comm = *model.structure().comm();
-  const std::vector<int> active(row.blocks, 1);
+  const std::vector<char> active(model.structure().local_blocks(), 1);
   BlockMotions motions(model.structure(), model.points(), state.selected, problem.space(), active);
   motions.update(stiffness, {});
   const ProcessorClock factor(comm);

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -43,7 +44,7 @@ DependentStones dependent_stones(const Model& model, const std::vector<char>& ab
   for (std::size_t i = 0; i < model.held().size(); ++i)
     if (model.held()[i]) mine[s.nodes_of(s.block_of_node()[i / dim]).id] = 1;
   for (std::size_t b = 0; b < absent.size(); ++b) mine[blocks + s.nodes_of(static_cast<int>(b)).id] = absent[b];
-  const auto all = largest_of_each(*s.comm(), mine);
+  const auto all = largest_of_list(*s.comm(), mine, WhyWhole{"two marks per block"});
   return {model.graph(), {all.begin(), all.begin() + blocks}, {all.begin() + blocks, all.end()}, dim};
 }
 

@@ -12,6 +12,7 @@
 #include "base/finite.hpp"
 #include "base/text.hpp"
 #include "joints/tractions.hpp"
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "ties/rigid_stones.hpp"
@@ -126,7 +127,7 @@ std::map<BlockId, BlockSums> TieCriterion::KernelIn<dim>::of_dependants(const De
     }
     auto absent = absent_here(model_);
     mine.back() = absent != stones_->absent;
-    const auto all = total_of_each(*s.comm(), mine);
+    const auto all = total_of_list(*s.comm(), mine, WhyWhole{"stones that only ties hold"});
     if (all.back() > 0) {
       arrange(std::move(absent));
       continue;

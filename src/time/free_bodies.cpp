@@ -5,11 +5,13 @@
 #include <numeric>
 
 #include "base/check.hpp"
-#include "linalg/reduce.hpp"
+#include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
+
+constexpr WhyWhole of_bodies{"sums of bodies that nothing holds"};
 
 /// Lowest number of a block of the same body, per block of the structure; -1 where a support holds the body.
 /// Collective.
@@ -28,7 +30,7 @@ std::vector<int> bodies_of(const Model& model, const std::vector<char>& selected
   }
   for (std::size_t i = 0; i < model.held().size(); ++i)
     if (model.held()[i]) mine[graph.neighbour.size() + id_of(static_cast<int>(i) / dim)] = 1;
-  all = largest_of_each(*s.comm(), mine);
+  all = largest_of_list(*s.comm(), mine, WhyWhole{"two numbers per pair of neighbours and block"});
   std::vector<int> body(blocks);
   std::iota(body.begin(), body.end(), 0);
   const auto first_of = [&](int b) {
@@ -85,7 +87,7 @@ void FreeBodies::find_turns(const Model& model, int count) {
     sums[4 * b] += weight[dim * n];
     for (int c = 0; c < dim; ++c) sums[4 * b + 1 + c] += weight[dim * n] * arm[c];
   }
-  sums = total_of_each(*mass_.comm(), sums);
+  sums = total_of_list(*mass_.comm(), sums, of_bodies);
   for (int b = 0; b < count; ++b) weight_.push_back(sums[4 * b]);
   turn_.assign(turns_, std::vector<double>(along.size(), 0.0));
   for (int n = 0; n < mass_.nodes(); ++n) {
@@ -112,7 +114,7 @@ void FreeBodies::find_inertia(int count) {
       if (const int b = body_[mass_.block_of_node()[i / dim]]; b >= 0)
         for (int q = 0; q < turns_; ++q) sums[9 * b + 3 * q + r] += turn_[q][i] * momentum[i];
   }
-  sums = total_of_each(*mass_.comm(), sums);
+  sums = total_of_list(*mass_.comm(), sums, of_bodies);
   inertia_.resize(count);
   for (std::size_t k = 0; k < sums.size(); ++k) inertia_[k / 9][k % 9 / 3][k % 3] = sums[k];
 }
@@ -137,7 +139,7 @@ Vector<3> FreeBodies::remove_motion(std::vector<double>& velocity) const {
     sums[6 * b + i % dim] += momentum[i];
     for (int r = 0; r < turns_; ++r) sums[6 * b + 3 + r] += turn_[r][i] * momentum[i];
   }
-  sums = total_of_each(*mass_.comm(), sums);
+  sums = total_of_list(*mass_.comm(), sums, of_bodies);
   std::vector<Vector<3>> turns;
   for (std::size_t b = 0; b < weight_.size(); ++b)
     turns.push_back(turns_of(static_cast<int>(b), {sums[6 * b + 3], sums[6 * b + 4], sums[6 * b + 5]}));

@@ -39,7 +39,7 @@ class VelocityProjection::Impulses : public TpetraOperator {
         map_(map_of_points(model.points(), mass.comm())),
         all_selected_(points_.size(), 1),
         space_(mass, points_, all_selected_, model.held()),
-        blocks_(mass, space_, std::vector<int>(mass.owner_of_block().size(), 1)),
+        blocks_(mass, space_, std::vector<char>(mass.local_blocks(), 1)),
         impulse_(space_.map()),
         change_(space_.map()) {
     SystemMatrix matrix(mass, points_, all_selected_, space_);

@@ -8,6 +8,7 @@ import unittest
 import deciding
 import doors
 import format as format_rule
+import gathering
 import headers
 import house
 import layers
@@ -155,6 +156,35 @@ class PointsHaveADoor(unittest.TestCase):
     def test_names_of_tables_and_words_are_none(self):
         for text in ('write("/joints/node_i", points);', "// of node_i", "s.node_id()[i]", "points.at(k).each(add);"):
             self.assertEqual(self.problems("src/output/fields_file.cpp", text), [], text)
+
+
+class ListsOfAllRanks(unittest.TestCase):
+    def problems(self, text):
+        return gathering.problems_of(pathlib.Path("src/step/a.cpp"), text, {"src/loads/b.cpp"})
+
+    def test_only_those_who_are_named_bring_them_to_every_rank(self):
+        for wrong in ("const auto all = all_gather(mine, comm, why);", "x = largest_of_list(comm, marks, why);",
+                      "all_gather<double>(mine, comm, why)", "broadcast_values(comm, words);",
+                      "Teuchos::gatherAll(comm, 1, &one, ranks, all.data());", "MPI_Allgatherv(a, n, t, b, c, d, t, comm);",
+                      "Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, size(), a, b);",
+                      "Teuchos::reduceAll(comm, how, static_cast<int>(a.size()), a.data(), b.data());"):
+            self.assertEqual(len(self.problems(wrong)), 1, wrong)
+            self.assertEqual(gathering.problems_of(pathlib.Path("src/loads/b.cpp"), wrong, {"src/loads/b.cpp"}), [], wrong)
+        for right in ("// all_gather(mine)", "total_over_ranks(comm, mine);", "gather_on_first(mine, comm);",
+                      "Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &all);"):
+            self.assertEqual(self.problems(right), [], right)
+
+    def test_sums_of_a_fixed_few_are_of_no_list(self):
+        few = "std::array<double, 2> mine{}; const auto all = total_of_each(comm, mine);"
+        self.assertEqual(self.problems(few), [])
+        for wrong in (few.replace("std::array<double, 2> mine{}", "std::vector<double> mine(n, 0.0)"),
+                      "std::vector<int> mine(n + 1, 0), all(n + 1); all = largest_of_each(*s.comm(), mine);",
+                      "std::vector<int> mine(n), all(n); all = largest_of_each(*s.comm(), all);"):
+            self.assertEqual(len(self.problems(wrong)), 1, wrong)
+
+    def test_who_no_longer_does_is_not_named(self):
+        texts = {"src/a.cpp": "all_gather(mine, comm, why);", "src/b.cpp": "total_over_ranks(comm, mine);"}
+        self.assertEqual(len(gathering.idle_callers({"src/a.cpp", "src/b.cpp", "src/c.cpp"}, texts)), 2)
 
 
 class CodeOfReadmes(unittest.TestCase):

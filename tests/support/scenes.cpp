@@ -15,6 +15,7 @@
 namespace voussoir::test {
 namespace {
 
+constexpr WhyWhole of_a_test{"what a test looks at"};
 constexpr double standard_gravity = 9.81;  // [m/s2], as in the reference solutions
 
 Scene stone_scene() {
@@ -217,7 +218,7 @@ Solution Experiment::solution() const {
     nodes.push_back(n);
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, potential, Teuchos::outArg(all.potential));
-  nodes = all_gather(nodes, comm);
+  nodes = all_gather(nodes, comm, of_a_test);
   std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   for (const auto& n : nodes) {
     all.position.push_back(n.position);
@@ -249,7 +250,7 @@ Solution Experiment::solution() const {
     q.broken = damage_of(*model_, state_, k) == 1;
     all.points.push_back(q);
   }
-  all.points = all_gather(all.points, comm);
+  all.points = all_gather(all.points, comm, of_a_test);
   std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return all;
 }

@@ -64,7 +64,8 @@ std::string percent(double share) { return std::to_string(std::lround(100 * shar
 Warnings coarse_joints(const PlaneModel& model, const ContactState& state, const std::string& when) {
   VOUSSOIR_EXPECT(is_of_points(model, state.lambda) && "lambda: of points");
   std::map<int, std::vector<Found>> families;
-  for (const auto& found : all_gather(found_here(model, state), *model.structure().comm()))
+  for (const auto& found :
+       all_gather(found_here(model, state), *model.structure().comm(), WhyWhole{"joints too coarse to tell"}))
     families[found.family].push_back(found);
   Warnings all;
   for (const auto& [family, found] : families) {

@@ -220,7 +220,7 @@ Outline borders_near(const PlaneModel& model, const StepEnd& end, const std::vec
       if (wanted(around)) mine.push_back(edge);
     }
   }
-  return all_gather(mine, *s.comm());
+  return all_gather(mine, *s.comm(), WhyWhole{"edges beside long slips"});
 }
 
 /// The slips of all ranks, the longest first. Collective.
@@ -230,7 +230,7 @@ std::vector<LongSlip> slips_of_all(const PlaneModel& model, const StepEnd& end) 
   const auto gathered = [&] {
     std::vector<LongSlip> told;
     for (const auto& slip : mine) told.push_back(slip.told);
-    return all_gather(told, comm);
+    return all_gather(told, comm, WhyWhole{"long slips"});
   };
   auto slips = gathered();
   if (std::any_of(slips.begin(), slips.end(), [](const LongSlip& slip) { return slip.past_an_end(); })) {

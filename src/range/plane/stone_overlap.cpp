@@ -130,7 +130,9 @@ std::map<BlockId, Outline> outlines_of(const PlaneModel& model, const StepEnd& e
     for (const auto& edge : outline_now(s, end.state.displacement, local)) mine.push_back({block, edge});
   }
   std::map<BlockId, Outline> outlines;
-  for (const auto& [block, edge] : all_gather(mine, *s.comm())) outlines[block].push_back(edge);
+  for (const auto& [block, edge] :
+       all_gather(mine, *s.comm(), WhyWhole{"outlines of stones that may lie in each other"}))
+    outlines[block].push_back(edge);
   return outlines;
 }
 
@@ -150,7 +152,7 @@ std::map<std::pair<BlockId, BlockId>, double> gaps_as_drawn(const PlaneModel& mo
     if (gap > 0) mine.push_back({joint.block_i, joint.block_j, gap});
   }
   std::map<std::pair<BlockId, BlockId>, double> gaps;
-  for (const auto& [i, j, gap] : all_gather(mine, *model.structure().comm())) {
+  for (const auto& [i, j, gap] : all_gather(mine, *model.structure().comm(), WhyWhole{"points that begin open"})) {
     auto& known = gaps[{std::min(i, j), std::max(i, j)}];
     known = std::max(known, gap);
   }
@@ -172,7 +174,8 @@ RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, cons
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
   if (spread(model, end) <= counts_as_touching * smallest_side) return {};
   const auto& comm = *model.structure().comm();
-  auto stones = all_gather(boxes_here(model, end, shortest_side), comm);
+  auto stones = all_gather(boxes_here(model, end, shortest_side), comm,
+                           WhyWhole{"a box per stone, of a structure that has moved"});
   std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
   const auto pairs = suspects(stones);
   if (pairs.empty()) return {};
@@ -188,7 +191,7 @@ RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, cons
         overlap_depth(outlines.at(a.block), outlines.at(b.block), tolerance(a, b, well_inside) + as_drawn);
     if (depth > tolerance(a, b, counts_as_touching) + as_drawn) mine.push_back({a.block, b.block, depth});
   }
-  auto found = all_gather(mine, comm);
+  auto found = all_gather(mine, comm, WhyWhole{"stones that lie in each other"});
   if (found.empty()) return {};
   std::sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) {
     return std::make_tuple(-a.depth, a.a, a.b) < std::make_tuple(-b.depth, b.a, b.b);

@@ -114,6 +114,8 @@ std::vector<JointRecord> joints_here(const PlaneModel& model, const StepEnd& end
   return joints;
 }
 
+constexpr WhyWhole whole_network{"all stones and joints, of a structure that has moved"};
+
 /// All stones and joints, numbered alike on every rank, as springs.
 struct Network {
   std::vector<StoneRecord> stones;
@@ -124,8 +126,8 @@ struct Network {
 
   Network(const PlaneModel& model, const StepEnd& end) {
     const auto& comm = *model.structure().comm();
-    stones = all_gather(stones_here(model, end), comm);
-    joints = all_gather(joints_here(model, end), comm);
+    stones = all_gather(stones_here(model, end), comm, whole_network);
+    joints = all_gather(joints_here(model, end), comm, whole_network);
     std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
     std::sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) {
       return std::tie(a.block_i, a.block_j) < std::tie(b.block_i, b.block_j);

@@ -7,7 +7,7 @@
 #include "base/check.hpp"
 #include "joints/joint_facets.hpp"
 #include "linalg/agree.hpp"
-#include "linalg/gather.hpp"
+#include "linalg/parcels.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 #include "model/plane/plane_model.hpp"
@@ -58,9 +58,9 @@ std::vector<JointRow> rows_here(const Model& model, const AdaptiveStep& step, co
   return rows;
 }
 
-/// Rows of all ranks by blocks; nothing is said of joints that carry next to nothing.
+/// Rows of all ranks by blocks, on the first rank; nothing is said of joints that carry next to nothing.
 std::vector<JointRow> all_rows(const Model& model, const AdaptiveStep& step, const ContactState& state) {
-  auto rows = all_gather(rows_here(model, step, state), *model.structure().comm());
+  auto rows = gather_on_first(rows_here(model, step, state), *model.structure().comm());
   std::sort(rows.begin(), rows.end(), [](const JointRow& a, const JointRow& b) {
     return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.block_i, b.block_j);
   });

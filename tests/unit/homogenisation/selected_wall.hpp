@@ -41,15 +41,21 @@ struct SelectedWall {
   /// A hundredth of the stiffness of the stones holds blocks whose points are all open.
   std::vector<double> proximal() const { return std::vector<double>(2 * space.owned_clusters(), 1e7); }
 
-  /// 1 for every block with a selected point, the same on all ranks.
-  std::vector<int> active() const {
-    std::vector<int> mine(structure.owner_of_block().size(), 0), all(mine.size());
-    for (int k = 0; k < points.owned(); ++k)
-      if (selected[k]) mine[points.joints()[points.points()[k].joint].block_i] = 1;
-    for (int k = 0; k < points.owned(); ++k)
-      if (selected[k]) mine[points.joints()[points.points()[k].joint].block_j] = 1;
-    Teuchos::reduceAll(*structure.comm(), Teuchos::REDUCE_MAX, int(mine.size()), mine.data(), all.data());
-    return all;
+  /// 1 for every local block with a selected point. All points of a block in this wall are with those who know it, or
+  /// its owner tells.
+  std::vector<char> active() const {
+    std::vector<double> of_node(structure.nodes(), 0.0);
+    for (int k = 0; k < points.size(); ++k) {
+      if (!selected[k]) continue;
+      for (const BlockId b : {points.joint_of(k).block_i, points.joint_of(k).block_j}) {
+        const auto& block = structure.nodes_of(structure.local_block(b));
+        std::fill_n(of_node.begin() + block.first_local, block.nodes, 1.0);
+      }
+    }
+    structure.node_exchange().update(of_node, 1);
+    std::vector<char> active;
+    for (int b = 0; b < structure.local_blocks(); ++b) active.push_back(of_node[structure.nodes_of(b).first_local] > 0);
+    return active;
   }
 
  private:

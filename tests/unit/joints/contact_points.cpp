@@ -17,6 +17,8 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
+constexpr WhyWhole of_a_test{"what a test looks at"};
+
 std::unique_ptr<BlockSource<2>> wall() {
   WallParameters p;
   p.courses = p.blocks_per_course = 4;
@@ -72,7 +74,7 @@ TEUCHOS_UNIT_TEST(ContactPoints, AreThePairsOfTheReferenceSceneAndThoseBetweenHe
   const auto s = structure_of(*source, everyone());
   const ContactPoints points(*source, s);
   std::set<Pair> found;
-  for (const auto& f : all_gather(facts(s, points, false), *everyone()))
+  for (const auto& f : all_gather(facts(s, points, false), *everyone(), of_a_test))
     found.insert(
         {f.block_i, f.block_j, std::lround(1000 * f.x), std::lround(1000 * f.y), std::lround(f.nx), std::lround(f.ny)});
   TEST_ASSERT(found == expected);
@@ -92,7 +94,7 @@ TEUCHOS_UNIT_TEST(ContactPoints, NumbersAndGeometryDoNotDependOnRanks) {
     TEST_EQUALITY(PointId(expected.size()), one.total());
     for (std::size_t k = 0; k < expected.size(); ++k) TEST_EQUALITY(expected[k].id, PointId(k));
     for (const auto& f : facts(s, points, true)) TEST_ASSERT(same(f, expected[f.id]));  // halo points too
-    const auto all = all_gather(facts(s, points, false), *everyone());
+    const auto all = all_gather(facts(s, points, false), *everyone(), of_a_test);
     std::set<PointId> ids;
     for (const auto& f : all) ids.insert(f.id);
     TEST_EQUALITY(all.size(), expected.size());  // each owned once

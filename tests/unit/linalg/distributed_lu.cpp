@@ -92,6 +92,22 @@ TEUCHOS_UNIT_TEST(DistributedLu, LeavesOutRowsThatSayNothing) {
   }
 }
 
+// Of a symmetric matrix half of the entries do; and one rank may factor for all.
+TEUCHOS_UNIT_TEST(DistributedLu, SolvesSymmetricSystemsAndOnTheFirstRankToo) {
+  const auto a = distributed(300, scattered(300), everyone()), b = distributed(300, scattered(300, 3.0), everyone());
+  const auto right = noise_vector(a->getRowMap());
+  for (const auto factors : {FactorsAre::spread, FactorsAre::on_first_rank})
+    for (const auto symmetry : {Symmetry::symmetric, Symmetry::none}) {
+      DistributedLu lu(a->getRowMap(), factors, symmetry);
+      for (const auto& matrix : {a, b}) {
+        TEST_ASSERT(lu.factor(*matrix));
+        TpetraVector x(a->getRowMap());
+        for (int times = 0; times < 2; ++times) lu.apply(*right, x);
+        TEST_COMPARE(relative_residual(*matrix, *right, x), <=, 1e-12);
+      }
+    }
+}
+
 /// What all ranks hear of work that MUMPS refuses.
 template <class Work>
 std::string refusal(const Work& work) {

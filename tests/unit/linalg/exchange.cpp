@@ -1,9 +1,8 @@
-// Ghost values follow their owners, and lists of all ranks come together.
+// Ghost values follow their owners.
 #include "linalg/exchange.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "linalg/gather.hpp"
 #include "unit/linalg/systems.hpp"
 
 namespace {
@@ -52,29 +51,6 @@ TEUCHOS_UNIT_TEST(Exchange, WholeNumbersUpTo2To53ArriveUnchanged) {
   for (int i = 0; i < numbers.owned; ++i) values[i] = value(numbers.local[i]);
   exchange.update(values);
   for (std::size_t i = 0; i < values.size(); ++i) TEST_EQUALITY(values[i], value(numbers.local[i]));
-}
-
-TEUCHOS_UNIT_TEST(AllGather, EveryRankHasTheItemsOfAllRankByRank) {
-  struct Item {
-    long long rank;
-    double value;
-    char letter;
-  };
-  const auto comm = everyone();
-  const auto count = [](int rank) { return (3 * rank) % 4; };  // 0, 3, 2, 1: the first has none
-  std::vector<Item> mine;
-  for (int k = 0; k < count(comm->getRank()); ++k) mine.push_back({comm->getRank(), noise(k), char('a' + k)});
-  const auto all = all_gather(mine, *comm);
-  std::size_t next = 0;
-  for (int rank = 0; rank < comm->getSize(); ++rank)
-    for (int k = 0; k < count(rank); ++k, ++next) {
-      TEST_ASSERT(next < all.size());
-      if (next >= all.size()) return;
-      TEST_EQUALITY(all[next].rank, rank);
-      TEST_EQUALITY(all[next].value, noise(k));
-      TEST_EQUALITY(all[next].letter, char('a' + k));
-    }
-  TEST_EQUALITY(all.size(), next);
 }
 
 }  // namespace

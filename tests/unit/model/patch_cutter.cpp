@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "linalg/local_view.hpp"
+#include "linalg/reduce.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/stuck_stones.hpp"
 #include "support/tied_wall.hpp"
@@ -114,6 +115,56 @@ TEUCHOS_UNIT_TEST(StuckStones, APatchThatIsTooLargeIsNotTried) {
   TEST_EQUALITY(solves, 0);
   w.x->update(-1.0, lifted, 1.0);
   TEST_EQUALITY(w.x->norm2(), 0.0);
+}
+
+/// The rank that owns most of the stones within two joints of one, or -1 where no rank owns three more than any other.
+int owner_of_most(const WallAtRest& w, BlockId stone) {
+  const auto& graph = w.wall.model().graph();
+  const auto& owner = w.wall.model().structure().owner_of_block();
+  std::set<BlockId> near{stone};
+  for (int ring = 0; ring < 2; ++ring)
+    for (const BlockId b : std::set<BlockId>(near))
+      for (int e = graph.start[b]; e < graph.start[b + 1]; ++e)
+        if (graph.shared_vertices[e] > 1) near.insert(graph.neighbour[e]);
+  std::vector<int> stones(w.wall.model().structure().comm()->getSize() + 1, 0);
+  for (const BlockId b : near) ++stones[owner[b]];
+  const auto most = std::max_element(stones.begin(), stones.end());
+  const int rank = static_cast<int>(most - stones.begin());
+  return std::count_if(stones.begin(), stones.end(), [&](int n) { return n + 3 > *most; }) == 1 ? rank : -1;
+}
+
+TEUCHOS_UNIT_TEST(StuckStones, APatchGoesToTheRankThatOwnsMostOfItsBlocksAlone) {
+  WallAtRest w;
+  const auto& comm = *w.problem->map()->getComm();
+  const TpetraVector at_rest(*w.x, Teuchos::Copy);
+  const double scale = force_scale(*w.problem, w.lambda);
+  auto& source = *w.problem->patches();
+  int clear = 0;
+  for (BlockId stone = 20; stone < 66; stone += 5) {
+    w.lift(stone, 1e-7);
+    TEST_ASSERT(source.find_stuck(*w.x, w.lambda, 1e-4 * scale));
+    TEST_ASSERT(source.group(false, 1.0));
+    const auto cut = source.cut(*w.x, w.lambda, {1e-4 * scale, 1e-8, scale, scale, 10 * scale, w.sticking, at_rest});
+    w.lift(stone, -1e-7);
+    TEST_EQUALITY(total_over_ranks(comm, static_cast<int>(cut.size())), 1);
+    const int owner = owner_of_most(w, stone);
+    if (owner < 0) continue;
+    ++clear;
+    TEST_EQUALITY(cut.empty(), comm.getRank() != owner);
+  }
+  TEST_COMPARE(clear, >=, 2);
+}
+
+TEUCHOS_UNIT_TEST(StuckStones, WhatIsMoreThanAShareOfAllIsNotGrouped) {
+  WallAtRest w;
+  w.lift(middle, 1e-7);
+  const double scale = force_scale(*w.problem, w.lambda);
+  auto& source = *w.problem->patches();
+  TEST_ASSERT(source.find_stuck(*w.x, w.lambda, 1e-4 * scale));
+  TEST_ASSERT(!source.group(true, 0.5));
+  TEST_ASSERT(source.group(true, 1.0));
+  TEST_ASSERT(source.group(false, 0.4));
+  TEST_ASSERT(!source.group(false, 0.1));
 }
 
 }  // namespace

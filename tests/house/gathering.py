@@ -1,0 +1,74 @@
+"""Lists that may have the size of the structure come to every rank by one door, src/linalg/gather.hpp; who uses it is
+written down here.
+
+SMALL are those whose lists do not grow with the structure, or are a small part of it. WHOLE are those whose lists do,
+and how: each is a place where scaling ends, and the list of them may become shorter but not longer.
+"""
+
+import re
+
+import house
+
+DOOR = re.compile(r"\b(?:all_gather|list_over_ranks|total_of_list|largest_of_list|broadcast_values)\s*(?:<[^;()]*>)?\(")
+# What would bring lists of any length to all ranks beside the door.
+BESIDE = re.compile(r"\b(?:gatherAll|gather_?[vV]|MPI_I?(?:All)?[gG]ather\w*|MPI_I?(?:All)?[rR]educe|MPI_I?Bcast)\b\s*\(|"
+                    r"\breduceAll\s*\([^;]*?,[^;]*?,\s*(?!1\s*,)[^;,]*\b(?:size|length|count|n)\b")
+# The sums of reduce.hpp are for a fixed few numbers; of these the name is looked at.
+SUMMED = re.compile(r"\b(?:each_over_ranks|(?:total|largest|least)_of_each)\s*\([^;]*?,\s*(\w+)\)")
+NO_CODE = re.compile(r"//[^\n]*|\"(?:[^\"\\\n]|\\.)*\"")
+BEHIND = ("src/linalg/gather.", "src/linalg/reduce.hpp", "src/linalg/traffic_mpi.cpp", "src/linalg/agree.hpp")
+SMALL = {
+    "src/loads/deck.cpp", "src/loads/point_load.cpp", "src/model/patch_groups.cpp", "src/range/input_warnings.cpp",
+    "src/range/plane/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/results/mechanism_words.cpp",
+    "src/results/observations.cpp", "src/ties/tie_balance.cpp",
+    "src/loads/time_series.cpp",  # a record of the ground
+    "src/output/even_rows.cpp", "src/output/result_json.cpp",  # a number of each rank
+}
+WHOLE = {
+    "src/joints/contact_points.cpp": "a count per block while the mesh is read",
+    "src/mesh/block_list.cpp": "meshes of files",
+    "src/mesh/partition.cpp": "the owner of each block",
+    "src/range/plane/stone_overlap.cpp": "a box per stone at every step, once stones have moved",
+    "src/range/plane/turn_range.cpp": "stones and joints at every step, once stones have moved",
+    "src/results/mesh_rows.cpp": "a count per block, once",
+    "src/results/shares_of_ranks.cpp": "a number per block, once",
+    "src/run/rigid_limits.cpp": "stones and points of a limit analysis",
+    "src/ties/rigid_stones.cpp": "two marks per block when stones come or go",
+    "src/time/free_bodies.cpp": "marks per pair of neighbours at every selection in time steps",
+}
+
+
+def problems_of(path, text, callers):
+    path = str(path)
+    if path.startswith(BEHIND):
+        return []
+    code = NO_CODE.sub(lambda found: " " * len(found.group(0)), text)
+    problems = []
+    for pattern, why in ((DOOR, "brings a list to every rank" if path not in callers else None),
+                         (BESIDE, "brings lists to ranks beside src/linalg/gather.hpp")):
+        if not why or (pattern is BESIDE and path in callers):
+            continue
+        problems += [f"{path}:{code.count(chr(10), 0, found.start()) + 1}: {why}; send what others need by parcels, or "
+                     "say in tests/house/gathering.py why it is small." for found in pattern.finditer(code)]
+    problems += [f"{path}:{code.count(chr(10), 0, found.start()) + 1}: sums a list of any length; that is for "
+                 "src/linalg/gather.hpp." for found in SUMMED.finditer(code)
+                 if re.search(r"std::vector<[^;{}()]*>&? (?:\w+(?:\([^;]*?\))?, )*" + found.group(1) + r"\b", code)]
+    return problems
+
+
+def idle_callers(callers, texts):
+    """Those that no longer come through the door must not be let in."""
+    return [f"tests/house/gathering.py names {path}, which brings nothing to every rank." for path in sorted(callers)
+            if not (DOOR.search(texts.get(path, "")) or BESIDE.search(texts.get(path, "")))]
+
+
+def main():
+    texts = {str(path): house.read(path) for path in house.code_files(".hpp", ".cpp") if path.parts[0] in ("src", "drivers")}
+    callers = SMALL | set(WHOLE)
+    house.finish("Lists of all ranks come to every rank by one door, and who uses it is known",
+                 [problem for path, text in texts.items() for problem in problems_of(path, text, callers)]
+                 + idle_callers(callers, texts))
+
+
+if __name__ == "__main__":
+    main()
