@@ -71,9 +71,16 @@ configured_here() {
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$voussoir_root" "$voussoir_build/CMakeCache.txt"
 }
 
-# configure_and_build [TARGET...]: one at a time, by a lock, when several runs start together.
+can_build_here() { [ -w "$voussoir_build" ] && { [ ! -e "$voussoir_build/.lock" ] || [ -w "$voussoir_build/.lock" ]; }; }
+
+# configure_and_build [TARGET...]: one at a time, by a lock, when several runs start together. A build that this user may not
+# write to (another user's, an image) is run as it is.
 configure_and_build() {
   local log=$voussoir_build/configure.log status=0
+  if [ -x "$voussoir_build/drivers/voussoir" ] && ! can_build_here; then
+    say "Not built anew, since $voussoir_build cannot be written to: the program is the one that is there."
+    return 0
+  fi
   mkdir -p "$voussoir_build"
   exec 9>"$voussoir_build/.lock"
   flock 9

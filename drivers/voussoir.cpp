@@ -2,10 +2,12 @@
 #include <mpi.h>
 
 #include <Tpetra_Core.hpp>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/blas_memory.hpp"
@@ -28,9 +31,10 @@ namespace {
 using namespace voussoir;
 
 const char* const closing =
-    R"(SIGTERM and SIGUSR1 save the state and stop; so does a step that does not converge.
+    R"(SIGTERM, SIGUSR1 and Ctrl-C save the state and stop, and leave what is known by then in interrupted.json;
+so does the time of --at-most. A step that does not converge saves the state before it.
 Exit codes: 0 done, 2 the input is wrong, 3 no convergence or out of range, 4 a resource is missing,
-5 stopped by a signal.
+5 stopped by a signal or because the time was over.
 )";
 
 struct Arguments {
@@ -38,11 +42,23 @@ struct Arguments {
   std::vector<std::string> overrides;
   RunOptions run;
   bool quiet = false, trust = false;
+  double at_most = 0;                       ///< [s] of the clock; 0: as long as it takes
   bool version = false, internals = false;  ///< to print instead of running
   std::string parameters;                   ///< the same: "plain" or "json", when they were asked for
   std::string help;                         ///< the same, when it was asked for
   bool prints() const { return version || !parameters.empty() || internals || !help.empty(); }
 };
+
+/// "90", "90s", "5min", "1.5 h" in seconds; nothing when it is no time above 0.
+std::optional<double> duration_in(const std::string& text) {
+  const auto unit = text.find_first_not_of("0123456789.");
+  const auto number = number_in(trimmed(text.substr(0, unit)));
+  if (!number || !(*number > 0)) return {};
+  const auto word = unit == std::string::npos ? "s" : trimmed(text.substr(unit));
+  for (const auto& [name, seconds] : {std::pair("s", 1.0), std::pair("min", 60.0), std::pair("h", 3600.0)})
+    if (word == name) return *number * seconds;
+  return {};
+}
 
 void declare(CommandLine& line, Arguments& a) {
   line.add("--xml", "FILE", a.xml, "the scene");
@@ -59,6 +75,14 @@ void declare(CommandLine& line, Arguments& a) {
   line.add_flag("--dry-run", a.run.dry_run, "also count unknowns and predict the cost, then stop");
   line.add_flag("--limit-analysis", a.run.limit_analysis,
                 "rigid limit analysis alone: can loads be balanced, up to which load factor, how does it fall");
+  line.add(
+      "--at-most", "TIME",
+      [&](const std::string& text) {
+        const auto seconds = duration_in(text);
+        if (!seconds) line.refuse("--at-most", text, "must be a time above 0, such as 90s, 5min or 2h.");
+        a.at_most = *seconds;
+      },
+      "end in so much time (90s, 5min, 2h) with what is known by then, ready to go on");
   line.add_flag("--print-parameters", "json", a.parameters,
                 "print every parameter with unit, default and range, as a scene or for programs");
   line.add_flag("--print-internals", a.internals,
@@ -122,8 +146,8 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
   if (summary.scene.empty()) return exit_done;  // nothing was to be computed
   say << "\n";
   if (summary.outcome == Outcome::interrupted) {
-    say << "Stopped by a signal after step " << summary.steps
-        << ". The state is saved; go on with\n  voussoir --xml=" << a.xml << " --out=" << a.run.folder
+    say << static_cast<char>(std::toupper(summary.message[0])) << summary.message.substr(1)
+        << ".\nThe state is saved; go on with\n  voussoir --xml=" << a.xml << " --out=" << a.run.folder
         << " --restart\n";
     return exit_interrupted;
   }
@@ -168,9 +192,11 @@ int run_program(std::vector<std::string> words) {
       return exit_done;
     }
     listen_for_stop_signals();
-    end_child_processes_when(stop_signal_here);
+    end_child_processes_when(stop_wanted_here);
+    if (a.at_most > 0) stop_within(a.at_most);
     reserve_blas_memory();
     const auto scene = read_on_all_ranks(a, *comm);
+    if (scene.load_steps.at_most > 0) stop_within(scene.load_steps.at_most);
     return finish(a, scene, run(scene, a.run, comm, say), say);
   } catch (const InputError& error) {
     if (first) std::cerr << error.what() << "\n";
@@ -180,7 +206,7 @@ int run_program(std::vector<std::string> words) {
     return exit_no_convergence;
   } catch (const ResourceError& error) {
     if (first) std::cerr << error.what() << "\n";
-    return stop_signal_here() ? exit_interrupted : exit_resource;
+    return stop_wanted_here() ? exit_interrupted : exit_resource;
   } catch (const std::exception& error) {
     if (!is_out_of_memory(error)) throw;
     std::cerr << out_of_memory_message << "\n" << std::flush;

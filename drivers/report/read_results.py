@@ -279,6 +279,8 @@ def read_results(folder):
             ("joints.csv", read_margins, "there are no margins of joints"),
             ("scene.xml", read_title, "the title is taken from the name of the folder or of the scene")):
         path = results.folder / name
+        if name == "result.json" and not path.exists():
+            path = results.folder / "interrupted.json"  # what is known of a run that was stopped
         if not path.exists():
             if name == "joints.csv" and "hinges" not in (results.result.get("statics") or {}):
                 continue  # a run that ends in time, whose first step failed, or in space, where margins are not told

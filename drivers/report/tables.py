@@ -38,6 +38,8 @@ def either(results, history_name, *names):
 def outcome(results):
     """Words and the kind of outcome: good, warn, bad or ''."""
     words = str(find(results.result, "outcome") or "outcome not recorded").replace("_", " ")
+    if words == "interrupted":
+        return "stopped before its end", "warn"
     kind = {"equilibrium": "good", "collapse": "warn", "not converged": "bad", "out of range": "bad"}.get(words, "")
     return words, "warn" if kind == "good" and warnings(results) else kind
 
@@ -49,6 +51,8 @@ def warnings(results):
             for w in (said if isinstance(said, list) else []) if isinstance(w, dict)]
     if str(find(results.result, "outcome")) == "out_of_range":
         rows.insert(0, ("out_of_range", "The run ended", "", str(find(results.result, "message") or "no reason was kept")))
+    if str(find(results.result, "outcome")) == "interrupted":
+        rows.insert(0, ("interrupted", "The run has not come to its end", "", str(find(results.result, "message") or "no reason was kept")))
     return rows
 
 

@@ -157,12 +157,12 @@ def nearest_turn(before, after):
 
 
 class Result:
-    """The results in a folder. What a run that was stopped has left is read as far as it goes."""
+    """The results in a folder; of a run that was stopped what was known by then."""
 
     def __init__(self, folder, code=None, said=""):
         self.folder, self.code, self.said = pathlib.Path(folder), code, said
-        path = self.folder / "result.json"
-        self.json = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+        found = [path for path in (self.folder / "result.json", self.folder / "interrupted.json") if path.exists()]
+        self.json = json.loads(found[0].read_text(encoding="utf-8")) if found else {}
 
     def __repr__(self):
         return f"<Result {self.folder}: {self.outcome}>"

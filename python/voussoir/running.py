@@ -26,7 +26,7 @@ class Progress:
 
 
 def options_of(set=None, **options):
-    """Options of the program as it takes them: set={"joints/dry/cohesion": 1e5}, overwrite=True."""
+    """Options of the program as it takes them: set={"joints/dry/cohesion": 1e5}, overwrite=True, at_most="5min"."""
     words = [word for path, value in (set or {}).items() for word in ("--set", f"{path}={value_text(value)}")]
     for name, value in options.items():
         option = "--" + name.replace("_", "-")
@@ -54,7 +54,7 @@ def run(scene, out=None, ranks=1, progress=None, report=False, **options):
     out       folder of the results (default: out/ and the name of the scene)
     progress  is called with a Progress for every line that the program says
     report    whether the report is drawn
-    options   those of the program: set={path: value}, overwrite, restart, restart_from, limit_analysis, trust,
+    options   those of the program: set={path: value}, overwrite, restart, restart_from, limit_analysis, trust, at_most,
               verbose
 
     Ctrl-C makes the program save its state and end; KeyboardInterrupt goes on when it has, and restart=True goes on with

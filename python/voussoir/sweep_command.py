@@ -21,6 +21,7 @@ Computes a scene for all combinations of the values given, as many runs side by 
   --envelope              also tell the worst of every quantity and the combination that has it, and up to where all stand
   --no-reports            draw no report of the single runs, only the page of the sweep
   --limit-analysis        ask rigid limit analysis alone: seconds where a run takes minutes
+  --at-most TIME          end each run in time with what is known by then: 90s, 5min, 2h
   --trust                 let a .geo run programs, and read and write other files, which is refused else
   --overwrite             compute all again, also what is done
 
@@ -40,6 +41,7 @@ def parser():
     for name in ("--jobs", "--ranks"):
         words.add_argument(name)
     words.add_argument("--out")
+    words.add_argument("--at-most")
     for name in ("--zip", "--envelope", "--no-reports", "--limit-analysis", "--trust", "--overwrite", "--help", "-h"):
         words.add_argument(name, action="store_true")
     words.error = refuse
@@ -69,6 +71,7 @@ def read_command(arguments):
     asked.jobs, asked.ranks = count("--jobs", asked.jobs), count("--ranks", asked.ranks) or 1
     asked.scene = program.find_scene(asked.scene)
     asked.options = [option for option, wanted in (("--limit-analysis", asked.limit_analysis), ("--trust", asked.trust)) if wanted]
+    asked.options += [f"--at-most={asked.at_most}"] if asked.at_most else []
     return asked
 
 

@@ -129,7 +129,7 @@ class Job:
             return False
         self.row = sweep_table.read_row(self.folder, code, self.last_words(), time.monotonic() - self.began)
         write_atomically(self.folder / ROW, json.dumps(self.row, indent=1) + "\n")
-        if not self.wants_report() or code == program.STOPPED:
+        if not self.wants_report() or self.sweep.stopping:
             return True
         self.draw()
         return False
@@ -154,7 +154,7 @@ class Sweep:
         self.scene, self.inputs, self.together = program.find_scene(scene), inputs, together
         self.out = pathlib.Path(out if out is not None else pathlib.Path("out") / f"sweep-{self.scene.stem}").absolute()
         self.ranks, self.reports, self.envelope, self.overwrite = ranks, reports, envelope, overwrite
-        self.options, self.say = list(options), say
+        self.options, self.say, self.stopping = list(options), say, False
         self.jobs = jobs or max(1, program.physical_cores() // ranks)
         combos = sweep_inputs.combinations(inputs, together)
         self.all = [Job(self, combo, name) for combo, name in zip(combos, sweep_inputs.folder_names(inputs, combos))]
@@ -268,6 +268,7 @@ class Sweep:
 
     def stop(self, running):
         """Runs save their state and end; the second Ctrl-C kills them."""
+        self.stopping = True
         self.say(f"Stopping: {sum(not job.drawing for job in running)} runs save their state ...")
         for job in running:
             program.kill(job.process) if job.drawing else program.ask_to_stop(job.process)

@@ -30,6 +30,11 @@ void LoadStepParameters::declare(ParameterSection& section) {
               "after 30 halvings a step is 1e-9 of its size", "Give 0 to stop at the first failure; 4 is usual.");
   section.add("expect collapse", expect_collapse,
               "true when the aim of the scene is its collapse: finding it then counts as done");
+  section.add(
+      "at most", at_most, "s", at_least(0.0).usually(1, 1e6),
+      "time of the clock that a run may take: then it saves its state and ends with what is known, the bracket or "
+      "the last step, and can be gone on with; 0 = as long as it takes",
+      "a run takes time", "Give 0 to let the run come to its end.");
 }
 
 }  // namespace voussoir

@@ -24,6 +24,7 @@ struct LoadStepParameters {
   static constexpr int most_halvings = 30;
   int largest_halvings = 4;      ///< how often a load step that does not converge is halved
   bool expect_collapse = false;  ///< true: a collapse found is the aim of the scene, exit code 0
+  double at_most = 0;            ///< [s] of the clock that a run may take; 0: as long as it takes
   void declare(ParameterSection&);
 };
 

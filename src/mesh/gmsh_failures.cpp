@@ -16,8 +16,8 @@ void refuse_end(const std::string& file, const ChildEnd& end) {
   using By = ChildEnd::By;
   const std::string when = end.time_and_size();
   if (end.by == By::request)
-    throw ResourceError("Stopped by a signal while gmsh meshed " + file +
-                        ": nothing has been computed.\n  Begin again.");
+    throw ResourceError("Stopped while gmsh meshed " + file +
+                        ", by a signal or because the time was over: nothing has been computed.\n  Begin again.");
   if (end.by == By::memory)
     throw ResourceError("gmsh was ended " + when + "\n  because it wanted more for " + file + " than " +
                         in_words(std::round(end.allowed / 1e8) / 10) +

@@ -89,8 +89,8 @@ Warnings lost_on_the_way(double damage, const std::string& when) {
   return {
       {"lost_on_the_way", "the structure", when, damage,
        "no equilibrium was found that follows from the last one while cracks grow little by little: a joint has lost " +
-           number_text(damage) +
-           " of its strength more than where it stands now asks for, as in a jump; take more increments if where "
+           three_digits(100 * damage) +
+           " % of its strength more than where it stands now asks for, as in a jump; take more increments if where "
            "cracks run matters"}};
 }
 
@@ -109,7 +109,7 @@ Warnings passed_in_time(double seconds, const std::string& when) {
   return {{"passed_in_time", "the structure", when, seconds,
            "no equilibrium was found that follows from the last one in statics: let go in time, with inertia and with "
            "damping that grows with stiffness, the structure came to rest within " +
-               number_text(seconds) + " s; what its joints lost on that way they lost in motion"}};
+               six_digits(seconds) + " s; what its joints lost on that way they lost in motion"}};
 }
 
 }  // namespace voussoir

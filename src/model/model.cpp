@@ -233,7 +233,7 @@ void Model::check_size(const std::vector<double>& force) const {
   largest = largest_over_ranks(*structure().comm(), largest);
   if (largest == 0 || (largest > smallest_force && largest < largest_force)) return;
   throw InputError(file_ + ": scene > loads\n  " +
-                   (largest < largest_force ? "press no node with more than " + number_text(largest) + " N"
+                   (largest < largest_force ? "press no node with more than " + six_digits(largest) + " N"
                                             : "press a node with " + number_text(largest_force) + " N or more") +
                    " (squares of such forces are beyond the numbers a computer holds, " + number_text(smallest_force) +
                    " to " + number_text(largest_force) +

@@ -70,8 +70,8 @@ int lock(const fs::path& folder, int kind = LOCK_EX) {
 /// @return where the earlier results went
 std::string prepare(const std::string& name, Earlier earlier, int& held) {
   // Everything a run writes but scene.xml, which tells nothing that the user does not have.
-  static const char* const results[] = {result_file, checkpoint_file, joints_file,  history_file,
-                                        fields_file, "fields.xdmf",   "report.html"};
+  static const char* const results[] = {result_file,  interrupted_file, checkpoint_file, joints_file,
+                                        history_file, fields_file,      "fields.xdmf",   "report.html"};
   const fs::path folder = without_slash(name);
   try {
     held = lock(folder);

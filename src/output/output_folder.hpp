@@ -60,6 +60,7 @@ class BranchedFolder {
 
 /// The files of a run by name.
 inline const char* const result_file = "result.json";
+inline const char* const interrupted_file = "interrupted.json";  ///< the same, of a run that can be gone on with
 inline const char* const checkpoint_file = "checkpoint.h5";
 inline const char* const joints_file = "joints.csv";
 inline const char* const history_file = "history.csv";

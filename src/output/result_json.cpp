@@ -41,7 +41,10 @@ Json energy_book(const EnergySummary& energy) {
 }
 
 Json load_factor_search(const CollapseSummary& c) {
-  Json json{{"pattern", c.pattern}, {"lower", c.lower}, {"upper", c.upper}, {"sharp", c.sharp}};
+  Json json{{"pattern", c.pattern}};
+  if (!std::isnan(c.lower)) json["lower"] = c.lower;
+  json["upper"] = c.upper;
+  json["sharp"] = c.sharp;
   json["certified_upper"] = c.certified;
   json["estimate_without_dilatancy"] = c.estimate;
   json["attempts"] = Json::array();

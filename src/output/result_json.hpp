@@ -41,7 +41,7 @@ struct CollapseSummary {
     int linear_solves = 0;
   };
   std::map<std::string, double> pattern;  ///< share of each load
-  double lower = 0;                       ///< [-] largest load factor that stands
+  double lower = 0;                       ///< [-] largest load factor that stands; not a number: none was tried
   double upper = 0;                       ///< [-] smallest that collapses; infinite when none was found
   bool sharp = true;                      ///< no factor between them was tried without a decision
   std::vector<Attempt> attempts;

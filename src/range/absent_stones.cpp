@@ -82,12 +82,13 @@ void warn_of_load(const Scene& scene, const Model& model, const LoadParameters& 
   }
   if (in.empty()) return;
   const double percent = 100 * worst.gone / worst.all;
-  all.push_back({"load_on_absent_stones", scene.file + ": scene > loads > " + load.name, "", worst.gone / worst.all,
-                 "acts on stones that are not there in " + list_of(in) + ": " +
-                     (moves ? number_text(percent) + " % of what it moves; stones that appear later are moved by it as "
-                                                     "they appear"
-                            : number_text(worst.gone) + " N of " + number_text(worst.all) +
-                                  " N are left out; let it act in stages that have these stones")});
+  all.push_back(
+      {"load_on_absent_stones", scene.file + ": scene > loads > " + load.name, "", worst.gone / worst.all,
+       "acts on stones that are not there in " + list_of(in) + ": " +
+           (moves ? three_digits(percent) + " % of what it moves; stones that appear later are moved by it as "
+                                            "they appear"
+                  : six_digits(worst.gone) + " N of " + six_digits(worst.all) +
+                        " N are left out; let it act in stages that have these stones")});
 }
 
 void warn_of_observations(const Scene& scene, const Model& model, const std::vector<Stage>& stages, Warnings& all) {

@@ -98,7 +98,7 @@ void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings&
     }
   }
   const UnitOfMesh unit(scene.mesh);
-  const std::string size = number_text(largest) + " m", name = source.block(where).name;
+  const std::string size = six_digits(largest) + " m", name = source.block(where).name;
   if (large > 0)
     all.push_back(
         {"large_stones", scene.file + ": scene > " + unit.key, "", largest,
@@ -197,7 +197,7 @@ void warn_of_raised_energies(const Scene& scene, const Model& model, Warnings& a
          "", most[i] / asked,
          number_text(asked) +
              " J/m2 is little beside what the stones give way by: as a joint without an energy it takes up to " +
-             number_text(most[i]) + " J/m2; finer cells need less"});
+             six_digits(most[i]) + " J/m2; finer cells need less"});
   }
 }
 

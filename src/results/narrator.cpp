@@ -6,16 +6,23 @@
 namespace voussoir {
 namespace {
 
+/// As printf, of any length.
 template <class... Values>
 void print(std::ostream& out, const char* format, Values... values) {
-  char line[240];
-  std::snprintf(line, sizeof line, format, values...);
+  std::string line(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), ' ');
+  std::snprintf(line.data(), line.size() + 1, format, values...);
   out << line << std::flush;
 }
 
+/// Who waits wants to know for what; a line in so much time is no flood.
+constexpr std::chrono::seconds patience(5);
+
 }  // namespace
 
-Narrator::Narrator(std::ostream& say, bool verbose) : say_(say), verbose_(verbose) {
+Narrator::Narrator(std::ostream& say, bool verbose, double seconds)
+    : say_(say),
+      verbose_(verbose),
+      began_(Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {
   print(say_, "\n%5s %8s %7s %9s %7s %7s %7s %9s %9s %8s\n", "step", "factor", "solves", "selected", "open", "slip",
         "krylov", "estimate", "|u| [m]", "[s]");
 }
@@ -26,7 +33,6 @@ void Narrator::begin(int step, const std::string& stage, double target, double p
   step_ = step;
   target_ = target;
   progress_ = progress;
-  told_at_ = std::chrono::steady_clock::now();
   if (first_progress_ < 0) first_progress_ = progress;
   solves_ = 0;
 }
@@ -34,11 +40,12 @@ void Narrator::begin(int step, const std::string& stage, double target, double p
 void Narrator::solve(const NewtonProgress& p) {
   if (p.local_solves == 0) ++solves_;
   if (!verbose_) {
-    // Who waits wants to know for what; a line in ten seconds is no flood.
-    if (std::chrono::steady_clock::now() < told_at_ + std::chrono::seconds(10)) return;
-    told_at_ = std::chrono::steady_clock::now();
-    print(say_, "      step %d, stage '%s' at %.6g: %d linear solves so far, |R| %.1e N and contact law %.1e N\n",
-          step_, stage_.c_str(), target_, solves_, p.residual, p.complementarity);
+    if (Clock::now() < told_at_ + patience) return;
+    told_at_ = Clock::now();
+    print(say_,
+          "      %.0f s: step %d, stage '%s' at %.6g: %d linear solves so far, |R| %.1e N, contact law %.1e N%s%s\n",
+          std::chrono::duration<double>(told_at_ - began_).count(), step_, stage_.c_str(), target_, solves_, p.residual,
+          p.complementarity, known_.empty() ? "" : "; ", known_.c_str());
     return;
   }
   if (p.local_solves > 0) {
@@ -61,9 +68,10 @@ void Narrator::round(int round, long long selected, double error_estimate) {
 
 void Narrator::end(const StepReport& report, double seconds, const RunSummary& summary, bool tell) {
   spent_ += seconds;
-  // Of thousands of time steps, one in a hundred is worth a line.
-  if (!tell && progress_ < told_ + 0.01) return;
+  // Of thousands of time steps, one in a hundred is worth a line, and one in a while.
+  if (!tell && progress_ < told_ + 0.01 && Clock::now() < told_at_ + patience) return;
   told_ = progress_;
+  told_at_ = Clock::now();
   print(say_, "%5d %8.4g %7d %9lld %7lld %7lld %7lld %9.2e %9.2e %8.2f", step_, target_,
         report.newton.newton_iterations, summary.selected_points, summary.open_points, summary.slip_points,
         report.newton.krylov_iterations, report.error_estimate, summary.residual_displacement, seconds);

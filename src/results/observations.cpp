@@ -31,7 +31,7 @@ Weights node_near(const ObservationParameters& p, const std::string& where, cons
   if (node.distance > p.tolerance)
     throw InputError(where + " > tolerance = " + number_text(p.tolerance) +
                      " [m]\n  is exceeded: the node nearest to " + vector_text(at) + " m is " +
-                     number_text(node.distance) +
+                     six_digits(node.distance) +
                      " m away.\n  Move the point to the structure, or give a larger tolerance.");
   if (node.local < 0 || node.local >= s.owned_nodes()) return {};
   return {{node.local, 1.0}};

@@ -43,7 +43,7 @@ Warnings warnings_of_time_step(const Model& model, const LoadSteps& steps) {
   if (stage.time_step <= interval * (1 + round_off)) return {};
   return {{"time_step_over_load", model.file() + ": scene > steps > stages > " + stage.name + " > time step",
            "stage " + in_quotes(stage.name), stage.time_step / interval,
-           "time step = " + number_text(stage.time_step) + " s is longer than the " + number_text(interval) +
+           "time step = " + number_text(stage.time_step) + " s is longer than the " + six_digits(interval) +
                " s in which load " + in_quotes(shortest.load) +
                " varies: a step takes its mean, so its impulse is exact, but not what it does within a step; give 0 to "
                "let the program choose"}};

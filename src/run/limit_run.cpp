@@ -134,7 +134,7 @@ class LimitRun {
     const auto& search = scene_.load_factor;
     auto& summary = recorder_.summary();
     const auto limit = limits.largest_factor(search.largest);
-    summary.collapse = CollapseSummary{search.pattern, 0, INFINITY, true, {}, INFINITY, INFINITY};
+    summary.collapse = CollapseSummary{search.pattern, NAN, INFINITY, true, {}, INFINITY, INFINITY};
     auto& found = *summary.collapse;
     if (limit.verdict == LimitVerdict::limited) {
       found.certified = found.upper = limit.factor;

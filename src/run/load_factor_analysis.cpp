@@ -62,6 +62,7 @@ void LoadFactorAnalysis::certify(const Attempting& run) {
   if (std::isfinite(limit.without_dilatancy)) search_.guess(limit.without_dilatancy);
   run.narrator.say("  Above load factor " + six_digits(search_.certified()) +
                    " no equilibrium exists, by the static theorem (rigid limit analysis).");
+  run.narrator.know(known());
 }
 
 /// A load step by statics. Of stones that are followed to where they turn to the static theorem is asked.
@@ -195,13 +196,26 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   failed_ = failed;
 }
 
-void LoadFactorAnalysis::judge(const Attempting& run) {
-  auto& summary = run.recorder.summary();
-  summary.collapse = CollapseSummary{p_.pattern, search_.lower(),     search_.upper(), search_.sharp(),
-                                     {},         search_.certified(), search_.guess()};
+CollapseSummary LoadFactorAnalysis::bracket() const {
+  CollapseSummary found{p_.pattern, search_.lower(),     search_.upper(), search_.sharp(),
+                        {},         search_.certified(), search_.guess()};
   constexpr const char* words[] = {"equilibrium", "collapse", "undecided"};
   for (const auto& a : search_.attempts())
-    summary.collapse->attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
+    found.attempts.push_back({a.factor, words[static_cast<int>(a.verdict)], a.linear_solves});
+  return found;
+}
+
+std::string LoadFactorAnalysis::known() const {
+  const auto stands = search_.lower() > 0 ? "it stands at " + six_digits(search_.lower()) : std::string();
+  if (!search_.found()) return stands.empty() ? "" : stands + " times the pattern";
+  const auto falls = six_digits(search_.upper()) + " times the pattern " +
+                     (search_.has_mechanism() ? "it falls" : "no equilibrium exists");
+  return (stands.empty() ? "" : stands + ", ") + (search_.has_mechanism() ? "at " : "above ") + falls;
+}
+
+void LoadFactorAnalysis::judge(const Attempting& run) {
+  auto& summary = run.recorder.summary();
+  summary.collapse = bracket();
   const std::string stands = "it stands at " + six_digits(search_.lower());
   if (!search_.found()) {
     summary.outcome = search_.lower() >= p_.largest ? Outcome::equilibrium : Outcome::not_converged;

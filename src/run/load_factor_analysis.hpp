@@ -48,6 +48,10 @@ class LoadFactorAnalysis {
   void conclude(const Attempting&);
 
   const FactorSearch& search() const { return search_; }
+  /// The bracket so far, and the attempts that led to it.
+  CollapseSummary bracket() const;
+  /// The bracket so far in words; empty as long as nothing of it is known.
+  std::string known() const;
   /// Names what a checkpoint keeps.
   /// @param weakens  joints have strength that can be lost
   /// Taken up again at its end, the search tries again what was undecided.

@@ -13,7 +13,7 @@
 #include "results/shares_of_ranks.hpp"
 #include "results/step_warnings.hpp"
 #include "run/events_of_loads.hpp"
-#include "run/stop_signals.hpp"
+#include "run/what_is_known.hpp"
 #include "step/finite_rotations.hpp"
 #include "step/halved_step.hpp"
 
@@ -48,8 +48,8 @@ Run::Run(const Scene& scene, Model& model, const Appraisal& appraisal, const Run
       refuse_(progress_, [this] { return theorem_.after_solve(); }),
       stop_(progress_,
             [this] {
-              signalled_ = stop_signal_on_any_rank(*model_.structure().comm());
-              return signalled_ ? GoOn::no : GoOn::yes;
+              stop_wanted_ = stop_wanted(*model_.structure().comm());
+              return stopped() ? GoOn::no : GoOn::yes;
             }),
       range_(model, appraisal.measures(), [this](const Warning& w) { warn(w); }),
       load_(state_.displacement.size(), 0.0),
@@ -70,7 +70,7 @@ Run::Run(const Scene& scene, Model& model, const Appraisal& appraisal, const Run
     model_.move_geometry(state_.displacement);
   if (recorder_->fields_lost())
     say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
-  narrator_ = std::make_unique<Narrator>(say, options.verbose);
+  narrator_ = std::make_unique<Narrator>(say, options.verbose, seconds_since_start());
   progress_.print = [this](const NewtonProgress& p) { narrator_->solve(p); };
   progress_.print_round = [this](int round, long long selected, double estimate) {
     narrator_->round(round, selected, estimate);
@@ -87,7 +87,8 @@ const RunSummary& Run::all_steps() {
   while (!finished()) {
     if (!one_step()) return summary;
     if (finished()) break;
-    if (stop_signal_on_any_rank(*model_.structure().comm())) return interrupted();
+    stop_wanted_ = stop_wanted(*model_.structure().comm());
+    if (stopped()) return interrupted();
     saved_.save_when_due(here());
   }
   const bool keep = output_.checkpoint_at_end;
@@ -105,12 +106,14 @@ bool Run::one_step() {
   const auto before = state_;
   construction_.begin(stage, model_, state_);
   bool goes_on = true;
-  if (steps_.finished())
+  if (steps_.finished()) {
+    narrator_->know(load_factor_->known());
     load_factor_->attempt(attempting());
-  else
+  } else
     goes_on = in_time ? time_step(before) : load_step(before);
-  if (signalled_) {
+  if (stopped()) {
     state_ = before;
+    go_back(model_, before);
     interrupted();
     return false;
   }
@@ -168,7 +171,7 @@ bool Run::load_step(const ContactState& before) {
   const LoadStepBook book(model_, step_, start, load_, construction_.let_go());
   theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
-  if (signalled_) return false;
+  if (stopped()) return false;
   if (report.newton.outcome != NewtonOutcome::converged) {
     recorder_->spend(report);
     narrator_->failed(report, stage, target);
@@ -218,7 +221,7 @@ bool Run::pass_in_time(const ContactState& start, const LoadIncrement& increment
   if (!model_.weakens() || failure_->collapse() || !can_settle_in_time(model_)) return false;
   narrator_->say("  Statics leads nowhere: let go in time.");
   auto settled = settle_in_time(model_, step_, start, increment, std::numeric_limits<int>::max());
-  if (signalled_) return false;
+  if (stopped()) return false;
   recorder_->spend(settled.counts);
   if (settled.verdict == Verdict::undecided) return false;
   if (settled.verdict == Verdict::collapse) {
@@ -248,14 +251,14 @@ bool Run::time_step(const ContactState& before) {
   narrator_->begin(recorder_->summary().steps + 1, stage, time, steps_.progress());
   Teuchos::Time clock("step", true);
   const auto report = advance(*dynamics_, state_, {load, prescribed});
-  if (signalled_) return false;
+  if (stopped()) return false;
   const double seconds = clock.totalElapsedTime(true);
   if (report.step.newton.outcome != NewtonOutcome::converged) {
     recorder_->spend(report.step);
     narrator_->failed(report.step, stage, time);
     const auto failed = std::exchange(state_, before);
     if (control_->halve()) {
-      narrator_->say("  Time step halved to " + number_text(control_->time_step()) + " s.");
+      narrator_->say("  Time step halved to " + six_digits(control_->time_step()) + " s.");
       return true;
     }
     return fail({failed, report.step, dynamics_->mechanism(), steps_.target(), false}, steps_.target());
@@ -313,7 +316,7 @@ bool Run::in_range(const StepEnd& end, const ContactState& before) {
 }
 
 bool Run::fail(const Failure& failure, double last) {
-  if (signalled_) return false;  // what was given up tells nothing
+  if (stopped()) return false;  // what was given up tells nothing
   auto& summary = recorder_->summary();
   // What the step took in vain is of this run, not of the state before it, from which another may go on.
   const auto in_vain = std::exchange(recorder_->so_far().in_vain, {});
@@ -321,11 +324,11 @@ bool Run::fail(const Failure& failure, double last) {
   recorder_->so_far().in_vain = in_vain;
   summary.outcome = failure.collapse() ? Outcome::collapse : Outcome::not_converged;
   summary.load_factor = steps_.reached();
-  summary.message = "stage '" + steps_.stage() + "', load factor " + std::to_string(failure.target) + ": " +
-                    failure.report.newton.reason;
+  summary.message =
+      "stage '" + steps_.stage() + "', load factor " + six_digits(failure.target) + ": " + failure.report.newton.reason;
   if (!failure.collapse()) return false;
   if (last < failure.target)
-    summary.message += "; smaller steps, down to load factor " + std::to_string(last) + ", could not be decided";
+    summary.message += "; smaller steps, down to load factor " + six_digits(last) + ", could not be decided";
   recorder_->record_mechanism(failure.mechanism, failure.state, steps_.stage(), failure.target);
   summary.mechanism = largest_mover(model_, failure.mechanism);
   summary.mechanism->dilates = failure.dilates;
@@ -348,8 +351,12 @@ void Run::keep_last_state() {
 
 const RunSummary& Run::interrupted() {
   saved_.save(here());
-  recorder_->summary().outcome = Outcome::interrupted;
-  return recorder_->summary();
+  auto& summary = recorder_->summary();
+  summary.outcome = Outcome::interrupted;
+  summary.load_factor = steps_.finished() ? summary.load_factor : steps_.reached();
+  summary.message = what_is_known(stop_wanted_, steps_, load_factor_.get(), summary);
+  if (load_factor_ && steps_.finished()) summary.collapse = load_factor_->bracket();
+  return summary;
 }
 
 void Run::restore(Record& so_far) {

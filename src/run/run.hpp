@@ -22,6 +22,7 @@
 #include "run/settling_in_time.hpp"
 #include "run/simulation.hpp"
 #include "run/static_theorem.hpp"
+#include "run/stop_signals.hpp"
 #include "time/dynamic_step.hpp"
 
 namespace voussoir {
@@ -107,6 +108,10 @@ class Run {
   /// The results of a run that is done do not depend on whether its state can be kept.
   void keep_last_state();
 
+  /// A step that was given up, or one that would follow, does not count.
+  bool stopped() const { return stop_wanted_ != Stop::no; }
+
+  /// Saves the state, then says what is known.
   const RunSummary& interrupted();
 
   void restore(Record& so_far);
@@ -125,7 +130,7 @@ class Run {
   ContactState state_;
   Construction construction_;
   StaticTheorem theorem_;
-  bool signalled_ = false;            ///< within a step, which is given up
+  Stop stop_wanted_ = Stop::no;       ///< within a step, which is given up
   Progress::Question refuse_, stop_;  ///< what no forces can bear is not tried; a signal ends a step
   RangeCheck range_;
   std::unique_ptr<LoadFactorAnalysis> load_factor_;  ///< where the scene asks for one

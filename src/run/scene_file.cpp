@@ -13,6 +13,7 @@ namespace voussoir {
 void write_scene_file(const Scene& scene, const std::string& folder, const Teuchos::Comm<int>& comm) {
   on_first_rank(comm, [&] {
     std::filesystem::remove(folder + "/" + result_file);
+    if (std::filesystem::remove(folder + "/" + interrupted_file)) std::filesystem::remove(folder + "/" + joints_file);
     std::ostringstream text;
     write_scene(text, scene);
     replace_file(folder + "/scene.xml", text.str());

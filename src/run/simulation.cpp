@@ -37,9 +37,9 @@ void say_sizes(const Model& model, std::ostream& say) {
   for (const auto& remark : model.loads_at_work().remarks()) say << remark << "\n";
 }
 
-/// All steps, then what is told at the end of a run that was not interrupted.
+/// All steps, then what is told at the end, and of a run that was stopped what is known by then.
 RunSummary run_to_the_end(Run& run, const Scene& scene, const Model& model, const std::string& folder) {
-  if (run.all_steps().outcome == Outcome::interrupted) return run.summary();
+  const bool stopped = run.all_steps().outcome == Outcome::interrupted;
   run.write_joints(folder);
   auto summary = run.result();
   summary.seconds = run.seconds();
@@ -47,8 +47,8 @@ RunSummary run_to_the_end(Run& run, const Scene& scene, const Model& model, cons
   summary.partition = run.partition();
   const auto& comm = *model.structure().comm();
   summary.peak_memory = peak_memory_per_rank(comm);
-  write_result_json(folder + "/" + result_file, summary, comm);
-  run.end();
+  write_result_json(folder + "/" + (stopped ? interrupted_file : result_file), summary, comm);
+  if (!stopped) run.end();
   return summary;
 }
 

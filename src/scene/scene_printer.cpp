@@ -175,6 +175,7 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
           counted(scene.newton.largest_iterations, "linear solve") + " per step, " +
           counted(scene.load_steps.largest_halvings, "halving") +
           (scene.load_steps.expect_collapse ? ", collapse expected" : ""));
+  if (scene.load_steps.at_most > 0) row("at most", "", number_text(scene.load_steps.at_most) + " s of the clock");
   row("solver", "",
       scene.solver.method + ", for unsymmetric systems " + scene.solver.unsymmetric_method + ", at most " +
           counted(scene.solver.largest_iterations, "iteration"));

@@ -21,7 +21,7 @@ StepReport solve_load_step(Model& model, AdaptiveStep& step, ContactState& state
     if (turned <= numbers.negligible_turn) return report;
     if (round == numbers.rounds_of_rotations) {
       report.newton.outcome = NewtonOutcome::not_converged;
-      report.newton.reason = "stones turn by " + number_text(turned) +
+      report.newton.reason = "stones turn by " + three_digits(turned) +
                              " rad each time they are followed to where they "
                              "have turned to; smaller load steps may find where they stand";
       break;

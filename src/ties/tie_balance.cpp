@@ -253,8 +253,8 @@ Warnings held_by_ties(double share, int block, const std::string& when) {
   if (block < 0) return {};
   return {
       {"held_by_ties", "block " + std::to_string(block), when, share,
-       number_text(share) +
-           " of its load is borne by tied points beyond the law of their joints, and no round was "
+       three_digits(100 * share) +
+           " % of its load is borne by tied points beyond the law of their joints, and no round was "
            "left to release them: without ties it may fall; raise selection > largest rounds, or take selection > mode "
            "= all"}};
 }

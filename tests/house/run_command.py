@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -44,6 +45,32 @@ class RunRefuses(unittest.TestCase):
         done = run("--help")
         self.assertEqual(done.returncode, 0)
         self.assertIn("--ranks N", done.stdout)
+
+
+class ReadOnly(unittest.TestCase):
+    def test_a_build_that_cannot_be_written_to_is_run_as_it_is(self):
+        # Root may write anywhere, so that another user has to ask.
+        other = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"] if os.getuid() == 0 else []
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            built = root / "build" / "release" / "drivers" / "voussoir"
+            built.parent.mkdir(parents=True)
+            built.write_text("#!/bin/sh\n")
+            shutil.copy(house.ROOT / "cmake" / "setup.sh", root)
+            for path in (built, root / "setup.sh", *built.parents[:4]):
+                path.chmod(0o555)
+            done = subprocess.run([*other, "bash", "-c", "set -euo pipefail; voussoir_root=$1; . $1/setup.sh; "
+                                   "configure_and_build voussoir_program; echo went on", "bash", folder],
+                                  capture_output=True, text=True, check=False, env={"PATH": os.environ["PATH"]}, cwd="/")
+            for path in built.parents[:4]:
+                path.chmod(0o755)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Not built anew", done.stdout)
+        self.assertIn("went on", done.stdout)
+
+    def test_help_names_limit_analysis_and_the_time(self):
+        for option in ("--limit-analysis", "--at-most TIME"):
+            self.assertIn(option, run("--help").stdout)
 
 
 class MissingPackages(unittest.TestCase):

@@ -182,6 +182,19 @@ class Stopped(sweeps.SweepTest):
         # From its checkpoint, not from its beginning.
         self.assertIn("Going on after step", (self.folder / "sweep/runs/duration=0.2+every=50/run.log").read_text())
 
+    def test_a_run_whose_time_is_over_is_a_row_with_what_it_knows_and_goes_on(self):
+        scene = self.write(sweeps.wall(time=sweeps.SHAKEN))
+        lengths = []
+        for _ in range(2):
+            rows = voussoir.sweep(scene, {"steps/stages/rest/duration": [0.005, 60], "output/every": [100]}, out=self.folder / "sweep",
+                                  page=False, at_most="2s")
+            self.assertEqual([(row["outcome"], row["exit_code"]) for row in rows], [("equilibrium", 0), ("interrupted", 5)])
+            self.assertIn("stopped because its time was over after", rows[1]["message"])
+            self.assertEqual(rows[1]["stands"], "")
+            history = self.folder / "sweep/runs/duration=60+every=100/history.csv"
+            lengths.append(len(history.read_text().splitlines()))
+        self.assertGreater(lengths[1], lengths[0])
+
     def test_a_sweep_that_is_killed_loses_nothing(self):
         code, _ = self.begun_and(signal.SIGKILL)
         self.assertEqual(code, -signal.SIGKILL)
