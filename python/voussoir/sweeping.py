@@ -154,7 +154,7 @@ class Sweep:
         self.scene, self.inputs, self.together = program.find_scene(scene), inputs, together
         self.out = pathlib.Path(out if out is not None else pathlib.Path("out") / f"sweep-{self.scene.stem}").absolute()
         self.ranks, self.reports, self.envelope, self.overwrite = ranks, reports, envelope, overwrite
-        self.options, self.say, self.stopping = list(options), say, False
+        self.options, self.say, self.stopping, self.lock = list(options), say, False, None
         self.jobs = jobs or max(1, program.physical_cores() // ranks)
         combos = sweep_inputs.combinations(inputs, together)
         self.all = [Job(self, combo, name) for combo, name in zip(combos, sweep_inputs.folder_names(inputs, combos))]
@@ -211,6 +211,14 @@ class Sweep:
 
     def go(self):
         """All that is missing is run. The rows; KeyboardInterrupt goes on when all runs have saved their state."""
+        try:
+            return self._go()
+        finally:
+            if self.lock is not None:
+                os.close(self.lock)  # the same process may sweep here again
+                self.lock = None
+
+    def _go(self):
         goes_on = (self.out / "sweep.json").exists()
         if not goes_on:  # what is refused leaves no folder behind
             self.refuse_what_is_wrong()
