@@ -226,14 +226,6 @@ class WallsInSpace(program.SceneTest):
             self.assertEqual({k: v for k, v in ours.items() if k != "seconds"},
                              {k: v for k, v in theirs.items() if k != "seconds"})
 
-    def test_what_has_moved_far_is_told_to_be_unmeasured(self):
-        still = self.own_weight_and_push("adaptive")
-        self.assertNotIn("not_measured_in_space", still.warnings)
-        thrown = {"up": {"blocks": "course 0", "vx": 2.0}}
-        run = self.run_scene(scene(PRISM, {}, {"flight": {"duration": 0.05, "loads": {"weight": 1.0}}},
-                                   initial_velocities=thrown), out="thrown")
-        self.assertIn("not_measured_in_space", run.warnings)
-
     def test_what_is_of_the_plane_is_refused_by_name(self):
         for words, run in (
                 ("scene > model > thickness = 0.5 [m] is of plane meshes",

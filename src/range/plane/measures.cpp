@@ -8,7 +8,7 @@
 #include "range/plane/slip_range.hpp"
 #include "range/plane/stone_overlap.hpp"
 #include "range/plane/stone_places.hpp"
-#include "range/plane/turn_range.hpp"
+#include "range/turn_range.hpp"
 
 namespace voussoir {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "mesh/outline.hpp"
 #include "model/plane/plane_model.hpp"
+#include "range/stone_names.hpp"
 
 namespace voussoir {
 
@@ -39,25 +40,6 @@ inline Outline face_now(const Structure<2>& s, const std::vector<double>& u, int
   for (const auto& [a, b] : border_of(s.blocks()[block].mesh.cells))
     if (known(first + a) && known(first + b)) face.push_back({place_now(s, u, first + a), place_now(s, u, first + b)});
   return face;
-}
-
-/// Whether a support holds any component of a local block.
-inline bool is_held(const PlaneModel& model, int block) {
-  const auto& b = model.structure().blocks()[block];
-  const auto first = 2 * static_cast<std::size_t>(b.first_local), end = first + 2 * b.mesh.position.size();
-  bool any = false;
-  for (auto i = first; i < end; ++i) any |= model.held()[i] != 0;
-  return any;
-}
-
-inline std::string names_of(const PlaneModel& model, BlockId i, BlockId j) {
-  return model.source().block(i).name + " / " + model.source().block(j).name;
-}
-
-/// ", and in 3 other places"
-inline std::string and_in_others(std::size_t others) {
-  if (others == 0) return "";
-  return "; likewise in " + std::to_string(others) + (others == 1 ? " other place" : " other places");
 }
 
 /// To the millimetre.

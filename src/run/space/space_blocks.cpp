@@ -14,8 +14,8 @@ namespace {
 
 class SpaceAppraisal final : public Appraisal {
  public:
-  explicit SpaceAppraisal(const SpaceModel& model) : Appraisal(model), theorem_(model) {}
-  std::vector<RangeMeasure> measures() const override { return measures_in_space(model_); }
+  explicit SpaceAppraisal(const SpaceModel& model) : Appraisal(model), space_(model), theorem_(model) {}
+  std::vector<RangeMeasure> measures() const override { return measures_in_space(space_); }
   Warnings of_weakening_joints(const ContactState&, const std::string& when) const override {
     if (!model_.weakens()) return {};
     return {{"cells_not_measured", "joints", when, 0,
@@ -29,6 +29,7 @@ class SpaceAppraisal final : public Appraisal {
   }
 
  private:
+  const SpaceModel& space_;
   RigidTheorem<3> theorem_;
 };
 

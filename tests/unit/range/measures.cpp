@@ -10,7 +10,7 @@
 #include "range/plane/measures.hpp"
 #include "range/plane/slip_range.hpp"
 #include "range/plane/stone_overlap.hpp"
-#include "range/plane/turn_range.hpp"
+#include "range/turn_range.hpp"
 #include "support/tied_wall.hpp"
 
 namespace {

@@ -1,0 +1,114 @@
+#include "range/space/overlap_in_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "base/text.hpp"
+#include "linalg/gather.hpp"
+#include "linalg/reduce.hpp"
+#include "range/space/stone_surfaces.hpp"
+#include "range/stone_names.hpp"
+#include "range/turn_records.hpp"
+#include "stones/facets.hpp"
+#include "stones/overlaps.hpp"
+
+namespace voussoir {
+namespace {
+
+constexpr double counts_as_touching = 0.01;  ///< of the smallest side of a cell, as in the plane
+
+/// A stone with its surface in lists of all.
+struct SurfaceRecord {
+  BlockId block;
+  double growth;  ///< [m] by which a small rotation makes it larger
+  int points, faces;
+};
+
+/// How far stones have moved against each other at most [m]. Collective.
+double spread(const SpaceModel& model, const StepEnd& end) {
+  std::array<double, 6> range;
+  range.fill(-INFINITY);
+  for (int n = 0; n < model.structure().owned_nodes(); ++n)
+    for (int c = 0; c < 3; ++c) {
+      const double u = end.state.displacement[3 * static_cast<std::size_t>(n) + c];
+      range[2 * c] = std::max(range[2 * c], u);
+      range[2 * c + 1] = std::max(range[2 * c + 1], -u);
+    }
+  const auto all = largest_of_each(*model.structure().comm(), range);
+  return norm(Vector<3>{all[0] + all[1], all[2] + all[3], all[4] + all[5]});
+}
+
+/// The stones of all ranks where they are, the same on every rank. Collective.
+std::vector<StoneSurface> surfaces_of_all(const SpaceModel& model, const StepEnd& end,
+                                          std::vector<SurfaceRecord>& stones) {
+  const auto& s = model.structure();
+  const auto& u = end.state.displacement;
+  std::vector<SurfaceRecord> mine;
+  std::vector<Vector<3>> points;
+  std::vector<std::array<int, 4>> faces;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (!end.absent.empty() && end.absent[b]) continue;
+    const auto surface = surface_now(s, u, b);
+    const double turn = norm(turn_of(s, b, u));
+    mine.push_back({s.blocks()[b].id, turn * turn / 2 * extent(surface.points), static_cast<int>(surface.points.size()),
+                    static_cast<int>(surface.faces.size())});
+    points.insert(points.end(), surface.points.begin(), surface.points.end());
+    for (const auto& face : surface.faces)
+      faces.push_back({face[0], face[1], face[2], face.size() == 4 ? face[3] : -1});
+  }
+  constexpr WhyWhole surfaces_of_stones{"surfaces of stones, of a structure that has moved"};
+  stones = all_gather(mine, *s.comm(), surfaces_of_stones);
+  points = all_gather(points, *s.comm(), surfaces_of_stones);
+  faces = all_gather(faces, *s.comm(), surfaces_of_stones);
+  std::vector<StoneSurface> surfaces;
+  auto point = points.begin();
+  auto face = faces.begin();
+  for (const auto& stone : stones) {
+    StoneSurface surface;
+    surface.points.assign(point, point + stone.points);
+    for (auto f = face; f != face + stone.faces; ++f) {
+      surface.faces.emplace_back(f->begin(), f->end());
+      if (f->back() < 0) surface.faces.back().pop_back();
+    }
+    point += stone.points;
+    face += stone.faces;
+    surfaces.push_back(std::move(surface));
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+RangeFindings look_at_overlaps(const SpaceModel& model, const StepEnd& end, double smallest_side) {
+  const double touching = counts_as_touching * smallest_side;
+  // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
+  if (spread(model, end) <= touching) return {};
+  std::vector<SurfaceRecord> stones;
+  const auto surfaces = surfaces_of_all(model, end, stones);
+  auto found = overlaps(surfaces, touching);
+  const auto allowed = [&](const StoneOverlap& o) {
+    return o.depth <= touching + stones[o.stone[0]].growth + stones[o.stone[1]].growth;
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), allowed), found.end());
+  if (found.empty()) return {};
+  const auto key = [&](const StoneOverlap& o) {
+    const auto a = stones[o.stone[0]].block, b = stones[o.stone[1]].block;
+    return std::make_tuple(-o.depth, std::min(a, b), std::max(a, b));
+  };
+  const auto& worst =
+      *std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const auto [depth, a, b] = key(worst);
+  RangeFindings findings;
+  findings.warnings.push_back(
+      {"stones_overlap", names_of(model, a, b), end.when, worst.depth,
+       "these stones lie " + three_digits(worst.depth) +
+           " m in each other: contact is known between stones that are drawn touching, along the "
+           "joint they are drawn with; from where they met on, forces and motions are not those "
+           "of stones that press each other" +
+           and_in_others(found.size() - 1)});
+  return findings;
+}
+
+}  // namespace voussoir

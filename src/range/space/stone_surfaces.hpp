@@ -1,0 +1,28 @@
+// Surfaces of stones in space where a displacement has moved them.
+#pragma once
+
+#include <vector>
+
+#include "model/space/space_model.hpp"
+#include "stones/surface.hpp"
+
+namespace voussoir {
+
+inline Vector<3> place_now(const Structure<3>& s, const std::vector<double>& u, int node) {
+  return s.drawn_position()[node] + Vector<3>{u[3 * node], u[3 * node + 1], u[3 * node + 2]};
+}
+
+/// Where a side of a point is.
+inline Vector<3> place_now(const Structure<3>& s, const std::vector<double>& u, const PointOperator& p, Side side) {
+  Vector<3> place{};
+  p.each_of(side, [&](int node, double weight) { place = place + weight * place_now(s, u, node); });
+  return place;
+}
+
+/// Border of a local block, its faces outward.
+StoneSurface surface_now(const Structure<3>&, const std::vector<double>& u, int block);
+
+/// [m] How far a place is outside of a surface, 0 in it.
+double distance_outside(const StoneSurface&, const Vector<3>& place);
+
+}  // namespace voussoir

@@ -1,0 +1,99 @@
+"""What a run in space says where stones slip, turn and meet beyond what the model can tell.
+
+usage: range_in_space.py PROGRAM MPIEXEC
+
+Set-up    Piers of 0.6 x 0.6 x 3 m on a ground that turns; stones that are thrown along a slab and slide to rest by friction:
+          on a slab that goes on, over the edge of a table, into another stone.
+Expected  A pier is told to have turned by the share of the angle at which it topples, half its width over the height of its
+          mass centre, about an axis of its base or between two, whatever its number of stones, and the run ends from the
+          whole on. Slips beyond a cell are told, with where the force has left the stone below the run ends, and stones that
+          lie in each other are told.
+Tolerance 3 % of the share: in the bed of an elastic stone friction bears what its widening asks for, which turns too.
+"""
+
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import program  # noqa: E402  (a folder of its own)
+import solids  # noqa: E402
+from stones import xml  # noqa: E402
+
+GRAVITY, MU = 9.81, 0.6
+WIDTH, HEIGHT = 0.6, 3.0
+TOPPLES = WIDTH / HEIGHT  # [rad]
+OWN = {"loads": {"weight": 1.0}}
+
+
+def scene(supports, loads=None, stages=None, **sections):
+    tree = {"mesh": {"type": "stones", "stones": {"file": "stones.obj", "element size": 0.3}},
+            "materials": {"stone": {"Young modulus": 10e9, "Poisson ratio": 0.2, "density": 2000.0}},
+            "joints": {"dry": {"friction coefficient": MU}}, "supports": supports,
+            "loads": {"weight": {"type": "self weight", "gravity": GRAVITY}, **(loads or {})},
+            "steps": {"stages": stages or {"own weight": OWN}}, **{k.replace("_", " "): v for k, v in sections.items()}}
+    return xml("range", tree) + "\n"
+
+
+class RangeInSpace(program.SceneTest):
+    def run_stones(self, stones, text, **more):
+        (self.folder / "stones.obj").write_text(solids.obj({n: solids.box(*box) for n, box in stones.items()}), encoding="utf-8")
+        return self.run_scene(text, **more)
+
+    def lean(self, stones, share, degrees, **more):
+        """A pier on a ground that has turned by a share of the angle at which it topples."""
+        pier = {"ground": ((0, 0, -0.3), (WIDTH, WIDTH, 0))}
+        step = HEIGHT / stones
+        pier.update({f"stone {k}": ((0, 0, k * step), (WIDTH, WIDTH, (k + 1) * step)) for k in range(stones)})
+        a = math.radians(degrees)
+        turn = {"turn": {"type": "settlement", "support": "ground", "rotation": share * TOPPLES, "axis x": math.cos(a),
+                         "axis y": math.sin(a), "axis z": 0.0}}
+        return self.run_stones(pier, scene({"ground": {"on": "faces", "blocks": "ground"}}, turn,
+                                           {"own weight": OWN, "turn": {"loads": {"weight": 1.0, "turn": 1.0}}}), **more)
+
+    def told(self, run, what):
+        found = [w for w in run.result.get("warnings", []) if w["what"] == what]
+        self.assertTrue(found, run.said)
+        return found[-1]["how_much"]
+
+    def test_a_pier_that_leans_is_told_by_the_angle_at_which_it_topples(self):
+        for stones, degrees, ranks in ((1, 0, 1), (3, 90, 1), (3, 0, 2), (1, 45, 1)):
+            run = self.lean(stones, 0.4, degrees, out=f"{stones} {degrees} {ranks}", ranks=ranks)
+            self.assertEqual(run.outcome, "equilibrium", run.said)
+            expected = 0.4 * max(abs(math.cos(math.radians(degrees))), abs(math.sin(math.radians(degrees))))
+            self.assertLess(abs(self.told(run, "turn_beyond_first_order") - expected), 0.03 * expected, run.said)
+        upright = self.lean(1, 0.05, 0, out="upright")
+        self.assertNotIn("turn_beyond_first_order", upright.warnings)
+        fallen = self.lean(1, 1.05, 0, out="fallen")
+        self.assertEqual(fallen.outcome, "out_of_range", fallen.said)
+
+    def throw(self, stones, speed, seconds, **more):
+        flight = {"sliding": {"duration": seconds, "time step": 0.005, "loads": {"weight": 1.0}}}
+        return self.run_stones(stones, scene({"ground": {"on": "faces", "blocks": "ground"}}, stages={"own weight": OWN, **flight},
+                                             initial_velocities={"thrown": {"blocks": "thrown", "vx": speed}}), **more)
+
+    def test_a_stone_that_slides_beyond_its_cells(self):
+        slab = {"ground": ((-1, -0.5, -0.3), (2, 1, 0)), "thrown": ((0, 0, 0), (0.6, 0.6, 0.3))}
+        for ranks in (1, 2):
+            run = self.throw(slab, 2.5, 0.25, out=f"ranks {ranks}", ranks=ranks)
+            self.assertNotEqual(run.outcome, "out_of_range", run.said)
+            self.assertGreater(self.told(run, "slip_beyond_cell"), 0.3)
+        short = self.throw(slab, 0.5, 0.1, out="short")
+        self.assertEqual(short.warnings, [], short.said)
+
+    def test_a_stone_that_slides_off_a_table(self):
+        table = {"ground": ((-0.2, -0.2, -1), (0.8, 0.8, -0.7)), "table": ((0, 0, -0.7), (0.6, 0.6, 0)),
+                 "thrown": ((0, 0, 0), (0.6, 0.6, 0.3))}
+        run = self.throw(table, 4.0, 0.25)
+        self.assertEqual(run.outcome, "out_of_range", run.said)
+        self.assertIn("beyond the stone that bears it", run.words)
+
+    def test_stones_that_meet(self):
+        stones = {"ground": ((-1, -0.5, -0.3), (2, 1, 0)), "thrown": ((0, 0, 0), (0.6, 0.6, 0.3)),
+                  "other": ((0.7, 0, 0), (1.3, 0.6, 0.3))}
+        run = self.throw(stones, 2.0, 0.2)
+        self.assertLess(0.05, self.told(run, "stones_overlap"), run.said)
+
+
+if __name__ == "__main__":
+    program.main()
