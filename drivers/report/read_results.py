@@ -283,7 +283,7 @@ def read_results(folder):
             path = results.folder / "interrupted.json"  # what is known of a run that was stopped
         if not path.exists():
             if name == "joints.csv" and "hinges" not in (results.result.get("statics") or {}):
-                continue  # a run that ends in time, whose first step failed, or in space, where margins are not told
+                continue  # a run that ends in time, or whose first step failed
             results.remarks.append(f"{name} is missing: {loss}.")
             continue
         try:

@@ -95,7 +95,7 @@ def facts_asked_first(results):
     if isinstance(statics, dict) and "hinges" in statics:
         asked += [("Hinges / sliding joints", f"{count_text(statics.get('hinges'))} / {count_text(statics.get('sliding_joints'))}", "in the last equilibrium"),
                   ("Least margins", f"{margin_text(statics.get('least_edge_margin'))} / {margin_text(statics.get('least_friction_margin'))}",
-                   "of a resultant from its edge, of the joint's length; of friction")]
+                   "of a resultant from its edge, of the joint's width; of friction")]
     where = f"in stage “{stage}”" if stage else ""
     reached = ("Time reached", f"{last_row(results, 'time_s'):.4g} s", where) if results.ends_in_time else (
         "Load factor reached", short(load) or "not given", where)
@@ -271,21 +271,27 @@ def reaction_table(page, results):
                [[name] + [short(r.get(key), 5) for key in ("x_N", "y_N", "through_x_m", "through_y_m")] for name, r in reactions.items()], words=(0,))
 
 
-MARGIN_COLUMNS = (("normal force [N]", "normal_force_N"), ("shear [N]", "shear_N"), ("length [m]", "length_m"), ("eccentricity [m]", "eccentricity_m"),
-                  ("edge margin", "edge_margin"), ("friction margin", "friction_margin"), ("x [m]", "x_m"), ("y [m]", "y_m"))
+# Those that a table of the plane, or of space, has not are left out.
+MARGIN_COLUMNS = (("normal force [N]", "normal_force_N"), ("shear [N]", "shear_N"), ("twist [Nm]", "twist_Nm"), ("length [m]", "length_m"),
+                  ("area [m2]", "area_m2"), ("eccentricity [m]", "eccentricity_m"), ("edge margin", "edge_margin"),
+                  ("friction margin", "friction_margin"), ("x [m]", "x_m"), ("y [m]", "y_m"), ("z [m]", "z_m"))
 
 
 def margin_tables(page, results, how_many=10):
     """The joints nearest to their edges and to sliding, in the last equilibrium."""
+    columns = [(heading, key) for heading, key in MARGIN_COLUMNS if results.margins and key in results.margins[0]]
     for title, key in (("Joints nearest to opening at an edge", "edge_margin"), ("Joints nearest to sliding", "friction_margin")):
         rows = sorted((row for row in results.margins if number(row.get(key)) is not None), key=lambda row: number(row[key]))[:how_many]
         if rows:
             page.part(title)
-            page.table(["block", "block"] + [heading for heading, _ in MARGIN_COLUMNS],
+            page.table(["block", "block"] + [heading for heading, _ in columns],
                        [[block_name(results.mesh, int(row["block_i"])), block_name(results.mesh, int(row["block_j"]))]
-                        + [short(0 if abs(number(row.get(column)) or 0) < 1e-9 else row[column]) for _, column in MARGIN_COLUMNS] for row in rows],
+                        + [short(0 if abs(number(row.get(column)) or 0) < 1e-9 else row[column]) for _, column in columns] for row in rows],
                        words=(0, 1))
     if results.margins:
-        page.words("Edge margin: distance of the pressure from the nearer edge over the length of the joint, 0.5 in the middle, 0 at the edge, where a "
-                   "hinge forms. Friction margin: share of the strength in shear that is left, 0 when the joint slides. A joint that bends is measured "
+        in_space = "area_m2" in results.margins[0]
+        page.words("Edge margin: distance of the pressure from the nearer edge over the "
+                   + ("width of the joint across that edge; edges are those of the convex hull of the joint" if in_space else "length of the joint")
+                   + ", 0.5 in the middle, 0 at the edge, where a hinge forms. Friction margin: share of the strength in shear"
+                   + (" and twist" if in_space else "") + " that is left, 0 when the joint slides. A joint that bends is measured "
                    "as if it were straightened; of one with corners the side with the least is told. All joints are in joints.csv.")

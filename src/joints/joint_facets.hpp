@@ -9,8 +9,10 @@
 namespace voussoir {
 
 /// Facets between owned points, per joint of this rank, as numbers of points within the joint. A point is at the node
-/// of the side that is one node, of block i where both are.
-std::vector<std::vector<FacetOfJoint>> facets_of_joints(const BlockSource<2>&, const Structure<2>&,
-                                                        const ContactPoints&);
+/// of the side that is one node, of block i where both are. Where a node has two points of a joint, a facet has the one
+/// whose side it is of.
+template <int dim>
+std::vector<std::vector<FacetOfJoint<dim>>> facets_of_joints(const BlockSource<dim>&, const Structure<dim>&,
+                                                             const ContactPoints&);
 
 }  // namespace voussoir

@@ -33,8 +33,9 @@ std::string CrowdParameters::summary() const {
 std::optional<FacetsOfLoad> CrowdParameters::facets() const {
   FacetsOfLoad facets{on, blocks};
   facets.adds_up = true;
-  facets.reaches = [from = x_from, to = x_to](const Vector<2>& a, const Vector<2>& b) {
-    return has_width(a, b) && std::max(a[0], b[0]) > from && std::min(a[0], b[0]) < to;
+  facets.reaches = [part = *this](const Vector<3>& low, const Vector<3>& high) {
+    return has_width({low[0], low[2]}, {high[0], high[2]}) && high[0] > part.x_from && low[0] < part.x_to &&
+           high[1] > part.y_from && low[1] < part.y_to;
   };
   return facets;
 }

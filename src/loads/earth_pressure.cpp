@@ -53,9 +53,7 @@ std::string EarthPressureParameters::summary() const {
 
 std::optional<FacetsOfLoad> EarthPressureParameters::facets() const {
   FacetsOfLoad facets{on, blocks};
-  facets.reaches = [surface = surface](const Vector<2>& a, const Vector<2>& b) {
-    return std::min(a[1], b[1]) < surface;
-  };
+  facets.reaches = [surface = surface](const Vector<3>& low, const Vector<3>&) { return low[2] < surface; };
   return facets;
 }
 

@@ -32,8 +32,11 @@ struct FacetsOfLoad {
   std::string on, blocks;
   /// Whether forces on the two sides of a joint add up, so that one load would act twice; else they balance.
   bool adds_up = false;
-  /// Whether the load acts on a facet between two points [m] at all.
-  std::function<bool(const Vector<2>&, const Vector<2>&)> reaches = [](const auto&, const auto&) { return true; };
+  /// Whether the load acts on a facet at all, by the corners of the box around it [m]: along x, across (nothing in the
+  /// plane) and upwards. An upright facet has no extent along x.
+  std::function<bool(const Vector<3>& low, const Vector<3>& high)> reaches = [](const auto&, const auto&) {
+    return true;
+  };
 };
 
 /// A file that a load names; made absolute when the scene is read.

@@ -227,7 +227,9 @@ std::string MovingTrainParameters::summary() const {
 std::optional<FacetsOfLoad> MovingTrainParameters::facets() const {
   FacetsOfLoad facets{on, blocks};
   facets.adds_up = true;
-  facets.reaches = [](const Vector<2>& a, const Vector<2>& b) { return has_width(a, b); };
+  facets.reaches = [](const Vector<3>& low, const Vector<3>& high) {
+    return has_width({low[0], low[2]}, {high[0], high[2]});
+  };
   return facets;
 }
 

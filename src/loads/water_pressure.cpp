@@ -21,7 +21,7 @@ std::string WaterPressureParameters::summary() const {
 
 std::optional<FacetsOfLoad> WaterPressureParameters::facets() const {
   FacetsOfLoad facets{on, blocks};
-  facets.reaches = [level = level](const Vector<2>& a, const Vector<2>& b) { return std::min(a[1], b[1]) < level; };
+  facets.reaches = [level = level](const Vector<3>& low, const Vector<3>&) { return low[2] < level; };
   return facets;
 }
 

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "base/check.hpp"
-#include "mesh/border.hpp"
 
 namespace voussoir {
 namespace {
@@ -24,24 +23,35 @@ FacetSet facet_set(const BlockSource<dim>& source, const FacetNames& names) {
           every ? FacetSet::every : index_of(source.block_sets(), names.blocks)};
 }
 
-std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>& source, const FacetSet& set) {
+template <int dim>
+std::vector<TwoSidedFacet<dim>> two_sided_facets(const BlockSource<dim>& source, const FacetSet& set) {
+  constexpr std::size_t corners = TwoSidedFacet<dim>::corners;
   struct Side {
-    std::array<VertexId, 2> vertices;
+    std::array<VertexId, corners> vertices;  ///< ascending
     BlockId block;
-    std::array<Vector<2>, 2> x;
+    std::array<Vector<dim>, corners> x;
     bool operator<(const Side& o) const { return std::tie(vertices, block) < std::tie(o.vertices, o.block); }
   };
   std::vector<Side> sides;
   for (BlockId b = 0; b < source.block_count(); ++b) {
     const auto block = source.block(b);
-    for (const TaggedFacet& facet : block.facets)
-      if (set.has(block, facet)) {
-        const int i = facet.node[0], j = facet.node[1];
-        sides.push_back({ascending(block.vertex[i], block.vertex[j]), b, {block.position[i], block.position[j]}});
+    for (const TaggedFacet& facet : block.facets) {
+      if (!set.has(block, facet)) continue;
+      Side side;
+      side.block = b;
+      for (std::size_t k = 0; k < corners; ++k) {
+        side.vertices[k] = block.vertex[facet.node[k]];
+        side.x[k] = block.position[facet.node[k]];
       }
+      // A triangle has one vertex twice, whichever it is on either side: the largest of them on both.
+      const auto largest = *std::max_element(side.vertices.begin(), side.vertices.end());
+      if (corners == 4 && facet.count == 3) side.vertices[corners - 1] = largest;
+      std::sort(side.vertices.begin(), side.vertices.end());
+      sides.push_back(side);
+    }
   }
   std::sort(sides.begin(), sides.end());
-  std::vector<TwoSidedFacet<2>> both;
+  std::vector<TwoSidedFacet<dim>> both;
   for (std::size_t k = 0; k + 1 < sides.size(); ++k)
     if (sides[k].vertices == sides[k + 1].vertices && sides[k].block != sides[k + 1].block)
       both.push_back({sides[k].block, sides[k + 1].block, sides[k].x});
@@ -51,7 +61,8 @@ std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>& source, con
   return both;
 }
 
-bool has_facets(const BlockSource<2>& source, const FacetSet& set) {
+template <int dim>
+bool has_facets(const BlockSource<dim>& source, const FacetSet& set) {
   for (BlockId b = 0; b < source.block_count(); ++b) {
     const auto block = source.block(b);
     for (const TaggedFacet& facet : block.facets)
@@ -62,5 +73,9 @@ bool has_facets(const BlockSource<2>& source, const FacetSet& set) {
 
 template FacetSet facet_set(const BlockSource<2>&, const FacetNames&);
 template FacetSet facet_set(const BlockSource<3>&, const FacetNames&);
+template std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>&, const FacetSet&);
+template std::vector<TwoSidedFacet<3>> two_sided_facets(const BlockSource<3>&, const FacetSet&);
+template bool has_facets(const BlockSource<2>&, const FacetSet&);
+template bool has_facets(const BlockSource<3>&, const FacetSet&);
 
 }  // namespace voussoir

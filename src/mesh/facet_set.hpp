@@ -9,8 +9,8 @@
 
 namespace voussoir {
 
-/// The facets of a named set, of all blocks or of those of a named set alone. A curve between two stones belongs to
-/// both of them, so only the blocks tell its two sides apart.
+/// The facets of a named set, of all blocks or of those of a named set alone. A curve or surface between two stones
+/// belongs to both of them, so only the blocks tell its two sides apart.
 struct FacetSet {
   static constexpr int every = -1;
   int facets;          ///< index into BlockSource::facet_sets()
@@ -43,15 +43,28 @@ FacetSet facet_set(const BlockSource<dim>&, const FacetNames&);
 /// A facet of a joint of which a set has both sides, once.
 template <int dim>
 struct TwoSidedFacet {
-  BlockId block_i, block_j;      ///< ascending
-  std::array<Vector<dim>, 2> x;  ///< [m] its ends
-  double length() const { return norm(x[1] - x[0]); }
+  static constexpr int corners = 2 * (dim - 1);
+  BlockId block_i, block_j;            ///< ascending
+  std::array<Vector<dim>, corners> x;  ///< [m] its corners; a triangle has its last one twice
+  /// Normal to it, in space as long as its area [m2], in the plane as it is long [m].
+  Vector<dim> normal() const;
+  double size() const { return norm(normal()); }
 };
+template <>
+inline Vector<2> TwoSidedFacet<2>::normal() const {
+  return {x[1][1] - x[0][1], x[0][0] - x[1][0]};
+}
+template <>
+inline Vector<3> TwoSidedFacet<3>::normal() const {
+  return 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+}
 
 /// All facets of which a set has both sides, by blocks. Local, and the same on every rank; looks at every block.
-std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>&, const FacetSet&);
+template <int dim>
+std::vector<TwoSidedFacet<dim>> two_sided_facets(const BlockSource<dim>&, const FacetSet&);
 
 /// A facet of the set is there.
-bool has_facets(const BlockSource<2>&, const FacetSet&);
+template <int dim>
+bool has_facets(const BlockSource<dim>&, const FacetSet&);
 
 }  // namespace voussoir

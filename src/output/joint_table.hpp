@@ -1,24 +1,27 @@
-// joints.csv: what every joint carries at the end of a run in statics. src/output/README.md explains the columns.
+// joints.csv: what every joint carries at the end of a run in statics. src/output/joints.md explains the columns.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace voussoir {
 
-/// A row; plain data, so that ranks can exchange it. Forces are those of block i on block j.
+/// A row; plain data, so that ranks can exchange it. Forces are those of block i on block j. Places and forces have
+/// three components, in the plane too.
 struct JointRow {
   int block_i = 0, block_j = 0;
-  double x = 0, y = 0;                  ///< [m] middle of the joint
-  double length = 0;                    ///< [m]
-  double force_x = 0, force_y = 0;      ///< [N]
+  std::array<double, 3> middle{};       ///< [m]
+  double extent = 0;                    ///< [m] length; in space area [m2]
+  std::array<double, 3> force{};        ///< [N]
   double normal_force = 0, shear = 0;   ///< [N] compression positive; along the joint
-  double through_x = 0, through_y = 0;  ///< [m] where the resultant crosses the joint; NaN without compression
+  double twist = 0;                     ///< [N m] about its normal; none in the plane
+  std::array<double, 3> through{};      ///< [m] where the resultant crosses the joint; NaN without compression
   double eccentricity = 0;              ///< [m] from the middle; NaN without compression
   double edge_margin = 0;               ///< [-] 0.5 in the middle, 0 at the edge; NaN without compression
-  double edge_x = 0, edge_y = 0;        ///< [m] the edge from which it counts; NaN without one
+  std::array<double, 3> edge{};         ///< [m] the place of the edge from which it counts; NaN without one
   double friction_margin = 0;           ///< [-] 1 without shear, 0 sliding; NaN where none could be borne
-  double shear_x = 0, shear_y = 0;      ///< [m] middle of the side it is of; NaN without one
+  std::array<double, 3> least_shear{};  ///< [m] middle of the side it is of; NaN without one
   double opening = 0;                   ///< [m] widest
   double damage = 0;                    ///< [-] share of its strength that is lost, mean over its length
   double pressing = 0;                  ///< [N] sum of what its points press with; not in the file
@@ -27,6 +30,7 @@ struct JointRow {
 };
 
 /// Text of the file; a number that is not finite is an empty field.
-std::string joint_table(const std::vector<JointRow>&);
+/// @param components  2 in the plane, 3 in space
+std::string joint_table(const std::vector<JointRow>&, int components);
 
 }  // namespace voussoir

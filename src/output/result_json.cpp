@@ -55,20 +55,22 @@ Json load_factor_search(const CollapseSummary& c) {
 
 Json joints_and_supports(const StaticsSummary& s) {
   Json json;
-  const auto places = [](const std::vector<StaticsSummary::Place>& list) {
+  const auto places = [&](const std::vector<StaticsSummary::Place>& list) {
     Json all = Json::array();
-    for (const auto& p : list)
-      all.push_back({{"blocks", {p.block_i, p.block_j}}, {"x_m", p.x}, {"y_m", p.y}, {"opening_m", p.opening}});
+    for (const auto& p : list) {
+      Json place{{"blocks", {p.block_i, p.block_j}}};
+      for (int c = 0; c < s.components; ++c) place[std::string(1, "xyz"[c]) + "_m"] = p.place[c];
+      place["opening_m"] = p.opening;
+      all.push_back(place);
+    }
     return all;
   };
-  if (s.components == 2) {
-    json["hinges"] = s.hinges;
-    json["sliding_joints"] = s.sliding_joints;
-    json["least_edge_margin"] = s.least_edge_margin;
-    json["least_friction_margin"] = s.least_friction_margin;
-    json["widest_hinges"] = places(s.widest_hinges);
-    json["first_sliding"] = places(s.first_sliding);
-  }
+  json["hinges"] = s.hinges;
+  json["sliding_joints"] = s.sliding_joints;
+  json["least_edge_margin"] = s.least_edge_margin;
+  json["least_friction_margin"] = s.least_friction_margin;
+  json["widest_hinges"] = places(s.widest_hinges);
+  json["first_sliding"] = places(s.first_sliding);
   json["reactions"] = Json::object();
   for (const auto& [support, r] : s.reactions) {
     auto& reaction = json["reactions"][support];

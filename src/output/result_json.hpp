@@ -72,14 +72,14 @@ struct ReactionSummary {
 struct StaticsSummary {
   struct Place {
     int block_i = -1, block_j = -1;
-    double x = 0, y = 0;  ///< [m] where the resultant crosses the joint
-    double opening = 0;   ///< [m]
+    std::array<double, 3> place{};  ///< [m] where the resultant crosses the joint
+    double opening = 0;             ///< [m]
   };
   int hinges = 0, sliding_joints = 0;
   double least_edge_margin = 0, least_friction_margin = 0;  ///< [-]
   std::vector<Place> widest_hinges, first_sliding;          ///< no more than fifty of each
   std::map<std::string, ReactionSummary> reactions;         ///< by name of the support
-  int components = 2;  ///< of reactions; 3 in space, where nothing is told of joints
+  int components = 2;                                       ///< of places and reactions; 3 in space
 };
 
 /// How evenly ranks share the work; 0 and 1 on one rank.

@@ -6,7 +6,7 @@
 #include "mesh/mesh_check.hpp"
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
-#include "range/plane/joint_sides.hpp"
+#include "range/joint_sides.hpp"
 #include "stones/stone_source.hpp"
 
 namespace voussoir {
@@ -29,7 +29,7 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
   try {
     source = blocks_of<dim>(scene.mesh, *comm, trust);
     check_fit(scene, *source);
-    if constexpr (dim == 2) check_sides(scene, *source);
+    check_sides(scene, *source);
     std::vector<FacetNames> supported;
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))

@@ -10,7 +10,7 @@
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
 #include "range/idle_loads.hpp"
-#include "range/plane/joint_sides.hpp"
+#include "range/joint_sides.hpp"
 #include "range/space/stiff_stones.hpp"
 #include "range/support_warnings.hpp"
 #include "scene/scene.hpp"
@@ -222,10 +222,8 @@ Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source) {
   warn_of_sizes(scene, source, all);
   warn_of_lone_stones(scene, source, all);
   warn_of_strength_over_gaps(scene, all);
-  if constexpr (dim == 2)
-    append(all, warnings_of_sides(scene, source));
-  else
-    append(all, warnings_of_stiff_stones(scene, source));
+  append(all, warnings_of_sides(scene, source));
+  if constexpr (dim == 3) append(all, warnings_of_stiff_stones(scene, source));
   return all;
 }
 

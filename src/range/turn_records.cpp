@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/convex_hull.hpp"
 #include "base/plane_and_space.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
@@ -33,32 +33,17 @@ Vector<3> centre_of_mass(const Structure<dim>& s, int b) {
   return in_space(s.drawn_position()[block.first_local] + (1 / total) * sum);
 }
 
-/// How far points reach along a direction, from one end to the other [m].
-double reach(const std::vector<Vector<3>>& arms, const Vector<3>& along) {
-  double low = 0, high = 0;
-  for (const auto& arm : arms) {
-    low = std::min(low, dot(arm, along));
-    high = std::max(high, dot(arm, along));
-  }
-  return high - low;
-}
-
-/// The axes of the smallest rectangle around the points of a joint, to the degree, and half its sides, made as small as
-/// the joint is.
+/// The axes of the least rectangle around the points of a joint, and half its sides, made as small as the joint is.
 void find_lengths(const std::vector<Vector<3>>& arms, JointRecord& r) {
+  constexpr double round_off = 1e-9;  // of the joint
   const auto t = r.axis[1], u = r.axis[2];
-  double smallest = std::numeric_limits<double>::infinity();
-  for (int degrees = 0; degrees < 90; ++degrees) {
-    const double angle = degrees * std::acos(-1.0) / 180;
-    const auto along = std::cos(angle) * t + std::sin(angle) * u, across = cross(r.axis[0], along);
-    const double a = reach(arms, along), b = reach(arms, across);
-    if (!(a * b < smallest)) continue;
-    smallest = a * b;
-    r.axis[1] = along, r.axis[2] = across;
-    r.half = {a / 2, b / 2};
-  }
-  if (!(smallest > 0)) return;
-  for (double& half : r.half) half *= std::sqrt(r.area / smallest);
+  std::vector<Vector<2>> places;
+  for (const auto& arm : arms) places.push_back({dot(arm, t), dot(arm, u)});
+  const auto around = least_rectangle(places, round_off);
+  r.axis[1] = around.along[0] * t + around.along[1] * u;
+  r.axis[2] = cross(r.axis[0], r.axis[1]);
+  if (!(around.area() > 0)) return;
+  for (std::size_t a = 0; a < 2; ++a) r.half[a] = around.length[a] / 2 * std::sqrt(r.area / around.area());
 }
 
 /// What the points of a joint bear, about the centres of its stones.

@@ -1,6 +1,6 @@
 // What a run tells of its structure beside its steps. As it stands here it knows no geometry: it tells what moves most
-// and what supports bear. What edges, hinges and rigid stones of the plane tell is added by
-// run/plane/plane_appraisal, what is not measured in space by run/space/space_blocks.
+// and what supports bear. What joints, stones and ranges of the model tell is added where blocks are known
+// (run/scene_blocks).
 #pragma once
 
 #include <string>

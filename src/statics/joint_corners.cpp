@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "base/convex_hull.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 
 namespace voussoir {
@@ -45,39 +45,13 @@ Contacts corners(const RigidStructure<2>& s, const Contacts& joint) {
   return {*ends.first, *ends.second};
 }
 
-/// Those of the convex hull, which turns to the left at each by more than round-off (Andrew's monotone chain).
+/// Those of the convex hull.
 Contacts corners(const RigidStructure<3>& s, const Contacts& joint) {
   const auto& a = at(s, joint.front());
-  const double off = flat(s, a);
-  struct Place {
-    long long across;  ///< of places that are as far along one is not left of the other for its round-off
-    Vector<2> x;
-    int contact;
-  };
-  std::vector<Place> places;
-  for (const int k : joint) {
-    const auto x = tangential(on_axes(a, at(s, k).arm_i - a.arm_i));
-    places.push_back({std::llround(x[0] / off), x, k});
-  }
-  std::stable_sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
-    return std::make_pair(p.across, p.x[1]) < std::make_pair(q.across, q.x[1]);
-  });
-  std::vector<Place> hull;
-  const auto go = [&](const Place& p, std::size_t begin) {
-    while (hull.size() > begin) {
-      const auto &last = hull[hull.size() - 1].x, &before = hull[hull.size() - 2].x;
-      if (cross(last - before, p.x - last) > off * length(p.x - before)) break;
-      hull.pop_back();
-    }
-    if (length(p.x - hull.back().x) > off) hull.push_back(p);
-  };
-  hull.push_back(places.front());
-  for (const auto& p : places) go(p, 1);
-  const auto half = hull.size();
-  for (std::size_t k = places.size(); k-- > 0;) go(places[k], half);
+  std::vector<Vector<2>> places;
+  for (const int k : joint) places.push_back(tangential(on_axes(a, at(s, k).arm_i - a.arm_i)));
   Contacts found;
-  for (const auto& p : hull) found.push_back(p.contact);
-  if (found.size() > 1 && found.back() == found.front()) found.pop_back();
+  for (const int corner : convex_hull(places, flat(s, a))) found.push_back(joint[static_cast<std::size_t>(corner)]);
   return found;
 }
 

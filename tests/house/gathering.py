@@ -19,7 +19,7 @@ NO_CODE = re.compile(r"//[^\n]*|\"(?:[^\"\\\n]|\\.)*\"")
 BEHIND = ("src/linalg/gather.", "src/linalg/reduce.hpp", "src/linalg/traffic_mpi.cpp", "src/linalg/agree.hpp")
 SMALL = {
     "src/loads/deck.cpp", "src/loads/point_load.cpp", "src/model/patch_groups.cpp", "src/range/input_warnings.cpp",
-    "src/range/plane/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/range/space/slip_in_space.cpp", "src/results/mechanism_words.cpp",
+    "src/range/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/range/space/slip_in_space.cpp", "src/results/mechanism_words.cpp",
     "src/results/observations.cpp", "src/ties/tie_balance.cpp",
     "src/loads/time_series.cpp",  # a record of the ground
     "src/output/even_rows.cpp", "src/output/result_json.cpp",  # a number of each rank
@@ -29,7 +29,8 @@ WHOLE = {
     "src/mesh/block_list.cpp": "meshes of files",
     "src/mesh/partition.cpp": "the owner of each block",
     "src/range/plane/stone_overlap.cpp": "a box per stone at every step, once stones have moved",
-    "src/range/space/overlap_in_space.cpp": "surfaces of stones at recorded steps, once stones have moved",
+    "src/range/space/overlap_in_space.cpp": "a number per stone at recorded steps, once stones have moved",
+    "src/range/space/stone_surfaces.cpp": "surfaces of stones at recorded steps, once stones have moved",
     "src/range/turn_range.cpp": "stones and joints at every step, once stones have moved",
     "src/results/mesh_rows.cpp": "a count per block, once",
     "src/results/shares_of_ranks.cpp": "a number per block, once",

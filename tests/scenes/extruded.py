@@ -186,6 +186,45 @@ class Extruded(program.SceneTest):
         stages = {"three": OWN, "four": OWN, "three again": OWN}
         self.compare(plane(stages=stages, construction={"top": {"blocks": "course 3", "appears": "four", "disappears": "three again"}}))
 
+    def both(self, tree):
+        """A scene and its extrusion, run."""
+        return [self.run_scene(xml(name, t) + "\n", out=name) for name, t in (("plane", tree), ("space", in_space(tree)))]
+
+    def test_what_joints_carry(self):
+        # Depth and sides of the plane are those of space; held sides bear what would widen, and no friction acts across.
+        flat, solid = self.both(plane({"push": {"type": "acceleration", "ax": 0.3 * GRAVITY}}))
+        ours, theirs = flat.table("joints.csv"), solid.table("joints.csv")
+        self.assertEqual([(r["block_i"], r["block_j"]) for r in ours], [(r["block_i"], r["block_j"]) for r in theirs])
+        largest = max(abs(r["normal_force_N"]) for r in ours)
+        told = {"edge_margin": 0, "friction_margin": 0, "eccentricity_m": 0}
+        within = 1e-3  # [-], [m] how points share a force where three stones meet hangs on the way they were closed
+        for a, b in zip(ours, theirs):
+            if a["normal_force_N"] < 0.05 * largest:
+                continue
+            for column in ("x_m", "edge_x_m", "through_x_m", "opening_m", *told):
+                size = abs(a[column]) if column == "eccentricity_m" else a[column]
+                self.assertTrue(abs(size - b[column]) <= within or math.isnan(a[column]) and math.isnan(b[column]), (column, a, b))
+                if column in told:
+                    told[column] += not math.isnan(a[column])
+            for column, other in (("force_x_N", "force_x_N"), ("force_y_N", "force_z_N"), ("normal_force_N", "normal_force_N")):
+                self.assertLessEqual(abs(a[column] - b[other]), 1e-4 * largest, (column, a, b))
+            self.assertLessEqual(abs(a["length_m"] * THICKNESS - b["area_m2"]), 1e-12)
+            for column in ("sides", "hinge", "slides"):
+                self.assertEqual(a[column], b[column], (a, b))
+        self.assertGreater(min(told.values()), 5)
+        for key in ("hinges", "sliding_joints"):
+            self.assertEqual(flat.result["statics"][key], solid.result["statics"][key])
+
+    def test_joints_with_few_cells(self):
+        for push, strength in ((1.0, 2e4), (1.5, 3e4)):
+            tree = plane({"push": {"type": "acceleration", "ax": push * GRAVITY}}, joints={"tension strength": strength, "cohesion": 1e6})
+            told = [[w for w in run.result["warnings"] if w["what"] == "coarse_joint"] for run in self.both(tree)]
+            self.assertEqual([len(t) for t in told], [1, 1], told)
+            ours, theirs = told[0][0], told[1][0]
+            self.assertEqual((ours["where"], ours["when"]), (theirs["where"], theirs["when"]))
+            self.assertLessEqual(abs(ours["how_much"] - theirs["how_much"]), 1e-5 * ours["how_much"])
+            self.assertIn(" x 1 cells along it", theirs["text"])
+
     def test_the_factor_of_a_push(self):
         tree = plane({"push": {"type": "acceleration", "ax": GRAVITY}}, {"own weight": OWN}, load_factor={"pattern": {"push": 1.0}, "accuracy": 0.01})
         flat = self.run_scene(xml("plane", tree) + "\n", out="plane")

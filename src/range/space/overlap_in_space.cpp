@@ -19,13 +19,6 @@ namespace {
 
 constexpr double counts_as_touching = 0.01;  ///< of the smallest side of a cell, as in the plane
 
-/// A stone with its surface in lists of all.
-struct SurfaceRecord {
-  BlockId block;
-  double growth;  ///< [m] by which a small rotation makes it larger
-  int points, faces;
-};
-
 /// How far stones have moved against each other at most [m]. Collective.
 double spread(const SpaceModel& model, const StepEnd& end) {
   std::array<double, 6> range;
@@ -40,43 +33,16 @@ double spread(const SpaceModel& model, const StepEnd& end) {
   return norm(Vector<3>{all[0] + all[1], all[2] + all[3], all[4] + all[5]});
 }
 
-/// The stones of all ranks where they are, the same on every rank. Collective.
-std::vector<StoneSurface> surfaces_of_all(const SpaceModel& model, const StepEnd& end,
-                                          std::vector<SurfaceRecord>& stones) {
+/// [m] By which a small rotation makes every stone larger, as surfaces_of_all() has them. Collective.
+std::vector<double> growth_of_all(const SpaceModel& model, const StepEnd& end) {
   const auto& s = model.structure();
-  const auto& u = end.state.displacement;
-  std::vector<SurfaceRecord> mine;
-  std::vector<Vector<3>> points;
-  std::vector<std::array<int, 4>> faces;
+  std::vector<double> growth;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!end.absent.empty() && end.absent[b]) continue;
-    const auto surface = surface_now(s, u, b);
-    const double turn = norm(turn_of(s, b, u));
-    mine.push_back({s.blocks()[b].id, turn * turn / 2 * extent(surface.points), static_cast<int>(surface.points.size()),
-                    static_cast<int>(surface.faces.size())});
-    points.insert(points.end(), surface.points.begin(), surface.points.end());
-    for (const auto& face : surface.faces)
-      faces.push_back({face[0], face[1], face[2], face.size() == 4 ? face[3] : -1});
+    const double turn = norm(turn_of(s, b, end.state.displacement));
+    growth.push_back(turn * turn / 2 * extent(surface_now(s, end.state.displacement, b).points));
   }
-  constexpr WhyWhole surfaces_of_stones{"surfaces of stones, of a structure that has moved"};
-  stones = all_gather(mine, *s.comm(), surfaces_of_stones);
-  points = all_gather(points, *s.comm(), surfaces_of_stones);
-  faces = all_gather(faces, *s.comm(), surfaces_of_stones);
-  std::vector<StoneSurface> surfaces;
-  auto point = points.begin();
-  auto face = faces.begin();
-  for (const auto& stone : stones) {
-    StoneSurface surface;
-    surface.points.assign(point, point + stone.points);
-    for (auto f = face; f != face + stone.faces; ++f) {
-      surface.faces.emplace_back(f->begin(), f->end());
-      if (f->back() < 0) surface.faces.back().pop_back();
-    }
-    point += stone.points;
-    face += stone.faces;
-    surfaces.push_back(std::move(surface));
-  }
-  return surfaces;
+  return all_gather(growth, *s.comm(), WhyWhole{"a number per stone, of a structure that has moved"});
 }
 
 }  // namespace
@@ -85,11 +51,13 @@ RangeFindings look_at_overlaps(const SpaceModel& model, const StepEnd& end, doub
   const double touching = counts_as_touching * smallest_side;
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
   if (spread(model, end) <= touching) return {};
-  std::vector<SurfaceRecord> stones;
-  const auto surfaces = surfaces_of_all(model, end, stones);
+  auto stones = surfaces_of_all(model, end, [](const Box<3>&) { return true; });
+  const auto growth = growth_of_all(model, end);
+  std::vector<StoneSurface> surfaces;
+  for (auto& stone : stones) surfaces.push_back(std::move(stone.surface));
   auto found = overlaps(surfaces, touching);
   const auto allowed = [&](const StoneOverlap& o) {
-    return o.depth <= touching + stones[o.stone[0]].growth + stones[o.stone[1]].growth;
+    return o.depth <= touching + growth[o.stone[0]] + growth[o.stone[1]];
   };
   found.erase(std::remove_if(found.begin(), found.end(), allowed), found.end());
   if (found.empty()) return {};

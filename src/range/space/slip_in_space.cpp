@@ -14,8 +14,9 @@
 namespace voussoir {
 namespace {
 
-// As in the plane (range/plane/slip_range): what solvers leave, and what a point stands for of a cell.
-constexpr double negligible = 1e-6, share_of_a_cell = 0.5;
+// As in the plane (range/plane/slip_range): what solvers leave, what a point stands for of a cell, the share of a
+// joint's force that may pass where no face is, and the cosine within which a force adds to a stone's own loads.
+constexpr double negligible = 1e-6, share_of_a_cell = 0.5, borne_by_nothing = 0.1, weighs = 0.5;
 
 /// A joint whose points have slipped beyond their cells.
 struct LongSlip {
@@ -23,8 +24,19 @@ struct LongSlip {
   int points;         ///< that have
   double slip, cell;  ///< [m] the longest beside its cell
   Vector<3> place;    ///< [m] where that is
-  double outside;     ///< [m] how far the resultant passes beyond a stone that must bear it; 0 where it does not
-  bool on_others;     ///< it passes where another stone is
+  double uncovered;   ///< [-] share of the force that passes beyond both stones
+  double outside;     ///< [m] how far the resultant passes beyond the other of its stones; 0 where it does not
+  bool on_others;     ///< part of it passes where other stones are
+  Box<3> around;      ///< [m] the nodes of both sides, and a cell around them
+
+  bool past_an_end() const { return uncovered > borne_by_nothing || outside > 0; }
+};
+
+/// The same on the rank that owns the joint, with its first point and the distances from each to the next one [m].
+struct OwnSlip {
+  LongSlip told;
+  int first;
+  std::vector<double> cells;
 };
 
 /// Distances from a point of a joint to the next one [m], per point.
@@ -39,68 +51,150 @@ std::vector<double> cells_of(const SpaceModel& model, int first, int last) {
   return cell;
 }
 
-/// How the resultant of what presses in a joint lies to one of its stones, carried along by the other.
-void look_at_stone(const SpaceModel& model, const StepEnd& end, int first, const std::vector<double>& cells,
-                   Side carries, LongSlip& told) {
+/// How a force that acts on nodes of one stone lies to the other.
+struct Footing {
+  double uncovered = 0;  ///< [-] share at points beyond the other by more than their cell
+  double outside = 0;    ///< [m] of the resultant beyond it, where that is more than half a cell
+  double on_others = 0;  ///< [-] share that is not uncovered because further stones are there
+};
+
+/// @param others  stones round about
+Footing footing_of(const SpaceModel& model, const StepEnd& end, const OwnSlip& slip, Side carries,
+                   const std::vector<PlacedSurface>& others) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
-  const auto& joint = model.points().joint_of(first);
+  const auto& joint = model.points().joint_of(slip.first);
   const int other = carries == Side::i ? joint.local_j : joint.local_i;
+  const auto stone = surface_now(s, u, other);
+  const auto is_on_another = [&](const Vector<3>& x, double within) {
+    return std::any_of(others.begin(), others.end(), [&](const PlacedSurface& o) {
+      return o.block != joint.block_i && o.block != joint.block_j && distance_outside(o.surface, x) <= within;
+    });
+  };
+  Footing footing;
   Vector<3> now{}, drawn{};
   double force = 0, cell = 0;
-  for (std::size_t n = 0; n < cells.size(); ++n) {
-    const auto k = first + static_cast<int>(n);
+  for (std::size_t n = 0; n < slip.cells.size(); ++n) {
+    const auto k = slip.first + static_cast<int>(n);
     const double normal = std::max(0.0, end.state.lambda[3 * static_cast<std::size_t>(k)]);
-    now = now + normal * place_now(s, u, model.points().at(k), carries);
+    if (!(normal > 0)) continue;
+    const auto x = place_now(s, u, model.points().at(k), carries);
+    now = now + normal * x;
     drawn = drawn + normal * model.points().at(k).place(carries, s.drawn_position());
-    cell += normal * cells[n];
+    cell += normal * slip.cells[n];
     force += normal;
+    if (!(distance_outside(stone, x) > slip.cells[n])) continue;
+    (is_on_another(x, slip.cells[n]) ? footing.on_others : footing.uncovered) += normal;
   }
-  if (!(force > 0)) return;
-  now = (1 / force) * now;
+  if (!(force > 0)) return {};
+  footing.uncovered /= force;
+  footing.on_others /= force;
   const double half = share_of_a_cell * cell / force;
   const std::vector<double> still(u.size(), 0.0);
   // Where a joint is not plane the resultant passes beside its faces as it is drawn.
-  const double away = distance_outside(surface_now(s, u, other), now) -
-                      distance_outside(surface_now(s, still, other), (1 / force) * drawn);
-  if (!(away > half)) return;
-  const int mine = carries == Side::i ? joint.local_i : joint.local_j;
-  for (int b = 0; b < s.local_blocks(); ++b) {
-    if (b == mine || b == other || (!end.absent.empty() && end.absent[b])) continue;
-    if (distance_outside(surface_now(s, u, b), now) > half) continue;
-    told.on_others = true;
-    return;
-  }
-  if (!is_held(model, other)) told.outside = std::max(told.outside, away);
+  const double away =
+      distance_outside(stone, (1 / force) * now) - distance_outside(surface_now(s, still, other), (1 / force) * drawn);
+  if (away > half && !is_on_another((1 / force) * now, half)) footing.outside = away;
+  return footing;
 }
 
-std::vector<LongSlip> long_slips(const SpaceModel& model, const StepEnd& end) {
+/// Whether what presses in a joint weighs on one of its stones as the stone's own loads do: it stands without.
+bool only_weighs_on(const SpaceModel& model, const StepEnd& end, const OwnSlip& slip, bool on_i) {
+  Vector<3> force{}, load{};
+  for (std::size_t n = 0; n < slip.cells.size(); ++n) {
+    const auto k = static_cast<std::size_t>(slip.first) + n;
+    force = force + (on_i ? -1 : 1) * std::max(0.0, end.state.lambda[3 * k]) * model.points().points()[k].axis[0];
+  }
+  const auto& joint = model.points().joint_of(slip.first);
+  const auto& block = model.structure().blocks()[on_i ? joint.local_i : joint.local_j];
+  for (int n = block.first_local; n < block.first_local + block.nodes; ++n)
+    load = load + Vector<3>{end.load[3 * n], end.load[3 * n + 1], end.load[3 * n + 2]};
+  return dot(force, load) > weighs * norm(force) * norm(load);
+}
+
+/// As in the plane: a stone that a support holds bears a force wherever it acts, and one that bears a stone which has
+/// gone on to others bears what is theirs.
+void look_at_stones(const SpaceModel& model, const StepEnd& end, OwnSlip& slip,
+                    const std::vector<PlacedSurface>& others) {
+  const auto& joint = model.points().joint_of(slip.first);
+  const auto i = footing_of(model, end, slip, Side::i, others), j = footing_of(model, end, slip, Side::j, others);
+  const auto bears_all = [&](int block, const Footing& of_the_other) {
+    return is_held(model, block) ||
+           (of_the_other.on_others > borne_by_nothing && only_weighs_on(model, end, slip, block == joint.local_i));
+  };
+  slip.told.uncovered = std::min(i.uncovered, j.uncovered);
+  slip.told.outside =
+      std::max(bears_all(joint.local_i, j) ? 0.0 : i.outside, bears_all(joint.local_j, i) ? 0.0 : j.outside);
+  slip.told.on_others = i.on_others > 0 || j.on_others > 0;
+}
+
+Box<3> box_around(const SpaceModel& model, const StepEnd& end, const OwnSlip& slip) {
+  Box<3> box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  for (std::size_t n = 0; n < slip.cells.size(); ++n)
+    for (const Side side : {Side::i, Side::j}) {
+      const auto x = place_now(model.structure(), end.state.displacement,
+                               model.points().at(slip.first + static_cast<int>(n)), side);
+      const Vector<3> cell{slip.cells[n], slip.cells[n], slip.cells[n]};
+      box.add({x - cell, x + cell});
+    }
+  return box;
+}
+
+std::vector<OwnSlip> long_slips(const SpaceModel& model, const StepEnd& end) {
   const auto& points = model.points();
   const double least = negligible * largest_normal_force(model, end.state.lambda);
   const auto gap = model.gaps(end.state.displacement, end.state.lambda);
   const auto slip = [&](int k) { return std::hypot(gap[3 * k + 1], gap[3 * k + 2]); };
   const auto presses = [&](int k) { return least > 0 && end.state.lambda[3 * k] > least; };
-  std::vector<LongSlip> found;
+  std::vector<OwnSlip> found;
   for (int first = 0, last = 0; first < points.owned(); first = last) {
     const int joint = points.points()[first].joint;
     bool far = false;  // by half the width of what a point stands for: looked at closely
     for (last = first; last < points.owned() && points.points()[last].joint == joint; ++last)
       far |= presses(last) && slip(last) > std::sqrt(points.points()[last].area) / 2;
     if (!far) continue;
-    const auto cells = cells_of(model, first, last);
-    LongSlip told{points.joints()[joint].block_i, points.joints()[joint].block_j, 0, 0, 0, {}, 0, false};
+    const auto& blocks = points.joints()[joint];
+    OwnSlip own{{blocks.block_i, blocks.block_j, 0, 0, 0, {}, 0, 0, false, {}}, first, cells_of(model, first, last)};
+    auto& told = own.told;
     for (int k = first; k < last; ++k) {
-      if (!presses(k) || !(slip(k) > cells[k - first])) continue;
+      if (!presses(k) || !(slip(k) > own.cells[k - first])) continue;
       ++told.points;
       if (slip(k) <= told.slip) continue;
-      told.slip = slip(k), told.cell = cells[k - first];
+      told.slip = slip(k), told.cell = own.cells[k - first];
       told.place = place_now(model.structure(), end.state.displacement, points.at(k), Side::i);
     }
     if (told.points == 0) continue;
-    for (const Side side : {Side::i, Side::j}) look_at_stone(model, end, first, cells, side, told);
-    found.push_back(told);
+    told.around = box_around(model, end, own);
+    look_at_stones(model, end, own, {});
+    found.push_back(std::move(own));
   }
   return found;
+}
+
+/// The slips of all ranks, the longest first. Collective.
+std::vector<LongSlip> slips_of_all(const SpaceModel& model, const StepEnd& end) {
+  auto mine = long_slips(model, end);
+  const auto gathered = [&] {
+    std::vector<LongSlip> told;
+    for (const auto& slip : mine) told.push_back(slip.told);
+    return all_gather(told, *model.structure().comm(), WhyWhole{"long slips"});
+  };
+  auto slips = gathered();
+  const auto past_an_end = [](const LongSlip& slip) { return slip.past_an_end(); };
+  if (std::any_of(slips.begin(), slips.end(), past_an_end)) {
+    // Where a slip has passed an end, stones of any rank may be.
+    const auto others = surfaces_of_all(model, end, [&](const Box<3>& box) {
+      return std::any_of(slips.begin(), slips.end(),
+                         [&](const LongSlip& slip) { return slip.past_an_end() && slip.around.overlaps(box); });
+    });
+    for (auto& slip : mine)
+      if (slip.told.past_an_end()) look_at_stones(model, end, slip, others);
+    slips = gathered();
+  }
+  std::sort(slips.begin(), slips.end(), [](const LongSlip& a, const LongSlip& b) {
+    return std::make_tuple(-a.slip, a.block_i, a.block_j) < std::make_tuple(-b.slip, b.block_i, b.block_j);
+  });
+  return slips;
 }
 
 std::string text(const Vector<3>& x) {
@@ -110,11 +204,8 @@ std::string text(const Vector<3>& x) {
 }  // namespace
 
 RangeFindings look_at_slips(const SpaceModel& model, const StepEnd& end) {
-  auto slips = all_gather(long_slips(model, end), *model.structure().comm(), WhyWhole{"long slips"});
+  const auto slips = slips_of_all(model, end);
   if (slips.empty()) return {};
-  std::sort(slips.begin(), slips.end(), [](const LongSlip& a, const LongSlip& b) {
-    return std::make_tuple(-a.slip, a.block_i, a.block_j) < std::make_tuple(-b.slip, b.block_i, b.block_j);
-  });
   const auto on_others = std::count_if(slips.begin(), slips.end(), [](const LongSlip& s) { return s.on_others; });
   const auto& worst = slips.front();
   RangeFindings found;
@@ -123,20 +214,22 @@ RangeFindings look_at_slips(const SpaceModel& model, const StepEnd& end) {
        std::to_string(worst.points) + (worst.points == 1 ? " point that presses has" : " points that press have") +
            " slipped by up to " + three_digits(worst.slip) + " m, near " + text(worst.place) + ", where points are " +
            three_digits(worst.cell) +
-           " m apart: contact stays with the nodes that were drawn together, so forces of this joint are those of "
-           "pieces "
-           "of face that are no longer opposite" +
+           " m apart: contact stays with the nodes that were drawn together, so forces and margins of this joint are "
+           "those of pieces of face that are no longer opposite" +
            and_in_others(slips.size() - 1) +
            (on_others == 0 ? ""
                            : "; the force of " + std::to_string(on_others) +
-                                 (on_others == 1 ? " joint passes" : " joints passes") +
+                                 (on_others == 1 ? " joint passes" : " joints passes in part") +
                                  " where another stone is, and still acts on the one that was drawn there")});
   for (const auto& s : slips) {
-    if (!(s.outside > 0)) continue;
+    if (!s.past_an_end()) continue;
+    const auto where = s.uncovered > borne_by_nothing
+                           ? three_digits(100 * s.uncovered) + " % of its force passes beyond both of its stones"
+                           : "its force passes " + three_digits(s.outside) + " m beyond the stone that it comes from";
     found.out_of_range = "joint " + names_of(model, s.block_i, s.block_j) + " has slipped by " + three_digits(s.slip) +
-                         " m, and its force passes " + three_digits(s.outside) +
-                         " m beyond the stone that bears it: contact stays with the nodes that were drawn together, so "
-                         "whether the stones still bear each other there cannot be told";
+                         " m, and " + where +
+                         ": contact stays with the nodes that were drawn together, so whether the stones still bear "
+                         "each other there cannot be told";
     break;
   }
   return found;

@@ -1,9 +1,12 @@
 // Surfaces of stones in space where a displacement has moved them.
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "mesh/box_tree.hpp"
 #include "model/space/space_model.hpp"
+#include "range/range_check.hpp"
 #include "stones/surface.hpp"
 
 namespace voussoir {
@@ -18,6 +21,17 @@ inline Vector<3> place_now(const Structure<3>& s, const std::vector<double>& u, 
   p.each_of(side, [&](int node, double weight) { place = place + weight * place_now(s, u, node); });
   return place;
 }
+
+/// A stone with its surface where it is.
+struct PlacedSurface {
+  BlockId block;
+  StoneSurface surface;
+  Box<3> box;
+};
+
+/// Those of all ranks that are there and wanted by the box around them, the same on every rank. Collective.
+std::vector<PlacedSurface> surfaces_of_all(const SpaceModel&, const StepEnd&,
+                                           const std::function<bool(const Box<3>&)>& wanted);
 
 /// Border of a local block, its faces outward.
 StoneSurface surface_now(const Structure<3>&, const std::vector<double>& u, int block);

@@ -12,9 +12,9 @@ using namespace voussoir;
 constexpr double round_off = 1e-14;
 
 /// A joint from (0, 0) to (0, 2) with normal x, its points equally apart: forces and gaps from its lower end up.
-std::vector<PointOfJoint> upright(const std::vector<double>& normal_force, const std::vector<double>& shear,
-                                  const std::vector<double>& gap, double friction = 0.6) {
-  std::vector<PointOfJoint> points;
+std::vector<PointOfJoint<2>> upright(const std::vector<double>& normal_force, const std::vector<double>& shear,
+                                     const std::vector<double>& gap, double friction = 0.6) {
+  std::vector<PointOfJoint<2>> points;
   const auto n = static_cast<double>(normal_force.size() - 1);
   for (std::size_t k = 0; k < normal_force.size(); ++k)
     points.push_back(
@@ -25,7 +25,7 @@ std::vector<PointOfJoint> upright(const std::vector<double>& normal_force, const
 TEUCHOS_UNIT_TEST(JointStatics, UniformPressurePassesThroughTheMiddle) {
   const auto j = joint_statics(upright({1, 2, 1}, {0, 0, 0}, {0, 0, 0}));
   TEST_FLOATING_EQUALITY(j.normal_force, 4.0, round_off);
-  TEST_FLOATING_EQUALITY(j.length, 2.0, round_off);
+  TEST_FLOATING_EQUALITY(j.extent, 2.0, round_off);
   TEST_COMPARE(std::abs(j.eccentricity), <, round_off);
   TEST_FLOATING_EQUALITY(j.edge_margin, 0.5, round_off);
   TEST_FLOATING_EQUALITY(j.friction_margin, 1.0, round_off);
@@ -77,7 +77,7 @@ TEUCHOS_UNIT_TEST(JointStatics, TensionTakesTheResultantOutOfTheJoint) {
 
 TEUCHOS_UNIT_TEST(JointStatics, ABentJointHasTheMomentOfItsShearToo) {
   // Two faces at right angles with a stone in their corner: 1 N along x at (0, 1), 1 N along y at (1, 0).
-  std::vector<PointOfJoint> points{{{0, 1}, {1, 0}, 1, 0, 0, {0.6, 0, 0}}, {{1, 0}, {0, 1}, 1, 0, 0, {0.6, 0, 0}}};
+  std::vector<PointOfJoint<2>> points{{{0, 1}, {1, 0}, 1, 0, 0, {0.6, 0, 0}}, {{1, 0}, {0, 1}, 1, 0, 0, {0.6, 0, 0}}};
   const auto j = joint_statics(points);
   TEST_FLOATING_EQUALITY(j.normal_force, std::sqrt(2.0), round_off);
   TEST_COMPARE(std::abs(j.shear), <, round_off);
@@ -85,15 +85,15 @@ TEUCHOS_UNIT_TEST(JointStatics, ABentJointHasTheMomentOfItsShearToo) {
 }
 
 /// Facets between points that follow each other.
-std::vector<FacetOfJoint> chain(int points) {
-  std::vector<FacetOfJoint> facets;
+std::vector<FacetOfJoint<2>> chain(int points) {
+  std::vector<FacetOfJoint<2>> facets;
   for (int k = 0; k + 1 < points; ++k) facets.push_back({k + 1, k});
   return facets;
 }
 
 /// A bed along x whose facets fall by so many degrees one after the other; all points press with 1 N.
-std::vector<PointOfJoint> bent(const std::vector<double>& degrees, const std::vector<double>& shear) {
-  std::vector<PointOfJoint> points(degrees.size() + 1);
+std::vector<PointOfJoint<2>> bent(const std::vector<double>& degrees, const std::vector<double>& shear) {
+  std::vector<PointOfJoint<2>> points(degrees.size() + 1);
   for (std::size_t k = 0; k < points.size(); ++k) {
     Vector<2> normal{};
     for (std::size_t f = k > 0 ? k - 1 : 0; f < std::min(k + 1, degrees.size()); ++f) {
@@ -131,11 +131,11 @@ TEUCHOS_UNIT_TEST(JointStatics, NoMarginOfABentJointIsBelowZeroWhereItsPointsObe
 
 TEUCHOS_UNIT_TEST(JointStatics, AJointWithACornerHasTwoSidesAndTellsTheWeakerOne) {
   // A stone in a corner: 4 N on the bed along x, whose friction is spent, 2 N on the wall to its right, which holds.
-  std::vector<PointOfJoint> points{{{0, 0}, {0, 1}, 1, -0.6, 0, {0.6, 0, 0}},
-                                   {{2, 0}, {0, 1}, 3, -1.8, 0, {0.6, 0, 0}},
-                                   {{2, 0}, {-1, 0}, 1, 0.1, 0, {0.6, 0, 0}},
-                                   {{2, 1}, {-1, 0}, 1, 0.1, 0, {0.6, 0, 0}}};
-  const std::vector<FacetOfJoint> facets{{0, 1}, {2, 3}};
+  std::vector<PointOfJoint<2>> points{{{0, 0}, {0, 1}, 1, -0.6, 0, {0.6, 0, 0}},
+                                      {{2, 0}, {0, 1}, 3, -1.8, 0, {0.6, 0, 0}},
+                                      {{2, 0}, {-1, 0}, 1, 0.1, 0, {0.6, 0, 0}},
+                                      {{2, 1}, {-1, 0}, 1, 0.1, 0, {0.6, 0, 0}}};
+  const std::vector<FacetOfJoint<2>> facets{{0, 1}, {2, 3}};
   const auto j = joint_statics(points, facets);
   TEST_EQUALITY(j.sides, 2);
   TEST_COMPARE(std::abs(j.friction_margin), <, 1e-12);
@@ -156,7 +156,7 @@ TEUCHOS_UNIT_TEST(JointStatics, BondedPointsThatBearBeyondTheirLawLeaveNothing) 
 }
 
 TEUCHOS_UNIT_TEST(JointStatics, WhatRunsRoundHasNoEdge) {
-  std::vector<PointOfJoint> points;
+  std::vector<PointOfJoint<2>> points;
   for (int k = 0; k < 36; ++k) {
     const double a = 2 * 3.14159265358979 * k / 36;
     points.push_back({{std::cos(a), std::sin(a)}, {std::cos(a), std::sin(a)}, 1, 0.3, 0, {0.6, 0, 0}});

@@ -18,7 +18,7 @@ TEUCHOS_UNIT_TEST(FacetSet, ACurveBetweenStonesHasTwoSidesUnlessBlocksAreNamed) 
   for (const auto& facet : both) {
     TEST_EQUALITY(facet.block_i, 0);
     TEST_EQUALITY(facet.block_j, 1);
-    length += facet.length();
+    length += facet.size();
   }
   TEST_FLOATING_EQUALITY(length, 1.0, 1e-15);
   TEST_ASSERT(two_sided_facets(*source, facet_set(*source, {"joint", "west"})).empty());

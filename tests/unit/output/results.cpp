@@ -54,7 +54,8 @@ RunSummary complete_summary() {
   run.outcome = Outcome::collapse;
   run.message = "no equilibrium beyond this load";
   run.mechanism = MechanismSummary{7, "block 7", 0.25};
-  run.statics = StaticsSummary{1, 0, 0.25, 0.5, {{2, 3, 1.0, 2.0, 1e-3}}, {}, {{"ground", {{0.0, 1e3}, {0.5, 0.0}}}}};
+  run.statics =
+      StaticsSummary{1, 0, 0.25, 0.5, {{2, 3, {1.0, 2.0, 0.0}, 1e-3}}, {}, {{"ground", {{0.0, 1e3}, {0.5, 0.0}}}}};
   run.collapse = CollapseSummary{{{"push", 1.0}}, 0.36, 0.38, true, {{0.36, "equilibrium", 20}}, 0.39, 0.37};
   run.rigid = RigidSummary{0.5, {{"ground", {{{-1e3, 1e3}, {0, 2e3}, {0, 3e3}}}}}, 3, 1.5, false, 2.0};
   run.effects = {{"friction", EffectSummary{true, 3, 0.125, 48}}};

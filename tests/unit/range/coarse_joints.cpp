@@ -2,7 +2,7 @@
 //
 // Set-up    Beds of two cells of 0.125 m between one stone below and two on it, bent: stress goes linearly from s in
 //           tension on the left to s in compression on the right. Points at edges bear 2/3 of what the edges do.
-#include "range/plane/coarse_joints.hpp"
+#include "range/coarse_joints.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
@@ -31,7 +31,7 @@ Warnings said_at(double share_of_strength, double fracture_energy = 0) {
     const double side = (model.structure().position()[p.shares_i.first()][0] - middle) / 0.125;  // -1, 0, 1
     state.lambda[2 * k] = 2.0 / 3 * side * share_of_strength * strength * p.area;
   }
-  return coarse_joints(model, state, "a step");
+  return CoarseJoints<2>(model).look(state, "a step");
 }
 
 TEUCHOS_UNIT_TEST(CoarseJoints, TellOfAFamilyOnceByHowMuchItsStrengthMayBeOverrated) {

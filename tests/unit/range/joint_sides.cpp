@@ -1,13 +1,15 @@
 // Supports and loads on a curve between two stones.
 //
 // Set-up    Two squares of 1 m side by side; the curve between them is the set "seam", the outside of the right one
-//           "end". The left square is of the set "stones left", both are of "stones".
-#include "range/plane/joint_sides.hpp"
+//           "end". The left square is of the set "stones left", both are of "stones". In space two cubes likewise, the
+//           face between them cut into two triangles, each of which starts at another corner on either side.
+#include "range/joint_sides.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "base/error.hpp"
 #include "mesh/block_list.hpp"
+#include "mesh/facet_set.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -93,6 +95,88 @@ TEUCHOS_UNIT_TEST(JointSides, APressureOnBothSidesIsToldAndATractionRefused) {
   traction.blocks = "stones left";
   check_sides(scene, *source);
   TEST_ASSERT(warnings_of_sides(scene, *source).empty());
+}
+
+Block<3> cube(BlockId id, double left, const std::vector<VertexId>& vertices) {
+  Block<3> block;
+  block.id = id;
+  block.name = id == 0 ? "the left stone" : "the right stone";
+  for (int k = 0; k < 8; ++k)
+    block.position.push_back({left + (k % 4 == 1 || k % 4 == 2 ? 1.0 : 0.0), k % 4 > 1 ? 1.0 : 0.0, k > 3 ? 1.0 : 0.0});
+  block.vertex = vertices;
+  Cell cell;
+  cell.count = 8;
+  for (int i = 0; i < 8; ++i) cell.node[static_cast<std::size_t>(i)] = i;
+  block.cells = {cell};
+  return block;
+}
+
+TaggedFacet triangle(int a, int b, int c, int set) {
+  TaggedFacet f;
+  f.node = {a, b, c, c};
+  f.count = 3;
+  f.set = set;
+  return f;
+}
+
+std::unique_ptr<BlockSource<3>> two_cubes() {
+  BlockList<3> list;
+  list.blocks = {cube(0, 0, {0, 1, 2, 3, 4, 5, 6, 7}), cube(1, 1, {1, 8, 9, 2, 5, 10, 11, 6})};
+  list.block_sets = {"stones left", "stones"};
+  list.facet_sets = {"seam", "faces"};
+  list.blocks[0].sets = {0, 1};
+  list.blocks[1].sets = {1};
+  for (const int set : {0, 1})
+    for (auto* block : {&list.blocks[0], &list.blocks[1]}) {
+      const bool left = block->id == 0;
+      block->facets.push_back(left ? triangle(1, 2, 6, set) : triangle(7, 3, 0, set));
+      block->facets.push_back(left ? triangle(1, 6, 5, set) : triangle(0, 4, 7, set));
+    }
+  return make_source(std::move(list));
+}
+
+TEUCHOS_UNIT_TEST(JointSides, InSpaceAreThoseOfASurface) {
+  const auto source = two_cubes();
+  const auto both = two_sided_facets(*source, facet_set(*source, {"seam"}));
+  TEST_EQUALITY(both.size(), 2u);
+  for (const auto& facet : both) TEST_FLOATING_EQUALITY(facet.size(), 0.5, 1e-15);
+  auto said = warnings_of_sides(held("seam"), *source);
+  TEST_EQUALITY(said.size(), 1);
+  TEST_EQUALITY(said.front().what, "support_on_both_sides");
+  TEST_FLOATING_EQUALITY(said.front().how_much, 1.0, 1e-15);
+  TEST_ASSERT(said.front().text.find("blocks = \"stones left\"") != std::string::npos);
+  TEST_ASSERT(warnings_of_sides(held("seam", "stones left"), *source).empty());
+  TEST_EQUALITY(warnings_of_sides(held("faces"), *source).size(), 1);
+  TEST_ASSERT(warnings_of_sides(held("faces", "stones"), *source).empty());  // stones that are held whole
+  Scene scene = empty_scene();
+  add_pressure(scene, "seam", 1000);
+  said = warnings_of_sides(scene, *source);
+  TEST_EQUALITY(said.size(), 1);
+  TEST_EQUALITY(said.front().what, "pressure_on_both_sides");
+  std::get<TractionParameters>(scene.loads.back().kind).tz = 1000;
+  TEST_THROW(check_sides(scene, *source), InputError);
+}
+
+TEUCHOS_UNIT_TEST(JointSides, InSpaceAreReachedByALoadThatActsThere) {
+  const auto source = two_cubes();
+  Scene scene = empty_scene();
+  const auto said = [&](auto load) {
+    load.on = "seam";
+    LoadParameters named;
+    named.name = "load";
+    named.kind = load;
+    scene.loads = {named};
+    return warnings_of_sides(scene, *source).size();
+  };
+  WaterPressureParameters water;
+  water.level = 0.5;
+  TEST_EQUALITY(said(water), 1);
+  water.level = -0.5;
+  TEST_EQUALITY(said(water), 0);
+  CrowdParameters crowd;  // nobody stands on an upright face
+  crowd.x_from = -9, crowd.x_to = 9;
+  said(crowd);
+  check_sides(scene, *source);
 }
 
 TEUCHOS_UNIT_TEST(JointSides, ASideWithoutFacetsIsRefused) {

@@ -1,6 +1,7 @@
-#include "range/plane/joint_sides.hpp"
+#include "range/joint_sides.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/error.hpp"
@@ -15,14 +16,38 @@ constexpr std::size_t pairs_told = 3;  // a ring has dozens of joints with its f
 /// Joints both sides of which a support or load has.
 struct Sides {
   std::vector<std::pair<BlockId, BlockId>> stones;  ///< ascending, each pair once
-  double length = 0;                                ///< [m] of all of them
+  double size = 0;                                  ///< [m] length of all of them, in space [m2] area
 };
 
-Sides both_sides(const BlockSource<2>& source, const FacetsOfLoad& facets) {
+/// Corners of the box around a facet, as loads ask for them.
+template <int dim>
+std::pair<Vector<3>, Vector<3>> box_of(const TwoSidedFacet<dim>& facet) {
+  constexpr double no_width = 1e-9;  // of its size, as for the facets that loads act on
+  const auto in_order = [](const Vector<dim>& x) {
+    if constexpr (dim == 2)
+      return Vector<3>{x[0], 0, x[1]};
+    else
+      return x;
+  };
+  auto low = in_order(facet.x[0]), high = low;
+  for (const auto& corner : facet.x) {
+    const auto x = in_order(corner);
+    for (int c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], x[c]);
+      high[c] = std::max(high[c], x[c]);
+    }
+  }
+  if (dim == 3 && !(std::abs(facet.normal()[dim - 1]) > no_width * facet.size())) high[0] = low[0];
+  return {low, high};
+}
+
+template <int dim>
+Sides both_sides(const BlockSource<dim>& source, const FacetsOfLoad& facets) {
   Sides sides;
   for (const auto& facet : two_sided_facets(source, facet_set(source, {facets.on, facets.blocks}))) {
-    if (!facets.reaches(facet.x[0], facet.x[1])) continue;
-    sides.length += facet.length();
+    const auto box = box_of(facet);
+    if (!facets.reaches(box.first, box.second)) continue;
+    sides.size += facet.size();
     const auto pair = std::make_pair(facet.block_i, facet.block_j);
     if (sides.stones.empty() || sides.stones.back() != pair) sides.stones.push_back(pair);
   }
@@ -30,7 +55,8 @@ Sides both_sides(const BlockSource<2>& source, const FacetsOfLoad& facets) {
 }
 
 /// "the joint between surface 1 (bed) and surface 2 (stone)", and how many more.
-std::string in_words(const BlockSource<2>& source, const Sides& sides) {
+template <int dim>
+std::string in_words(const BlockSource<dim>& source, const Sides& sides) {
   const auto& pairs = sides.stones;
   std::string text = pairs.size() == 1 ? "the joint" : "the joints";
   for (std::size_t k = 0; k < std::min(pairs.size(), pairs_told); ++k)
@@ -41,7 +67,8 @@ std::string in_words(const BlockSource<2>& source, const Sides& sides) {
 }
 
 /// Sets of blocks that have one side of the joints and not the other, with the word "or" between them.
-std::string sets_of_one_side(const BlockSource<2>& source, const Sides& sides) {
+template <int dim>
+std::string sets_of_one_side(const BlockSource<dim>& source, const Sides& sides) {
   std::set<int> one, both;
   for (const auto& [i, j] : sides.stones) {
     const auto a = source.block(i).sets, b = source.block(j).sets;
@@ -54,16 +81,20 @@ std::string sets_of_one_side(const BlockSource<2>& source, const Sides& sides) {
   return text;
 }
 
-std::string how_to_say_it(const BlockSource<2>& source, const Sides& sides) {
+template <int dim>
+std::string how_to_say_it(const BlockSource<dim>& source, const Sides& sides) {
   const std::string sets = sets_of_one_side(source, sides);
   if (!sets.empty()) return "say which side is meant: blocks = " + sets;
-  return "say which side is meant by the key blocks, a set of blocks that holds one of the two stones: no set of this "
-         "mesh does, so put one of them into a physical surface of its own";
+  return std::string(
+             "say which side is meant by the key blocks, a set of blocks that holds one of the two stones: no "
+             "set of this mesh does, so ") +
+         (dim == 2 ? "put one of them into a physical surface of its own" : "put one of them into a group of its own");
 }
 
 /// The side that is named has facets.
+template <int dim>
 void check_side(const std::string& where, const std::string& on, const std::string& blocks,
-                const BlockSource<2>& source) {
+                const BlockSource<dim>& source) {
   if (blocks.empty() || blocks == "all" || has_facets(source, facet_set(source, {on, blocks}))) return;
   throw InputError(where + " > blocks = " + in_quotes(blocks) + "\n  has no facet of " + in_quotes(on) +
                    " (the key says whose facets of the set are meant).\n"
@@ -72,7 +103,8 @@ void check_side(const std::string& where, const std::string& on, const std::stri
 
 }  // namespace
 
-void check_sides(const Scene& scene, const BlockSource<2>& source) {
+template <int dim>
+void check_sides(const Scene& scene, const BlockSource<dim>& source) {
   for (const auto& [name, support] : scene.supports)
     check_side(scene.file + ": scene > supports > " + name, support.on, support.blocks, source);
   for (const auto& load : scene.loads) {
@@ -81,7 +113,7 @@ void check_sides(const Scene& scene, const BlockSource<2>& source) {
     const std::string where = scene.file + ": scene > loads > " + load.name;
     check_side(where, facets->on, facets->blocks, source);
     // The named sets of generators lie on the outside.
-    if (!facets->adds_up || scene.mesh.type != MeshType::gmsh) continue;
+    if (!facets->adds_up || !scene.mesh.from_file()) continue;
     const auto sides = both_sides(source, *facets);
     if (sides.stones.empty()) continue;
     std::string advice = how_to_say_it(source, sides);
@@ -93,15 +125,16 @@ void check_sides(const Scene& scene, const BlockSource<2>& source) {
   }
 }
 
-Warnings warnings_of_sides(const Scene& scene, const BlockSource<2>& source) {
+template <int dim>
+Warnings warnings_of_sides(const Scene& scene, const BlockSource<dim>& source) {
   Warnings all;
-  if (scene.mesh.type != MeshType::gmsh) return all;
+  if (!scene.mesh.from_file()) return all;
   const auto ask = [&](const std::string& what, const std::string& where, const FacetsOfLoad& facets,
                        const std::string& consequence) {
     if (facets.blocks == "all") return;
     const auto sides = both_sides(source, facets);
     if (sides.stones.empty()) return;
-    all.push_back({what, scene.file + ": scene > " + where, "", sides.length,
+    all.push_back({what, scene.file + ": scene > " + where, "", sides.size,
                    "its set " + in_quotes(facets.on) + " has both sides of " + in_words(source, sides) + ", so that " +
                        consequence + "; " + how_to_say_it(source, sides) + ", or blocks = \"all\" for both"});
   };
@@ -109,6 +142,7 @@ Warnings warnings_of_sides(const Scene& scene, const BlockSource<2>& source) {
     FacetsOfLoad facets;
     facets.on = support.on;
     facets.blocks = support.blocks;
+    if (dim == 3 && facets.on == "faces" && !facets.blocks.empty()) continue;  // stones that are held whole
     ask("support_on_both_sides", "supports > " + name, facets,
         "the support holds both stones and nothing is left to the law of the joint");
   }
@@ -118,5 +152,10 @@ Warnings warnings_of_sides(const Scene& scene, const BlockSource<2>& source) {
           "the " + load.word() + " pushes the stones apart and its resultant is zero");
   return all;
 }
+
+template void check_sides(const Scene&, const BlockSource<2>&);
+template void check_sides(const Scene&, const BlockSource<3>&);
+template Warnings warnings_of_sides(const Scene&, const BlockSource<2>&);
+template Warnings warnings_of_sides(const Scene&, const BlockSource<3>&);
 
 }  // namespace voussoir

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "model/model.hpp"
+#include "model/model_of_blocks.hpp"
 #include "output/result_json.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -12,7 +12,8 @@ namespace voussoir {
 
 /// Writes joints.csv into the folder and returns its summary. Collective; throws ResourceError on all ranks.
 /// @param load  [N] nodal loads of the state
-StaticsSummary write_statics(const Model&, const AdaptiveStep&, const ContactState&, const std::vector<double>& load,
-                             const std::string& folder);
+template <int dim>
+StaticsSummary write_statics(const ModelOfBlocks<dim>&, const AdaptiveStep&, const ContactState&,
+                             const std::vector<double>& load, const std::string& folder);
 
 }  // namespace voussoir

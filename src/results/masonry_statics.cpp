@@ -1,16 +1,16 @@
-#include "results/plane/masonry_statics.hpp"
+#include "results/masonry_statics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/plane_and_space.hpp"
 #include "joints/joint_facets.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/parcels.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
-#include "model/plane/plane_model.hpp"
 #include "output/joint_table.hpp"
 #include "output/output_folder.hpp"
 #include "output/safe_file.hpp"
@@ -19,58 +19,91 @@
 namespace voussoir {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Joints that carry less than this share of the largest normal force say nothing: that is what solvers leave.
 constexpr double negligible = 1e-6;
 // Elastic stones open a little at the joints beside a hinge: less than this share of the widest hinge is no other one.
 constexpr double beside_a_hinge = 0.05;
 constexpr std::size_t longest_list = 50;  // in result.json; all are in joints.csv
 
+/// A point as joint_statics asks for it.
+template <int dim>
+PointOfJoint<dim> point_of_joint(const ModelOfBlocks<dim>& model, const ContactState& state, double gap, int k) {
+  const auto& p = model.points().points()[k];
+  const double* const force = &state.lambda[dim * static_cast<std::size_t>(k)];
+  PointOfJoint<dim> point;
+  point.position = model.points().at(k).place(Side::i, model.structure().position());
+  point.normal = in_dimension<dim>(p.axis[0]);
+  point.normal_force = force[0];
+  if constexpr (dim == 2)
+    point.shear = force[1];
+  else
+    point.shear = force[1] * p.axis[1] + force[2] * p.axis[2];
+  point.gap = gap;
+  point.law = law_left(model, state, k);
+  point.area = p.area;
+  return point;
+}
+
 /// Rows of the joints whose block i this rank owns; all points of a joint are with its owner.
-std::vector<JointRow> rows_here(const Model& model, const AdaptiveStep& step, const ContactState& state) {
-  const auto [source, structure] = plane_geometry(model);
+template <int dim>
+std::vector<JointRow> rows_here(const ModelOfBlocks<dim>& model, const AdaptiveStep& step, const ContactState& state) {
   const auto& points = model.points();
   const auto gap = step.stone_gaps(state);
-  std::vector<std::vector<PointOfJoint>> of_joint(points.joints().size());
+  std::vector<std::vector<PointOfJoint<dim>>> of_joint(points.joints().size());
   std::vector<double> area(of_joint.size(), 0.0), lost(of_joint.size(), 0.0);  // [m2]
   std::vector<char> joined(of_joint.size(), 1);                                // both stones are there
   for (int k = 0; k < points.owned(); ++k) {
     const auto& p = points.points()[k];
-    const auto law = law_left(model, state, k);
     area[p.joint] += p.area;
     joined[p.joint] = model.joined(k);
     lost[p.joint] += p.area * damage_of(model, state, k);
-    of_joint[p.joint].push_back({points.at(k).place(Side::i, structure.position()), in_plane(p.axis[0]),
-                                 state.lambda[2 * k], state.lambda[2 * k + 1], gap[2 * k], law});
+    of_joint[p.joint].push_back(point_of_joint(model, state, gap[dim * static_cast<std::size_t>(k)], k));
   }
-  const auto facets = facets_of_joints(source, structure, points);
+  const auto facets = facets_of_joints(model.source(), model.structure(), points);
   std::vector<JointRow> rows;
   for (std::size_t k = 0; k < of_joint.size(); ++k) {
     if (of_joint[k].empty()) continue;
     const auto& joint = points.joints()[k];
     const auto s = joint_statics(of_joint[k], facets[k]);
-    rows.push_back({joint.block_i,     joint.block_j,    s.middle[0],      s.middle[1], s.length,
-                    s.force[0],        s.force[1],       s.normal_force,   s.shear,     s.place[0],
-                    s.place[1],        s.eccentricity,   s.edge_margin,    s.edge[0],   s.edge[1],
-                    s.friction_margin, s.least_shear[0], s.least_shear[1], s.opening,   lost[k] / area[k],
-                    s.pressing,        s.sides,          s.hinge,          s.slides});
-    if (!joined[k]) rows.back().opening = rows.back().damage = std::numeric_limits<double>::quiet_NaN();
+    rows.push_back({joint.block_i,
+                    joint.block_j,
+                    in_space(s.middle),
+                    s.extent,
+                    in_space(s.force),
+                    s.normal_force,
+                    s.shear,
+                    s.twist,
+                    in_space(s.place),
+                    s.eccentricity,
+                    s.edge_margin,
+                    in_space(s.edge),
+                    s.friction_margin,
+                    in_space(s.least_shear),
+                    s.opening,
+                    lost[k] / area[k],
+                    s.pressing,
+                    s.sides,
+                    s.hinge,
+                    s.slides});
+    if (!joined[k]) rows.back().opening = rows.back().damage = nan;
   }
   return rows;
 }
 
 /// Rows of all ranks by blocks, on the first rank; nothing is said of joints that carry next to nothing.
-std::vector<JointRow> all_rows(const Model& model, const AdaptiveStep& step, const ContactState& state) {
+template <int dim>
+std::vector<JointRow> all_rows(const ModelOfBlocks<dim>& model, const AdaptiveStep& step, const ContactState& state) {
   auto rows = gather_on_first(rows_here(model, step, state), *model.structure().comm());
   std::sort(rows.begin(), rows.end(), [](const JointRow& a, const JointRow& b) {
     return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.block_i, b.block_j);
   });
   double largest = 0;
   for (const auto& row : rows) largest = std::max(largest, row.pressing);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (auto& row : rows) {
     if (row.pressing > negligible * largest) continue;
-    row.through_x = row.through_y = row.eccentricity = row.edge_margin = row.friction_margin = nan;
-    row.edge_x = row.edge_y = row.shear_x = row.shear_y = nan;
+    row.eccentricity = row.edge_margin = row.friction_margin = nan;
+    row.through = row.edge = row.least_shear = {nan, nan, nan};
     row.hinge = row.slides = 0;
   }
   double widest = 0;
@@ -82,19 +115,21 @@ std::vector<JointRow> all_rows(const Model& model, const AdaptiveStep& step, con
 
 }  // namespace
 
-StaticsSummary write_statics(const Model& model, const AdaptiveStep& step, const ContactState& state,
+template <int dim>
+StaticsSummary write_statics(const ModelOfBlocks<dim>& model, const AdaptiveStep& step, const ContactState& state,
                              const std::vector<double>& load, const std::string& folder) {
   expect_state(model, state);
   const auto rows = all_rows(model, step, state);
-  on_first_rank(*model.structure().comm(), [&] { replace_file(folder + "/" + joints_file, joint_table(rows)); });
+  on_first_rank(*model.structure().comm(), [&] { replace_file(folder + "/" + joints_file, joint_table(rows, dim)); });
   StaticsSummary sum;
-  sum.least_edge_margin = sum.least_friction_margin = std::numeric_limits<double>::quiet_NaN();
+  sum.components = dim;
+  sum.least_edge_margin = sum.least_friction_margin = nan;
   for (const auto& row : rows) {
     sum.hinges += row.hinge;
     sum.sliding_joints += row.slides;
     sum.least_edge_margin = std::fmin(sum.least_edge_margin, row.edge_margin);  // the number, where one is none
     sum.least_friction_margin = std::fmin(sum.least_friction_margin, row.friction_margin);
-    const StaticsSummary::Place place{row.block_i, row.block_j, row.through_x, row.through_y, row.opening};
+    const StaticsSummary::Place place{row.block_i, row.block_j, row.through, row.opening};
     if (row.hinge) sum.widest_hinges.push_back(place);
     if (row.slides && sum.first_sliding.size() < longest_list) sum.first_sliding.push_back(place);
   }
@@ -104,5 +139,10 @@ StaticsSummary write_statics(const Model& model, const AdaptiveStep& step, const
   sum.reactions = support_reactions(model, step.residual(state, load));
   return sum;
 }
+
+template StaticsSummary write_statics(const ModelOfBlocks<2>&, const AdaptiveStep&, const ContactState&,
+                                      const std::vector<double>&, const std::string&);
+template StaticsSummary write_statics(const ModelOfBlocks<3>&, const AdaptiveStep&, const ContactState&,
+                                      const std::vector<double>&, const std::string&);
 
 }  // namespace voussoir
