@@ -78,9 +78,11 @@ bool LimitAnalysis<3>::cut_pyramid(Programme& p, std::size_t k, const std::vecto
   const double slope = s_.contacts[static_cast<std::size_t>(corners_.kept[k])].law.friction;
   const auto& generators = p.forces[k].generators;
   Vector<3> force{};
-  for (std::size_t g = 0; g < generators.size(); ++g)
-    if (generators[g].to > generators[g].from)
-      force = force + x[static_cast<std::size_t>(p.columns[k][g])] * generators[g].direction;
+  for (std::size_t g = 0; g < generators.size(); ++g) {
+    const auto column = static_cast<std::size_t>(p.columns[k][g]);
+    const bool is_new = column >= x.size();  // of a cut that another corner of this joint has made since
+    if (generators[g].to > generators[g].from && !is_new) force = force + x[column] * generators[g].direction;
+  }
   const double shear = length(tangential(force));
   const double borne = (1 + RoundConeParameters::off_the_cone) * slope * force[0];
   if (shear <= Numbers::tolerance || shear <= borne) return false;

@@ -83,7 +83,7 @@ class FiniteStatics(program.SceneTest):
             self.assertEqual(run.outcome, "collapse", run.said)
             self.assertEqual(run.words.count("at 1: collapse"), 1)
             self.assertNotIn("0.5: collapse", run.words)
-            for words in ("load factor 1.0", "static theorem", "surface 2 (stone)", "none balance them either"):
+            for words in ("load factor 1", "static theorem", "surface 2 (stone)", "none balance them either"):
                 self.assertIn(words, run.words)
 
     def test_on_a_flatter_slope_it_stands(self):
