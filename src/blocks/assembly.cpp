@@ -46,11 +46,6 @@ LocalCsr coupled_nodes(const Block<dim>& block) {
   return k;
 }
 
-double& entry(LocalCsr& k, int row, int column) {
-  const auto first = k.column.begin() + k.start[row], last = k.column.begin() + k.start[row + 1];
-  return k.value[std::lower_bound(first, last, column) - k.column.begin()];
-}
-
 /// @param of_cell  stiffness of a cell, row-major, rows node by node
 template <int dim, class OfCell>
 LocalCsr sum_of_cells(const Block<dim>& block, const OfCell& of_cell) {
@@ -60,7 +55,7 @@ LocalCsr sum_of_cells(const Block<dim>& block, const OfCell& of_cell) {
     const int n = dim * cell.count;
     const auto row = [&](int i) { return dim * cell.node[i / dim] + i % dim; };
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) entry(k, row(i), row(j)) += ke[i * n + j];
+      for (int j = 0; j < n; ++j) k.at(row(i), row(j)) += ke[i * n + j];
   }
   return k;
 }
@@ -75,7 +70,7 @@ LocalCsr mass_of_cells(const Block<dim>& block, double density, Mass kind, const
       for (int j = 0; j < cell.count; ++j)
         for (int c = 0; c < dim; ++c) {
           const int row = dim * cell.node[i] + c;
-          entry(m, row, kind == Mass::lumped ? row : dim * cell.node[j] + c) += density * product[i * cell.count + j];
+          m.at(row, kind == Mass::lumped ? row : dim * cell.node[j] + c) += density * product[i * cell.count + j];
         }
   }
   return m;

@@ -36,11 +36,6 @@ LocalCsr pattern(std::vector<std::vector<int>>& beside, bool upper) {
   return k;
 }
 
-double& entry(LocalCsr& k, int row, int column) {
-  const auto first = k.column.begin() + k.start[row], last = k.column.begin() + k.start[row + 1];
-  return k.value[std::lower_bound(first, last, column) - k.column.begin()];
-}
-
 }  // namespace
 
 CondensedEdges::EdgeNumbers CondensedEdges::numbers_of(const Cell& cell) const {
@@ -91,10 +86,10 @@ void CondensedEdges::add_cell(const Cell& cell, const std::array<Vector<3>, 4>& 
   for (int i = 0; i < 18; ++i) {
     if (number[i / 3] < 0) continue;
     const int row = 3 * number[i / 3] + i % 3;
-    for (int j = 0; j < 12; ++j) entry(with_corners_, row, 3 * cell.node[j / 3] + j % 3) += k.with_corners[12 * i + j];
+    for (int j = 0; j < 12; ++j) with_corners_.at(row, 3 * cell.node[j / 3] + j % 3) += k.with_corners[12 * i + j];
     for (int j = 0; j < 18; ++j)
       if (const int column = 3 * number[j / 3] + j % 3; column >= row)
-        entry(with_edges, row, column) += k.with_edges[18 * i + j];
+        with_edges.at(row, column) += k.with_edges[18 * i + j];
     if (i % 3 == 0) volume_[number[i / 3]] += tetrahedron_edge_volume(x);
   }
 }

@@ -1,6 +1,7 @@
 // A sparse matrix of one rank in compressed rows: stiffness of blocks, small factors.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace voussoir {
@@ -14,6 +15,12 @@ struct LocalCsr {
     return static_cast<long long>((start.size() + column.size()) * sizeof(int) + value.size() * sizeof(double));
   }
   int rows() const { return static_cast<int>(start.size()) - 1; }
+
+  /// The entry of a row in a column that its pattern has.
+  double& at(int row, int in_column) {
+    const auto first = column.begin() + start[row], last = column.begin() + start[row + 1];
+    return value[std::lower_bound(first, last, in_column) - column.begin()];
+  }
 
   /// y = A x
   void multiply(const double* x, double* y) const {
