@@ -13,7 +13,6 @@ A run that comes to no decision says so, which is no wrong answer; an equilibriu
     planted.py PROGRAM [--count N] [--first SEED] [--mode adaptive] [--hosts]
 """
 
-import argparse
 import csv
 import json
 import math
@@ -21,13 +20,12 @@ import pathlib
 import random
 import subprocess
 import sys
-import tempfile
-import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "ground"))
 
 import hosts  # noqa: E402  (modules of the folder above)
 import scenes  # noqa: E402
+import seeds  # noqa: E402
 
 GRAVITY = scenes.GRAVITY
 # A step of a search is so much of a factor; a mesh of two cells lets a stone tip within a few percent of theory.
@@ -190,28 +188,8 @@ class Planted:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=25)
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--mode", default="adaptive")
-    parser.add_argument("--hosts", action="store_true", help="the structures alone, which must stand")
-    parser.add_argument("--keep", type=pathlib.Path, help="folder in which scenes and results stay")
-    asked = parser.parse_args()
-    right = "stands" if asked.hosts else "falls"
-    wrong = undecided = 0
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = asked.keep or pathlib.Path(temporary)
-        for seed in range(asked.first, asked.first + asked.count):
-            planted = Planted(seed)
-            start = time.monotonic()
-            problem = planted.run(asked.program, folder / str(seed), asked.mode, asked.hosts)
-            verdict = problem or ("undecided" if planted.undecided else right)
-            print(f"{seed}: {planted}: {verdict} ({time.monotonic() - start:.1f} s)", flush=True)
-            wrong += bool(problem)
-            undecided += planted.undecided
-    print(f"{wrong} of {asked.count} are wrong, {undecided} undecided.")
-    sys.exit(wrong > 0)
+    seeds.judge(__doc__, Planted, lambda planted, asked, folder: planted.run(asked.program, folder, asked.mode, asked.hosts),
+                first=1, count=25)
 
 
 if __name__ == "__main__":

@@ -13,17 +13,16 @@ in a row are each structure with each way.
 A run that comes to no decision says so, which is no wrong answer; an equilibrium is.
 """
 
-import argparse
 import math
 import pathlib
 import random
 import subprocess
 import sys
-import tempfile
-import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE / "ground"), str(HERE.parent / "support")]
 import program  # noqa: E402  (folders of their own)
+import seeds  # noqa: E402
 import solids  # noqa: E402
 from stones import xml  # noqa: E402
 
@@ -302,31 +301,13 @@ class Planted:
         return self.verdict_of_limits(program.run(folder / "scene.xml", folder / "limits", "--limit-analysis", seconds=LONGEST))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("mpiexec")
-    parser.add_argument("--count", type=int, default=20)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--mode", default="adaptive")
-    parser.add_argument("--hosts", action="store_true", help="the structures alone, which must stand")
-    parser.add_argument("--keep", type=pathlib.Path, help="folder in which scenes and results stay")
-    asked = parser.parse_args()
+def run(planted, asked, folder):
     program.PROGRAM, program.MPIEXEC = asked.program, asked.mpiexec
-    right = "stands" if asked.hosts else "falls"
-    wrong = undecided = 0
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = asked.keep or pathlib.Path(temporary)
-        for seed in range(asked.first, asked.first + asked.count):
-            planted = Planted(seed)
-            start = time.monotonic()
-            problem = planted.run(folder / str(seed), asked.mode, asked.hosts)
-            verdict = problem or ("undecided" if planted.undecided else right)
-            print(f"{seed}: {planted}: {verdict} ({time.monotonic() - start:.1f} s)", flush=True)
-            wrong += bool(problem)
-            undecided += planted.undecided
-    print(f"{wrong} of {asked.count} are wrong, {undecided} undecided.")
-    sys.exit(wrong > 0)
+    return planted.run(folder, asked.mode, asked.hosts)
+
+
+def main():
+    seeds.judge(__doc__, Planted, run, first=0, count=20, programs=("program", "mpiexec"))
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ def problems_of(path, text, callers):
 
 
 def idle_callers(callers, texts):
-    """Those that no longer come through the door must not be let in."""
+    """Named callers that do not come through the door; a name left standing would let the next one in."""
     return [f"tests/house/gathering.py names {path}, which brings nothing to every rank." for path in sorted(callers)
             if not (DOOR.search(texts.get(path, "")) or BESIDE.search(texts.get(path, "")))]
 
