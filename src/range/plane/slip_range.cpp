@@ -9,19 +9,11 @@
 #include "model/handed_over.hpp"
 #include "model/plane/plane_model.hpp"
 #include "range/plane/stone_places.hpp"
+#include "range/range_parameters.hpp"
 #include "ties/error_estimate.hpp"
 
 namespace voussoir {
 namespace {
-
-// Points that carry less than this share of the largest force press as little as what solvers leave.
-constexpr double negligible = 1e-6;
-// A joint whose force passes to more than a tenth where one of its faces has ended is wrong by that tenth.
-constexpr double borne_by_nothing = 0.1;
-// A point stands for half a cell on either side: so far beyond the end of a face its force may be one of the face.
-constexpr double share_of_a_cell = 0.5;
-// A force within 60 degrees of a block's own loads adds to them.
-constexpr double weighs = 0.5;
 
 /// A joint whose points have slipped beyond their cells.
 struct LongSlip {
@@ -34,7 +26,7 @@ struct LongSlip {
   bool on_others;     ///< part of the force passes where other stones continue a face that has ended
   Box<2> place;       ///< [m] of the nodes of both sides, and a cell around them
 
-  bool past_an_end() const { return uncovered > borne_by_nothing || outside > 0; }
+  bool past_an_end() const { return uncovered > RangeParameters::borne_by_nothing || outside > 0; }
 };
 
 /// The same on the rank that owns the joint, with its points and the shorter of the edges beside each [m].
@@ -115,7 +107,7 @@ Footing footing_of(const PlaneModel& model, const StepEnd& end, const std::vecto
   if (!(force > 0)) return {};
   // Where a joint is not straight the resultant passes beside its faces as it is drawn.
   const double away = beyond_all((1 / force) * place) - beyond(drawn, (1 / force) * drawn_place);
-  return {footing.uncovered / force, away > share_of_a_cell * mean_cell / force ? away : 0.0,
+  return {footing.uncovered / force, away > RangeParameters::share_of_a_cell * mean_cell / force ? away : 0.0,
           footing.on_others / force};
 }
 
@@ -132,7 +124,7 @@ bool only_weighs_on(const PlaneModel& model, const StepEnd& end, const std::vect
   const auto& block = s.blocks()[on_i ? joint.local_i : joint.local_j];
   for (int n = block.first_local; n < block.first_local + static_cast<int>(block.mesh.position.size()); ++n)
     load = load + Vector<2>{end.load[2 * n], end.load[2 * n + 1]};
-  return dot(force, load) > weighs * norm(force) * norm(load);
+  return dot(force, load) > RangeParameters::weighs * norm(force) * norm(load);
 }
 
 /// Looks how the force of a joint lies to its faces.
@@ -144,7 +136,8 @@ void look_at_faces(const PlaneModel& model, const StepEnd& end, OwnSlip& slip, c
   // continue its face bears what is theirs, wherever that acts.
   const auto bears_all = [&](BlockId b, const Footing& of_the_other) {
     return is_held(model, model.structure().local_block(b)) ||
-           (of_the_other.on_others > borne_by_nothing && only_weighs_on(model, end, slip.cells, b == told.block_i));
+           (of_the_other.on_others > RangeParameters::borne_by_nothing &&
+            only_weighs_on(model, end, slip.cells, b == told.block_i));
   };
   told.uncovered = std::min(i.uncovered, j.uncovered);
   told.outside = std::max(bears_all(told.block_i, j) ? 0.0 : i.outside, bears_all(told.block_j, i) ? 0.0 : j.outside);
@@ -164,7 +157,7 @@ Box<2> place_of(const PlaneModel& model, const StepEnd& end, const std::vector<s
 
 std::vector<OwnSlip> long_slips(const PlaneModel& model, const StepEnd& end) {
   const auto& points = model.points();
-  const double least = negligible * largest_normal_force(model, end.state.lambda);
+  const double least = RangeParameters::negligible * largest_normal_force(model, end.state.lambda);
   const auto gap = model.gaps(end.state.displacement, end.state.lambda);
   const auto slip = [&](int k) { return std::abs(gap[2 * k + 1]); };
   const auto presses = [&](int k) { return least > 0 && end.state.lambda[2 * k] > least; };
@@ -268,8 +261,8 @@ RangeFindings look_at_slips(const PlaneModel& model, const StepEnd& end) {
                                  "the stones they were "
                                  "drawn on, so forces go to the wrong ones of the stones in line")});
   for (const auto& s : slips) {
-    if (s.uncovered <= borne_by_nothing && s.outside <= 0) continue;
-    const auto where = s.uncovered > borne_by_nothing
+    if (s.uncovered <= RangeParameters::borne_by_nothing && s.outside <= 0) continue;
+    const auto where = s.uncovered > RangeParameters::borne_by_nothing
                            ? three_digits(100 * s.uncovered) + " % of its force passes beyond the ends of its faces"
                            : "its force passes " + three_digits(s.outside) + " m beyond the end of a face";
     found.out_of_range = "joint " + names_of(model, s.block_i, s.block_j) + " has slipped by " + three_digits(s.slip) +

@@ -13,13 +13,13 @@
 #include "mesh/box_tree.hpp"
 #include "model/plane/plane_model.hpp"
 #include "range/plane/stone_places.hpp"
+#include "range/range_parameters.hpp"
 
 namespace voussoir {
 namespace {
 
-// What the check of a drawing takes for touching (mesh/border_check.cpp): so much of the shortest side of a cell.
-constexpr double counts_as_touching = 0.01;
-// What it takes for inside: so much of the same, above round-off and what stones bend by.
+// What the check of a drawing (mesh/border_check.cpp) takes for inside: so much of the shortest side of a cell, above
+// round-off and what stones bend by.
 constexpr double well_inside = 1e-3;
 
 /// Where a stone is and how it has moved: what tells quickly that two of them cannot overlap.
@@ -102,7 +102,7 @@ std::vector<std::pair<int, int>> suspects(const std::vector<StoneBox>& stones) {
   for (int a = 0; a < static_cast<int>(stones.size()); ++a)
     tree.visit_overlaps(stones[a].place, [&](int b) {
       if (b <= a) return;
-      const double least = tolerance(stones[a], stones[b], counts_as_touching);
+      const double least = tolerance(stones[a], stones[b], RangeParameters::counts_as_touching);
       if (depth_of(stones[a].place, stones[b].place) > least &&
           largest_difference(stones[a].motion, stones[b].motion) > least)
         pairs.emplace_back(a, b);
@@ -172,7 +172,7 @@ RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, cons
                   "sides: per owned block");
   VOUSSOIR_EXPECT(smallest_side > 0 && "smallest side: positive");
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
-  if (spread(model, end) <= counts_as_touching * smallest_side) return {};
+  if (spread(model, end) <= RangeParameters::counts_as_touching * smallest_side) return {};
   const auto& comm = *model.structure().comm();
   auto stones = all_gather(boxes_here(model, end, shortest_side), comm,
                            WhyWhole{"a box per stone, of a structure that has moved"});
@@ -189,7 +189,8 @@ RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, cons
     const double as_drawn = gap == gaps.end() ? 0.0 : gap->second;
     const double depth =
         overlap_depth(outlines.at(a.block), outlines.at(b.block), tolerance(a, b, well_inside) + as_drawn);
-    if (depth > tolerance(a, b, counts_as_touching) + as_drawn) mine.push_back({a.block, b.block, depth});
+    if (depth > tolerance(a, b, RangeParameters::counts_as_touching) + as_drawn)
+      mine.push_back({a.block, b.block, depth});
   }
   auto found = all_gather(mine, comm, WhyWhole{"stones that lie in each other"});
   if (found.empty()) return {};

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
+#include "range/range_parameters.hpp"
 #include "range/space/stone_surfaces.hpp"
 #include "range/stone_names.hpp"
 #include "range/turn_records.hpp"
@@ -16,8 +17,6 @@
 
 namespace voussoir {
 namespace {
-
-constexpr double counts_as_touching = 0.01;  ///< of the smallest side of a cell, as in the plane
 
 /// How far stones have moved against each other at most [m]. Collective.
 double spread(const SpaceModel& model, const StepEnd& end) {
@@ -48,7 +47,7 @@ std::vector<double> growth_of_all(const SpaceModel& model, const StepEnd& end) {
 }  // namespace
 
 RangeFindings look_at_overlaps(const SpaceModel& model, const StepEnd& end, double smallest_side) {
-  const double touching = counts_as_touching * smallest_side;
+  const double touching = RangeParameters::counts_as_touching * smallest_side;
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
   if (spread(model, end) <= touching) return {};
   auto stones = surfaces_of_all(model, end, [](const Box<3>&) { return true; });

@@ -7,16 +7,13 @@
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
+#include "range/range_parameters.hpp"
 #include "range/space/stone_surfaces.hpp"
 #include "range/stone_names.hpp"
 #include "ties/error_estimate.hpp"
 
 namespace voussoir {
 namespace {
-
-// As in the plane (range/plane/slip_range): what solvers leave, what a point stands for of a cell, the share of a
-// joint's force that may pass where no face is, and the cosine within which a force adds to a stone's own loads.
-constexpr double negligible = 1e-6, share_of_a_cell = 0.5, borne_by_nothing = 0.1, weighs = 0.5;
 
 /// A joint whose points have slipped beyond their cells.
 struct LongSlip {
@@ -29,7 +26,7 @@ struct LongSlip {
   bool on_others;     ///< part of it passes where other stones are
   Box<3> around;      ///< [m] the nodes of both sides, and a cell around them
 
-  bool past_an_end() const { return uncovered > borne_by_nothing || outside > 0; }
+  bool past_an_end() const { return uncovered > RangeParameters::borne_by_nothing || outside > 0; }
 };
 
 /// The same on the rank that owns the joint, with its first point and the distances from each to the next one [m].
@@ -89,7 +86,7 @@ Footing footing_of(const SpaceModel& model, const StepEnd& end, const OwnSlip& s
   if (!(force > 0)) return {};
   footing.uncovered /= force;
   footing.on_others /= force;
-  const double half = share_of_a_cell * cell / force;
+  const double half = RangeParameters::share_of_a_cell * cell / force;
   const std::vector<double> still(u.size(), 0.0);
   // Where a joint is not plane the resultant passes beside its faces as it is drawn.
   const double away =
@@ -109,7 +106,7 @@ bool only_weighs_on(const SpaceModel& model, const StepEnd& end, const OwnSlip& 
   const auto& block = model.structure().blocks()[on_i ? joint.local_i : joint.local_j];
   for (int n = block.first_local; n < block.first_local + block.nodes; ++n)
     load = load + Vector<3>{end.load[3 * n], end.load[3 * n + 1], end.load[3 * n + 2]};
-  return dot(force, load) > weighs * norm(force) * norm(load);
+  return dot(force, load) > RangeParameters::weighs * norm(force) * norm(load);
 }
 
 /// As in the plane: a stone that a support holds bears a force wherever it acts, and one that bears a stone which has
@@ -119,8 +116,8 @@ void look_at_stones(const SpaceModel& model, const StepEnd& end, OwnSlip& slip,
   const auto& joint = model.points().joint_of(slip.first);
   const auto i = footing_of(model, end, slip, Side::i, others), j = footing_of(model, end, slip, Side::j, others);
   const auto bears_all = [&](int block, const Footing& of_the_other) {
-    return is_held(model, block) ||
-           (of_the_other.on_others > borne_by_nothing && only_weighs_on(model, end, slip, block == joint.local_i));
+    return is_held(model, block) || (of_the_other.on_others > RangeParameters::borne_by_nothing &&
+                                     only_weighs_on(model, end, slip, block == joint.local_i));
   };
   slip.told.uncovered = std::min(i.uncovered, j.uncovered);
   slip.told.outside =
@@ -142,7 +139,7 @@ Box<3> box_around(const SpaceModel& model, const StepEnd& end, const OwnSlip& sl
 
 std::vector<OwnSlip> long_slips(const SpaceModel& model, const StepEnd& end) {
   const auto& points = model.points();
-  const double least = negligible * largest_normal_force(model, end.state.lambda);
+  const double least = RangeParameters::negligible * largest_normal_force(model, end.state.lambda);
   const auto gap = model.gaps(end.state.displacement, end.state.lambda);
   const auto slip = [&](int k) { return std::hypot(gap[3 * k + 1], gap[3 * k + 2]); };
   const auto presses = [&](int k) { return least > 0 && end.state.lambda[3 * k] > least; };
@@ -223,7 +220,7 @@ RangeFindings look_at_slips(const SpaceModel& model, const StepEnd& end) {
                                  " where another stone is, and still acts on the one that was drawn there")});
   for (const auto& s : slips) {
     if (!s.past_an_end()) continue;
-    const auto where = s.uncovered > borne_by_nothing
+    const auto where = s.uncovered > RangeParameters::borne_by_nothing
                            ? three_digits(100 * s.uncovered) + " % of its force passes beyond both of its stones"
                            : "its force passes " + three_digits(s.outside) + " m beyond the stone that it comes from";
     found.out_of_range = "joint " + names_of(model, s.block_i, s.block_j) + " has slipped by " + three_digits(s.slip) +
