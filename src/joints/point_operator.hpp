@@ -4,6 +4,8 @@
 //   motion B u = axes (sum_j w u - sum_i w u)        forces B^T f        matrices B^T D B
 #pragma once
 
+#include <cmath>
+
 #include "blocks/block_system.hpp"
 #include "blocks/held.hpp"
 #include "joints/contact_point.hpp"
@@ -42,6 +44,21 @@ class PointOperator {
   template <class F>
   bool all(F&& holds) const {
     return !any([&](int node) { return !holds(node); });
+  }
+
+  /// Whether a node of either side is free to move along the normal. Where supports hold both sides nothing determines
+  /// the force of a point: it bears none, and loses nothing.
+  /// @param place_of  where a node is among those held
+  template <class F>
+  bool may_part(const Held& held, F&& place_of) const {
+    return any([&](int node) {
+      const int place = place_of(node);
+      const auto along = held.to_own(place, point_.axis[0]);
+      double free2 = 0;
+      for (int c = 0; c < components_; ++c)
+        if (!held[static_cast<std::size_t>(components_) * place + c]) free2 += along[c] * along[c];
+      return std::sqrt(free2) > (held.has_frame(place) ? turned_off : 0.0);
+    });
   }
 
   /// How much further side j moves than side i, along the axes of the drawing; along those of the point.
@@ -124,6 +141,9 @@ class PointOperator {
         for (const auto& share : point_.shares_i) nodal[n * share.node + c] -= share.weight * force;
       }
   }
+
+  // A unit vector whose part that is free is shorter lies along what is held, to the rounding of a turned drawing.
+  static constexpr double turned_off = 1e-9;
 
   const ContactPoint& point_;
   int components_;

@@ -116,41 +116,32 @@ void make_orthonormal(Rows& basis) {
 /// What a point bears at a place: its normal force first, then along its tangents.
 using PointForce = std::array<double, 3>;
 
+/// A force that may change.
+struct Direction {
+  std::size_t point, component;  ///< of those that meet; 0 along its normal
+};
+
 /// An orthonormal basis of what forces of points that meet can change by, each over the root of its weight.
 /// @param points   that meet;  @param weight  of each
 /// @param balance  of their nodes: coefficients of the forces, n per point
 Rows ways_to_split(const std::vector<int>& points, const std::vector<double>& weight, const Rows& balance,
                    const std::vector<PointFreedom>& freedom, std::size_t n) {
-  // Directions in which a force may change: its components, or all in proportion.
-  struct Direction {
-    std::size_t at;  // of the point
-    PointForce force;
-  };
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& f = freedom[points[i]];
-    if (f.normal) directions.push_back({i, f.tangential ? PointForce{1} : PointForce{1, f.slope[0], f.slope[1]}});
-    for (std::size_t t = 1; t < n && f.tangential; ++t) {
-      directions.push_back({i, {}});
-      directions.back().force[t] = 1;
-    }
+    if (f.normal) directions.push_back({i, 0});
+    for (std::size_t t = 1; t < n && f.tangential; ++t) directions.push_back({i, t});
   }
   Rows rows;
   for (const auto& row : balance) {
     rows.emplace_back();
-    for (const auto& d : directions) {
-      double sum = 0;
-      for (std::size_t c = 0; c < n; ++c) sum += row[n * d.at + c] * d.force[c];
-      rows.back().push_back(sum);
-    }
+    for (const auto& d : directions) rows.back().push_back(row[n * d.point + d.component]);
   }
   Rows basis;
   for (const auto& z : null_space(rows, static_cast<int>(directions.size()))) {
     std::vector<double> force(n * points.size(), 0.0);
-    for (std::size_t j = 0; j < z.size(); ++j) {
-      const double root = std::sqrt(weight[directions[j].at]);
-      for (std::size_t c = 0; c < n; ++c) force[n * directions[j].at + c] += z[j] * directions[j].force[c] / root;
-    }
+    for (std::size_t j = 0; j < z.size(); ++j)
+      force[n * directions[j].point + directions[j].component] = z[j] / std::sqrt(weight[directions[j].point]);
     basis.push_back(force);
   }
   make_orthonormal(basis);

@@ -3,8 +3,13 @@
 // with the least sum of force^2 / w, as for tied points (tractions.hpp). It is unique.
 //
 //   minimise  sum |f_k + d_k|^2 / w_k     d in balance at every node that no support holds, and
-//             d_k = 0 where a point is open, along its friction where it slips, free where it sticks
+//             d_k = 0 where a point is open, along its normal where it slips, free where it sticks
 //             f_k + d_k lawful where it sticks, as far as such splits exist
+//
+// Friction of a point that slips is that of the force it had. Where its normal force changes, friction and with it the
+// motion follow in the next linear solve, so the state arrived at is one whose forces no split changes. With friction
+// that followed within the split some forces would be bound to nothing: where a point slips beside one that opens and
+// still sticks along the same line, every share of the two has a motion of its own that the law admits.
 //
 // In space friction is bounded by a disc, which half planes that touch it stand for: in the direction of a force that
 // they leave outside there is one more, until none is left.

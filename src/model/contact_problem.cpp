@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "base/check.hpp"
-#include "base/components.hpp"
 #include "joints/tractions.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
@@ -16,9 +15,6 @@
 
 namespace voussoir {
 namespace {
-
-// A unit vector whose part that is free is shorter lies along what is held, to the rounding of a turned drawing.
-constexpr double turned_off = 1e-9;
 
 /// Of absolute values.
 double largest_row_sum(const LocalCsr& matrix) {
@@ -80,11 +76,10 @@ void ContactProblem::begin(const Asked& asked) {
   set_scales();
 }
 
-/// Where strength is judged by forces that nothing else tells apart. Mortar that is a spring tells them, and in time
-/// they go on from what they were.
+/// Where strength is judged by forces that nothing else tells apart. Mortar that is a spring tells them.
 void ContactProblem::find_shared_forces() {
   shared_forces_.reset();
-  shares_ = asked_->softening && !parts_.inertia;
+  shares_ = asked_->softening;
   if (!shares_) return;
   auto counts = movable_;
   for (std::size_t k = 0; k < parts_.compliance.size(); ++k)
@@ -142,14 +137,7 @@ void ContactProblem::set_movable() {
   movable_ = selection_;
   for (int k = 0; k < parts_.points.size(); ++k) {
     const auto& p = parts_.points.points()[k];
-    const bool moves = with_components(dim_, [&](auto dim) {
-      Vector<dim> normal;
-      std::copy_n(p.axis[0].begin(), static_cast<int>(dim), normal.begin());
-      return parts_.points.at(k).any([&](int node) {
-        const int place = space_->cluster()[node];
-        return norm(space_->held().free_part(place, normal)) > (space_->held().has_frame(place) ? turned_off : 0.0);
-      });
-    });
+    const bool moves = parts_.points.at(k).may_part(space_->held(), [&](int node) { return space_->cluster()[node]; });
     // Open by the size of the structure: a side of it is not built yet. A gap as long would dwarf all others.
     const bool far = !parts_.initial_gap.empty() && parts_.initial_gap[k] >= parts_.structure.size();
     if (space_->tied(p) || !moves || far) movable_[k] = 0;

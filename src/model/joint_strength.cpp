@@ -22,7 +22,7 @@ void wear(const Model& model, const ContactState& before, ContactState& after, c
   VOUSSOIR_EXPECT(is_of_points(model, slip) && "slip: of points");
   VOUSSOIR_EXPECT(is_per_point(model, before.slipped) && is_per_point(model, after.opened) && "wear: per point");
   for (int k = 0; k < model.points().size(); ++k) {
-    if (!after.selected[k]) continue;
+    if (!after.selected[k] || !model.bears(k)) continue;
     double shear = 0, way = 0;
     const double sigma = model.local_stiffness()[k];
     for (int c = 1; c < dim; ++c) {

@@ -59,7 +59,7 @@ EnergyOfStep loss_in_time(const Model&, const ContactState& before, const Contac
 /// Energy that a point would give back if it closed [J].
 /// @param gap  [m] of the stones
 inline double held_by_joint(const Model& model, const ContactState& state, double gap, int k) {
-  if (model.softening().empty()) return 0;
+  if (model.softening().empty() || !model.bears(k)) return 0;
   return held_energy(model.law()[k], model.softening()[k], {state.opened[k], state.slipped[k]}, gap);
 }
 

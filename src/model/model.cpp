@@ -207,6 +207,10 @@ bool Model::joined(int point) const {
   return !absent_[joint.local_i] && !absent_[joint.local_j];
 }
 
+bool Model::bears(int point) const {
+  return joined(point) && points_->at(point).may_part(held_, [](int node) { return node; });
+}
+
 void Model::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                   std::vector<double>& prescribed) const {
   const int dim = components();

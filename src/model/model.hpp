@@ -93,6 +93,8 @@ class Model {
   const std::vector<char>& absent() const { return absent_; }
   /// Whether both stones of a point are there.
   bool joined(int point) const;
+  /// Whether a point can bear a force: both stones are there, and supports do not hold both sides.
+  bool bears(int point) const;
   /// Another number wherever places or supports may have changed: what is made of them is to be made again.
   int arrangement() const { return arrangement_; }
 

@@ -226,14 +226,20 @@ bool ContactSolver::leave_branch(const Instability& found, double sign, const It
   return false;
 }
 
-/// Forces that nothing tells apart do not depend on the way to this equilibrium.
-void ContactSolver::split_forces(const Iterate& at, const ContactRequest& request) const {
+/// Forces that nothing tells apart do not depend on the way to this equilibrium. Where friction has to follow, the
+/// state that it leads to is solved for; where none is found they stay as they were.
+void ContactSolver::split_forces(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
   if (!problem_.shares_forces()) return;
   PointField gap;
   TpetraVector residual(problem_.map());
   problem_.evaluate(at.x, residual, gap);
+  const PointField as_found = at.lambda;
   voussoir::split_forces(problem_, CurrentLaws(problem_, {&at.damage, request.strength}, at.lambda, gap), gap,
                          request.tolerance * force_scale(problem_, at.lambda), at.lambda);
+  if (measure(at, request.strength, report) <= request.tolerance) return;
+  if (try_active_set(at, {request.tolerance, request.strength}, methods_.solver.patience_from_near, report) !=
+      ActiveSetEnd::arrived)
+    at.lambda = as_found;
 }
 
 void ContactSolver::wear_down(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
@@ -269,7 +275,8 @@ void ContactSolver::finish(const Iterate& at, const ContactRequest& request, New
     forget_the_way(at, request.tolerance, report);
     if (!report.stopped && !parameters_.has_inertia) find_stable_branch(at, request.tolerance, report);
   }
-  split_forces(at, request);
+  split_forces(at, request, report);
+  if (report.stopped) return;
   const bool at_round_off = measure(at, request.strength, report) == 0;
   const double left = std::max(report.residual, report.complementarity);
   report.round_off = at_round_off && left > request.tolerance ? left : 0;

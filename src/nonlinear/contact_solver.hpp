@@ -71,7 +71,7 @@ class ContactSolver {
   void find_stable_branch(const Iterate&, double tolerance, NewtonReport&);
   bool leave_branch(const Instability&, double sign, const Iterate&, double tolerance, NewtonReport&);
   void finish(const Iterate&, const ContactRequest&, NewtonReport&);
-  void split_forces(const Iterate&, const ContactRequest&) const;
+  void split_forces(const Iterate&, const ContactRequest&, NewtonReport&);
   void in_pseudo_time(const Iterate&, const ContactRequest&, int most, NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.
   bool may_be_fast();

@@ -101,7 +101,7 @@ LoadStepBook::OfPoints LoadStepBook::of_points(const ContactState& after) const 
   OfPoints sum;
   const auto gap = step_.stone_gaps(after);
   for (int k = 0; k < model_.points().owned(); ++k) {
-    if (!after.selected[k] || !model_.joined(k)) continue;
+    if (!after.selected[k] || !model_.bears(k)) continue;
     const bool softens = !model_.softening().empty() && model_.softening()[k].any();
     const auto crack = softens ? add_fracture(after, gap, k, sum) : CrackWork{};
     with_components(model_.components(), [&](auto dim) { add_friction<dim>(after, gap, crack, k, sum); });

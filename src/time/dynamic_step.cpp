@@ -125,7 +125,7 @@ double DynamicStep::book(const ContactState& mid, const ContactState& before, co
   const double none = at_rest_.settings().internals.step.least_noise * largest_force(at_rest_, mid);
   double lost = 0;
   for (int k = 0; k < at_rest_.points().owned(); ++k) {
-    if (!mid.selected[k] || yields(at_rest_, k)) continue;  // springs give all back
+    if (!mid.selected[k] || yields(at_rest_, k) || !at_rest_.bears(k)) continue;  // springs give all back
     // Only a point that fell and was stopped: what solvers leave at the others would look like an impact.
     if (const double fallen = model_->initial_gap()[k]; fallen != 0 && mid.lambda[dim * k] > none)
       lost -= 2 * mid.lambda[dim * k] * (gap[dim * k] - fallen);

@@ -64,9 +64,9 @@ def xml(name, value):
 
 
 def scene(file, supports, loads, stages, friction=0.6, joints=None, **sections):
-    """supports: names of sets of edges, or sections by name; loads and stages as in a scene, own weight named `weight` included."""
+    """file: of gmsh, or the section of another mesh; supports: names of sets of edges, or sections by name; loads and stages as in a scene, own weight named `weight` included."""
     tree = {
-        "mesh": {"type": "gmsh", "gmsh": {"file": file}},
+        "mesh": file if isinstance(file, dict) else {"type": "gmsh", "gmsh": {"file": file}},
         "materials": {"stone": {"Young modulus": 10e9, "Poisson ratio": 0.2, "density": 2000.0}},
         "joints": {"dry": {"friction coefficient": friction}, **(joints or {})},
         "supports": supports if isinstance(supports, dict) else {name: {"on": name} for name in supports},

@@ -36,7 +36,7 @@ struct Three {
         cluster(structure.nodes()),
         shared(structure, points, numbered(cluster), std::vector<char>(2 * structure.nodes(), 0),
                std::vector<char>(points.size(), 1)),
-        freedom(points.size(), {true, true, {}, {0.0, infinity, infinity}}),
+        freedom(points.size(), {true, true, {0.0, infinity, infinity}}),
         lambda(2 * points.size()) {
     for (int k = 0; k < points.size(); ++k) {
       const auto at = points.at(k).place(Side::i, structure.position());
@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(SharedForces, AreToldByAPointThatIsOpenOrTwoThatSlip) {
   for (int k : three.middle)
     if (three.points.joints()[three.points.points()[k].joint].block_i == 1) three.freedom[k] = {};
   TEST_COMPARE_ARRAYS(three.split(), given);
-  for (int k : three.middle) three.freedom[k] = {true, false, {0.6}, {0.6, 0.0, 0.0}};
+  for (int k : three.middle) three.freedom[k] = {true, false, {0.6, 0.0, 0.0}};
   TEST_COMPARE_ARRAYS(three.split(), given);
 }
 
@@ -156,7 +156,7 @@ struct ThreeInSpace {
         cluster(structure.nodes()),
         shared(structure, points, Three::numbered(cluster), std::vector<char>(3 * structure.nodes(), 0),
                std::vector<char>(points.size(), 1)),
-        freedom(points.size(), {true, true, {}, {0.0, infinity, infinity}}),
+        freedom(points.size(), {true, true, {0.0, infinity, infinity}}),
         lambda(3 * points.size()) {
     for (int k = 0; k < points.size(); ++k)
       for (int c = 0; c < 3; ++c) lambda[3 * k + c] = 10.0 + 3.0 * static_cast<double>(points.points()[k].id) - 7.0 * c;
