@@ -6,29 +6,29 @@
 
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
-#include "blocks/assembly.hpp"
-#include "blocks/tetrahedron.hpp"
 #include "linalg/sparse_cholesky.hpp"
 
 namespace voussoir {
 namespace {
 
-std::array<Vector<3>, 4> corners_of(const Block<3>& block, const Cell& cell) {
-  return {block.position[cell.node[0]], block.position[cell.node[1]], block.position[cell.node[2]],
-          block.position[cell.node[3]]};
+template <int dim>
+Simplex<dim> simplex_of(const Block<dim>& block, const Cell& cell) {
+  typename Simplex<dim>::Places x{};
+  for (int i = 0; i < Simplex<dim>::corners; ++i) x[i] = block.position[cell.node[i]];
+  return Simplex<dim>(x);
 }
 
-/// Rows of three components for each edge, columns of three for each of what is beside it; values are 0.
+/// Rows of all components for each edge, columns of as many for each of what is beside it; values are 0.
 /// @param upper  a row begins with its diagonal
-LocalCsr pattern(std::vector<std::vector<int>>& beside, bool upper) {
+LocalCsr pattern(std::vector<std::vector<int>>& beside, int components, bool upper) {
   LocalCsr k;
   for (std::size_t e = 0; e < beside.size(); ++e) {
     sort_unique(beside[e]);
-    for (int c = 0; c < 3; ++c) {
-      const int row = 3 * static_cast<int>(e) + c;
+    for (int c = 0; c < components; ++c) {
+      const int row = components * static_cast<int>(e) + c;
       for (const int other : beside[e])
-        for (int d = 0; d < 3; ++d)
-          if (!upper || 3 * other + d >= row) k.column.push_back(3 * other + d);
+        for (int d = 0; d < components; ++d)
+          if (!upper || components * other + d >= row) k.column.push_back(components * other + d);
       k.start.push_back(static_cast<int>(k.column.size()));
     }
   }
@@ -38,11 +38,12 @@ LocalCsr pattern(std::vector<std::vector<int>>& beside, bool upper) {
 
 }  // namespace
 
-CondensedEdges::EdgeNumbers CondensedEdges::numbers_of(const Cell& cell) const {
-  EdgeNumbers number;
+template <int dim>
+CondensedEdges::EdgeNumbers<dim> CondensedEdges::numbers_of(const Cell& cell) const {
+  EdgeNumbers<dim> number;
   number.fill(-1);
-  for (std::size_t e = 0; cell.count == 4 && e < number.size(); ++e) {
-    const int a = cell.node[tetrahedron_edges[e][0]], b = cell.node[tetrahedron_edges[e][1]];
+  for (std::size_t e = 0; cell.count == Simplex<dim>::corners && e < number.size(); ++e) {
+    const int a = cell.node[simplex_edges[e][0]], b = cell.node[simplex_edges[e][1]];
     const std::array<int, 2> edge{std::min(a, b), std::max(a, b)};
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), edge);
     if (at != edges_.end() && *at == edge) number[e] = static_cast<int>(at - edges_.begin());
@@ -50,47 +51,53 @@ CondensedEdges::EdgeNumbers CondensedEdges::numbers_of(const Cell& cell) const {
   return number;
 }
 
-CondensedEdges::CondensedEdges(const Block<3>& block, const Material& material)
-    : edges_(block.curved), volume_(edges_.size(), 0.0) {
+template <int dim>
+CondensedEdges::CondensedEdges(const Block<dim>& block, const Material& material, const ModelParameters& model)
+    : edges_(block.curved), volume_(edges_.size(), 0.0), handed_over_(dim) {
   VOUSSOIR_EXPECT(!edges_.empty());
+  const auto elasticity = dim == 2 ? lame(material, model.plane) : lame(material);
+  const double thickness = dim == 2 ? model.thickness : 1.0;
   std::vector<std::vector<int>> corners(edges_.size()), others(edges_.size());
   for (const auto& cell : block.cells) {
-    const auto number = numbers_of(cell);
+    const auto number = numbers_of<dim>(cell);
     for (const int row : number) {
       if (row < 0) continue;
-      corners[row].insert(corners[row].end(), cell.node.begin(), cell.node.begin() + 4);
+      corners[row].insert(corners[row].end(), cell.node.begin(), cell.node.begin() + Simplex<dim>::corners);
       std::copy_if(number.begin(), number.end(), std::back_inserter(others[row]), [&](int n) { return n >= row; });
     }
   }
-  with_corners_ = pattern(corners, false);
-  auto with_edges = pattern(others, true);
+  with_corners_ = pattern(corners, dim, false);
+  auto with_edges = pattern(others, dim, true);
   for (const auto& cell : block.cells)
-    if (const auto number = numbers_of(cell); *std::max_element(number.begin(), number.end()) >= 0)
-      add_cell(cell, corners_of(block, cell), number, material, with_edges);
+    if (const auto number = numbers_of<dim>(cell); *std::max_element(number.begin(), number.end()) >= 0)
+      add_cell<dim>(cell, simplex_of(block, cell), number, elasticity, thickness, with_edges);
   factor_ = std::make_unique<SparseCholesky>(with_edges);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> force(3 * edges_.size(), 0.0);
-    for (std::size_t e = 0; e < edges_.size(); ++e) force[3 * e + axis] = volume_[e];
+  for (int axis = 0; axis < dim; ++axis) {
+    std::vector<double> force(dim * edges_.size(), 0.0);
+    for (std::size_t e = 0; e < edges_.size(); ++e) force[dim * e + axis] = volume_[e];
     factor_->solve(force.data(), force.data());
     auto& handed = handed_over_[axis];
-    handed.assign(3 * block.position.size(), 0.0);
+    handed.assign(dim * block.position.size(), 0.0);
     for (int row = 0; row < with_corners_.rows(); ++row)
       for (int k = with_corners_.start[row]; k < with_corners_.start[row + 1]; ++k)
         handed[with_corners_.column[k]] -= with_corners_.value[k] * force[row];
   }
 }
 
-void CondensedEdges::add_cell(const Cell& cell, const std::array<Vector<3>, 4>& x, const EdgeNumbers& number,
-                              const Material& material, LocalCsr& with_edges) {
-  const auto k = tetrahedron_edge_stiffness(x, material);
-  for (int i = 0; i < 18; ++i) {
-    if (number[i / 3] < 0) continue;
-    const int row = 3 * number[i / 3] + i % 3;
-    for (int j = 0; j < 12; ++j) with_corners_.at(row, 3 * cell.node[j / 3] + j % 3) += k.with_corners[12 * i + j];
-    for (int j = 0; j < 18; ++j)
-      if (const int column = 3 * number[j / 3] + j % 3; column >= row)
-        with_edges.at(row, column) += k.with_edges[18 * i + j];
-    if (i % 3 == 0) volume_[number[i / 3]] += tetrahedron_edge_volume(x);
+template <int dim>
+void CondensedEdges::add_cell(const Cell& cell, const Simplex<dim>& simplex, const EdgeNumbers<dim>& number,
+                              const Lame& elasticity, double thickness, LocalCsr& with_edges) {
+  constexpr int edges = dim * Simplex<dim>::edges, corners = dim * Simplex<dim>::corners;
+  const auto k = edge_stiffness(simplex, elasticity);
+  for (int i = 0; i < edges; ++i) {
+    if (number[i / dim] < 0) continue;
+    const int row = dim * number[i / dim] + i % dim;
+    for (int j = 0; j < corners; ++j)
+      with_corners_.at(row, dim * cell.node[j / dim] + j % dim) += thickness * k.with_corners[corners * i + j];
+    for (int j = 0; j < edges; ++j)
+      if (const int column = dim * number[j / dim] + j % dim; column >= row)
+        with_edges.at(row, column) += thickness * k.with_edges[edges * i + j];
+    if (i % dim == 0) volume_[number[i / dim]] += thickness * edge_volume(simplex);
   }
 }
 
@@ -135,25 +142,27 @@ LocalCsr CondensedEdges::stiffness(const LocalCsr& linear) const {
   return result;
 }
 
-void CondensedEdges::hand_over(const Vector<3>& force, double* of_corners) const {
-  for (int axis = 0; axis < 3; ++axis)
+template <int dim>
+void CondensedEdges::hand_over(const Vector<dim>& force, double* of_corners) const {
+  for (int axis = 0; axis < dim; ++axis)
     for (std::size_t i = 0; force[axis] != 0 && i < handed_over_[axis].size(); ++i)
       of_corners[i] += force[axis] * handed_over_[axis][i];
 }
 
-std::vector<std::array<Vector<3>, 6>> CondensedEdges::bends(const Block<3>& block, const std::vector<double>& u,
-                                                            const Vector<3>& force) const {
-  std::vector<double> b(3 * edges_.size());
+template <int dim>
+std::vector<typename Simplex<dim>::OfEdges> CondensedEdges::bends(const Block<dim>& block, const std::vector<double>& u,
+                                                                  const Vector<dim>& force) const {
+  std::vector<double> b(dim * edges_.size());
   with_corners_.multiply(u.data(), b.data());
   for (std::size_t e = 0; e < edges_.size(); ++e)
-    for (int c = 0; c < 3; ++c) b[3 * e + c] = volume_[e] * force[c] - b[3 * e + c];
+    for (int c = 0; c < dim; ++c) b[dim * e + c] = volume_[e] * force[c] - b[dim * e + c];
   factor_->solve(b.data(), b.data());
-  std::vector<std::array<Vector<3>, 6>> of_cells(block.cells.size());
+  std::vector<typename Simplex<dim>::OfEdges> of_cells(block.cells.size());
   for (std::size_t n = 0; n < block.cells.size(); ++n) {
     of_cells[n] = {};
-    const auto number = numbers_of(block.cells[n]);
+    const auto number = numbers_of<dim>(block.cells[n]);
     for (std::size_t e = 0; e < number.size(); ++e)
-      for (int c = 0; number[e] >= 0 && c < 3; ++c) of_cells[n][e][c] = b[3 * number[e] + c];
+      for (int c = 0; number[e] >= 0 && c < dim; ++c) of_cells[n][e][c] = b[dim * number[e] + c];
   }
   return of_cells;
 }
@@ -164,5 +173,14 @@ long long CondensedEdges::bytes() const {
   for (const auto& handed : handed_over_) bytes += static_cast<long long>(handed.size() * sizeof(double));
   return bytes;
 }
+
+template CondensedEdges::CondensedEdges(const Block<2>&, const Material&, const ModelParameters&);
+template CondensedEdges::CondensedEdges(const Block<3>&, const Material&, const ModelParameters&);
+template void CondensedEdges::hand_over<2>(const Vector<2>&, double*) const;
+template void CondensedEdges::hand_over<3>(const Vector<3>&, double*) const;
+template std::vector<Simplex<2>::OfEdges> CondensedEdges::bends(const Block<2>&, const std::vector<double>&,
+                                                                const Vector<2>&) const;
+template std::vector<Simplex<3>::OfEdges> CondensedEdges::bends(const Block<3>&, const std::vector<double>&,
+                                                                const Vector<3>&) const;
 
 }  // namespace voussoir

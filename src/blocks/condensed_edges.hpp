@@ -1,11 +1,11 @@
-// Edges of tetrahedra that bend, condensed: what a block of quadratic tetrahedra is to its corners.
+// Edges of triangles or tetrahedra that bend, condensed: what a block of quadratic cells is to its corners.
 //
 //   u = sum over corners L_i u_i + sum over curved edges 4 L_i L_j b_ij        K_ee b = f_e - K_ec u
 //   K = K_cc - K_ce K_ee^-1 K_ec,   f = f_c - K_ce K_ee^-1 f_e
 //
-// K_cc is the stiffness of linear tetrahedra. Edges that stay straight (mesh/curved_edges.hpp) have no b, and every b
+// K_cc is the stiffness of linear cells. Edges that stay straight (mesh/curved_edges.hpp) have no b, and every b
 // is of one block alone, so none of them is an unknown of the structure: corners, contact points and their areas are
-// those of linear tetrahedra, and so is mass, as condensation is that of bodies at rest. A rigid motion bends no edge:
+// those of linear cells, and so is mass, as condensation is that of bodies at rest. A rigid motion bends no edge:
 // K_ec is zero along it, and a force keeps its sum and its moments.
 //
 // Theory  R. J. Guyan, AIAA Journal 3 (1965) 380; O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 1,
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/tensor.hpp"
-#include "blocks/material.hpp"
+#include "blocks/simplex.hpp"
 #include "linalg/local_csr.hpp"
 #include "mesh/mesh.hpp"
 
@@ -28,31 +28,37 @@ class SparseCholesky;
 class CondensedEdges {
  public:
   /// Condenses the edges that a block says are curved, of which there is one at least.
-  CondensedEdges(const Block<3>&, const Material&);
+  template <int dim>
+  CondensedEdges(const Block<dim>&, const Material&, const ModelParameters&);
   ~CondensedEdges();
 
   /// Of the corners once their edges are free to bend [N/m]: every entry is there.
   LocalCsr stiffness(const LocalCsr& of_linear_cells) const;
   /// Adds to the forces of its corners what edges hand to them of a uniform force on all of the block [N/m3].
-  void hand_over(const Vector<3>& force, double* of_corners) const;
-  /// How far the edges of each cell bend [m], in the order of tetrahedron_edges; straight ones by 0.
+  template <int dim>
+  void hand_over(const Vector<dim>& force, double* of_corners) const;
+  /// How far the edges of each cell bend [m], in the order of simplex_edges; straight ones by 0.
   /// @param u      of the corners [m], without what they take freely
   /// @param force  on all of the block [N/m3]
-  std::vector<std::array<Vector<3>, 6>> bends(const Block<3>&, const std::vector<double>& u,
-                                              const Vector<3>& force) const;
+  template <int dim>
+  std::vector<typename Simplex<dim>::OfEdges> bends(const Block<dim>&, const std::vector<double>& u,
+                                                    const Vector<dim>& force) const;
   long long bytes() const;
 
  private:
-  using EdgeNumbers = std::array<int, 6>;  ///< of the edges of a cell, -1 for straight ones
-  EdgeNumbers numbers_of(const Cell&) const;
-  void add_cell(const Cell&, const std::array<Vector<3>, 4>& x, const EdgeNumbers&, const Material&,
+  template <int dim>
+  using EdgeNumbers = std::array<int, Simplex<dim>::edges>;  ///< of the edges of a cell, -1 for straight ones
+  template <int dim>
+  EdgeNumbers<dim> numbers_of(const Cell&) const;
+  template <int dim>
+  void add_cell(const Cell&, const Simplex<dim>&, const EdgeNumbers<dim>&, const Lame&, double thickness,
                 LocalCsr& with_edges);
 
   std::vector<std::array<int, 2>> edges_;
-  LocalCsr with_corners_;                           ///< K_ec
-  std::vector<double> volume_;                      ///< [m3] integral of the function of each edge
-  std::unique_ptr<SparseCholesky> factor_;          ///< of K_ee
-  std::array<std::vector<double>, 3> handed_over_;  ///< [m3] -K_ce K_ee^-1 f_e of 1 N/m3 along each axis
+  LocalCsr with_corners_;                         ///< K_ec
+  std::vector<double> volume_;                    ///< [m3] integral of the function of each edge
+  std::unique_ptr<SparseCholesky> factor_;        ///< of K_ee
+  std::vector<std::vector<double>> handed_over_;  ///< [m3] -K_ce K_ee^-1 f_e of 1 N/m3 along each axis
 };
 
 }  // namespace voussoir

@@ -21,11 +21,10 @@ BlockMatrices StiffnessOfShapes::of(Block<dim> block, const Material& material) 
   auto& known = known_[std::move(shape)];
   if (known.stiffness) return known;
   known.sparse = known.stiffness = std::make_shared<const LocalCsr>(block_stiffness(block, material, model_));
-  if constexpr (dim == 3)
-    if (!block.curved.empty()) {
-      known.edges = std::make_shared<const CondensedEdges>(block, material);
-      known.stiffness = std::make_shared<const LocalCsr>(known.edges->stiffness(*known.sparse));
-    }
+  if (!block.curved.empty()) {
+    known.edges = std::make_shared<const CondensedEdges>(block, material, model_);
+    known.stiffness = std::make_shared<const LocalCsr>(known.edges->stiffness(*known.sparse));
+  }
   return known;
 }
 

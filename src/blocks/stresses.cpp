@@ -4,7 +4,6 @@
 #include "blocks/condensed_edges.hpp"
 #include "blocks/element_matrices.hpp"
 #include "blocks/solid_matrices.hpp"
-#include "blocks/tetrahedron.hpp"
 
 namespace voussoir {
 namespace {
@@ -29,22 +28,25 @@ std::array<double, 6> stress_of(const Structure<3>&, const LocalBlock<3>& block,
 
 /// Adds what edges add that bend.
 /// @param stress  of the cells of the block
-void add_stress_of_edges(const LocalBlock<3>& block, const std::vector<double>& displacement, double free_strain,
-                         const Vector<3>& body_force, double* stress) {
+template <int dim>
+void add_stress_of_edges(const Structure<dim>& s, const LocalBlock<dim>& block, const std::vector<double>& displacement,
+                         double free_strain, const Vector<dim>& body_force, double* stress) {
   if (!block.edges) return;
+  const auto elasticity = dim == 2 ? lame(block.material, s.model().plane) : lame(block.material);
   std::vector<double> u;  // a free strain bends nothing
-  u.reserve(3 * block.mesh.position.size());
+  u.reserve(dim * block.mesh.position.size());
   for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      u.push_back(displacement[3 * (block.first_local + i) + c] -
+    for (int c = 0; c < dim; ++c)
+      u.push_back(displacement[dim * (block.first_local + i) + c] -
                   free_strain * (block.mesh.position[i][c] - block.mesh.position.front()[c]));
   const auto bends = block.edges->bends(block.mesh, u, body_force);
   for (std::size_t n = 0; n < block.mesh.cells.size(); ++n) {
     const auto& cell = block.mesh.cells[n];
-    if (cell.count != 4) continue;
-    const auto x = cell_positions(block.mesh, cell);
-    const auto more = tetrahedron_edge_stress({x[0], x[1], x[2], x[3]}, bends[n], block.material);
-    for (int c = 0; c < 6; ++c) stress[6 * n + c] += more[c];
+    if (cell.count != Simplex<dim>::corners) continue;
+    typename Simplex<dim>::Places x{};
+    for (int i = 0; i < Simplex<dim>::corners; ++i) x[i] = block.mesh.position[cell.node[i]];
+    const auto more = stress_of(elasticity, edge_slope(Simplex<dim>(x), bends[n]));
+    for (std::size_t c = 0; c < more.size(); ++c) stress[more.size() * n + c] += more[c];
   }
 }
 
@@ -65,11 +67,9 @@ std::vector<double> cell_stresses(const Structure<dim>& s, const std::vector<dou
       const auto value = stress_of(s, block, cell, u, free_strain);
       stress.insert(stress.end(), value.begin(), value.end());
     }
-    if constexpr (dim == 3) {
-      Vector<3> force{};
-      for (int c = 0; c < 3 && !inner.body_force.empty(); ++c) force[c] = inner.body_force[3 * b + c];
-      add_stress_of_edges(block, displacement, free_strain, force, stress.data() + first);
-    }
+    Vector<dim> force{};
+    for (int c = 0; c < dim && !inner.body_force.empty(); ++c) force[c] = inner.body_force[dim * b + c];
+    add_stress_of_edges(s, block, displacement, free_strain, force, stress.data() + first);
   }
   return stress;
 }

@@ -33,8 +33,7 @@ Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner
   const auto add = [&](BlockId b) {
     auto block = source.block(b);
     const auto material = material_of(block);
-    if constexpr (dim == 3)
-      if (held) block.curved = curved_edges_off(block, [&](const TaggedFacet& facet) { return held(block, facet); });
+    if (held) block.curved = curved_edges_off(block, [&](const TaggedFacet& facet) { return held(block, facet); });
     add_block(std::move(block), first[b], material, stiffness, vertex);
   };
   std::vector<BlockId> halo;

@@ -67,13 +67,14 @@ void BodyForce<dim>::add_body_force(double factor, std::vector<double>& force) c
   for (std::size_t i = 0; i < per_volume_.size(); ++i) force[i] += factor * per_volume_[i];
 }
 
-template <>
-void hand_over_edges<2>(const LocalBlock<2>&, const Vector<2>&, std::vector<double>&) {}
-
-template <>
-void hand_over_edges<3>(const LocalBlock<3>& block, const Vector<3>& per_volume, std::vector<double>& force) {
-  if (block.edges) block.edges->hand_over(per_volume, &force[3 * static_cast<std::size_t>(block.first_local)]);
+template <int dim>
+void hand_over_edges(const LocalBlock<dim>& block, const Vector<dim>& per_volume, std::vector<double>& force) {
+  if (block.edges)
+    block.edges->template hand_over<dim>(per_volume, &force[dim * static_cast<std::size_t>(block.first_local)]);
 }
+
+template void hand_over_edges(const LocalBlock<2>&, const Vector<2>&, std::vector<double>&);
+template void hand_over_edges(const LocalBlock<3>&, const Vector<3>&, std::vector<double>&);
 
 template struct LoadSite<2>;
 template struct LoadSite<3>;

@@ -123,11 +123,6 @@ std::unique_ptr<Load<dim>> pattern_of(const Structure<dim>& s, const Add& add) {
 template <int dim>
 void hand_over_edges(const LocalBlock<dim>&, const Vector<dim>& per_volume, std::vector<double>& force);
 
-template <>
-void hand_over_edges<2>(const LocalBlock<2>&, const Vector<2>&, std::vector<double>&);
-template <>
-void hand_over_edges<3>(const LocalBlock<3>&, const Vector<3>&, std::vector<double>&);
-
 extern template class PatternLoad<2>;
 
 }  // namespace voussoir

@@ -147,8 +147,7 @@ void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
 
 template <int dim>
 std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim> list) {
-  if constexpr (dim == 3)
-    if (list.quadratic) find_curved_edges(list.blocks);
+  if (list.quadratic) find_curved_edges(list.blocks);
   return std::make_unique<ListedBlocks<dim>>(std::move(list));
 }
 

@@ -14,7 +14,7 @@ struct BlockList {
   std::vector<Block<dim>> blocks;  ///< block b has id b
   std::vector<std::string> block_sets;
   std::vector<std::string> facet_sets;
-  bool quadratic = false;           ///< tetrahedra bend along edges that one block alone has
+  bool quadratic = false;           ///< simplices bend along edges that one block alone has
   Warnings warnings;                ///< of the source
   std::vector<std::string> report;  ///< of the source
 };

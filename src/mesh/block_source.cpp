@@ -3,6 +3,7 @@
 #include "base/check.hpp"
 #include "linalg/agree.hpp"
 #include "mesh/cell_count.hpp"
+#include "mesh/curved_edges.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/gmsh_reader.hpp"
 #include "mesh/lattice.hpp"
@@ -25,9 +26,10 @@ std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parame
     if (parameters.type == MeshType::barrel_vault) return make_barrel_vault(parameters.barrel_vault);
     return make_wall_in_space(parameters.wall_in_space);
   } else {
-    if (parameters.type == MeshType::wall) return make_wall(parameters.wall);
-    if (parameters.type == MeshType::arch) return make_arch(parameters.arch);
-    return read_gmsh(parameters.gmsh, comm, trust);
+    auto source = parameters.type == MeshType::wall   ? make_wall(parameters.wall)
+                  : parameters.type == MeshType::arch ? make_arch(parameters.arch)
+                                                      : read_gmsh(parameters.gmsh, comm, trust);
+    return parameters.has_quadratic_triangles() ? with_curved_edges(std::move(source)) : std::move(source);
   }
 }
 

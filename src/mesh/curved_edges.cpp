@@ -15,9 +15,10 @@ using Edge = std::array<int, 2>;
 
 Edge edge(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// All pairs of nodes of the cells with so many of them: of tetrahedra their edges; of hexahedra diagonals too, which a
-/// tetrahedron beside may have as its edge.
-std::vector<Edge> pairs_of(const Block<3>& block, int count) {
+/// All pairs of nodes of the cells with so many of them: of triangles and tetrahedra their edges; of quadrilaterals and
+/// hexahedra diagonals too, which a tetrahedron beside may have as its edge.
+template <int dim>
+std::vector<Edge> pairs_of(const Block<dim>& block, int count) {
   std::vector<Edge> pairs;
   for (const auto& cell : block.cells) {
     if (cell.count != count) continue;
@@ -46,12 +47,13 @@ struct PlacedEdge {
 
 }  // namespace
 
-void find_curved_edges(std::vector<Block<3>>& blocks) {
+template <int dim>
+void find_curved_edges(std::vector<Block<dim>>& blocks) {
   std::vector<PlacedEdge> edges;
   for (auto& block : blocks) {
-    const auto of_hexahedra = pairs_of(block, 8);
-    block.curved = without(pairs_of(block, 4), of_hexahedra);
-    auto all = of_hexahedra;
+    const auto of_others = pairs_of(block, 1 << dim);
+    block.curved = without(pairs_of(block, dim + 1), of_others);
+    auto all = of_others;
     all.insert(all.end(), block.curved.begin(), block.curved.end());
     for (const auto& e : all) edges.push_back({ascending(block.vertex[e[0]], block.vertex[e[1]]), block.id, e});
   }
@@ -69,7 +71,43 @@ void find_curved_edges(std::vector<Block<3>>& blocks) {
   }
 }
 
-std::vector<std::array<int, 2>> curved_edges_off(const Block<3>& block,
+namespace {
+
+template <int dim>
+class WithCurvedEdges final : public BlockSource<dim> {
+ public:
+  explicit WithCurvedEdges(std::unique_ptr<BlockSource<dim>> of) : of_(std::move(of)) {}
+
+  BlockId block_count() const override { return of_->block_count(); }
+  int node_count(BlockId b) const override { return of_->node_count(b); }
+  Block<dim> block(BlockId b) const override {
+    const auto& graph = of_->graph();
+    std::vector<Block<dim>> around{of_->block(b)};
+    for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) around.push_back(of_->block(graph.neighbour[k]));
+    for (std::size_t i = 0; i < around.size(); ++i) around[i].id = static_cast<BlockId>(i);
+    find_curved_edges(around);
+    around[0].id = b;
+    return std::move(around[0]);
+  }
+  const BlockGraph& graph() const override { return of_->graph(); }
+  const std::vector<std::string>& block_sets() const override { return of_->block_sets(); }
+  const std::vector<std::string>& facet_sets() const override { return of_->facet_sets(); }
+  Warnings warnings() const override { return of_->warnings(); }
+  std::vector<std::string> report() const override { return of_->report(); }
+
+ private:
+  std::unique_ptr<BlockSource<dim>> of_;
+};
+
+}  // namespace
+
+template <int dim>
+std::unique_ptr<BlockSource<dim>> with_curved_edges(std::unique_ptr<BlockSource<dim>> source) {
+  return std::make_unique<WithCurvedEdges<dim>>(std::move(source));
+}
+
+template <int dim>
+std::vector<std::array<int, 2>> curved_edges_off(const Block<dim>& block,
                                                  const std::function<bool(const TaggedFacet&)>& straightens) {
   if (block.curved.empty()) return {};
   std::vector<Edge> straight;
@@ -81,5 +119,13 @@ std::vector<std::array<int, 2>> curved_edges_off(const Block<3>& block,
   sort_unique(straight);
   return without(block.curved, straight);
 }
+
+template void find_curved_edges(std::vector<Block<2>>&);
+template void find_curved_edges(std::vector<Block<3>>&);
+template std::unique_ptr<BlockSource<2>> with_curved_edges(std::unique_ptr<BlockSource<2>>);
+template std::vector<std::array<int, 2>> curved_edges_off(const Block<2>&,
+                                                          const std::function<bool(const TaggedFacet&)>&);
+template std::vector<std::array<int, 2>> curved_edges_off(const Block<3>&,
+                                                          const std::function<bool(const TaggedFacet&)>&);
 
 }  // namespace voussoir

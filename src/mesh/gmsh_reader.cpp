@@ -174,7 +174,7 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
   std::sort(entities.begin(), entities.end());
   if (entities.empty())
     refuse_file(p.file, "has no surface; every surface becomes a block.", "Add Plane Surfaces to the file.");
-  bool quadrilaterals = false;
+  bool quadrilaterals = false, triangles = false;
   for (const auto& [dim, tag] : entities) {
     SurfaceMesh::Surface surface;
     surface.tag = tag;
@@ -183,11 +183,16 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
       Cell cell;
       cell.count = static_cast<int>(nodes.size());
       quadrilaterals = quadrilaterals || cell.count == 4;
+      triangles = triangles || cell.count == 3;
       for (int k = 0; k < cell.count; ++k) cell.node[k] = number(nodes[k]);
       surface.cells.push_back(cell);
     }
     mesh.surfaces.push_back(std::move(surface));
   }
+  if (p.cells == CellType::quadratic_triangle && !triangles)
+    refuse_mesh("gmsh > cells", "quadratic triangle",
+                "cannot be had: the mesh of " + p.file + " has quadrilaterals only.",
+                "Choose quadrilateral, or give a drawing that is meshed by triangles.");
   if (p.cells == CellType::quadrilateral && !quadrilaterals)
     refuse_mesh("gmsh > cells", "quadrilateral", "cannot be had: the mesh of " + p.file + " has triangles only.",
                 "Let the file recombine its surfaces when the number `recombine` is 1, or choose triangle.");

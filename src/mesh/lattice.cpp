@@ -10,7 +10,7 @@ namespace voussoir {
 
 std::vector<Cell> lattice_cells(int across, int up, CellType type) {
   std::vector<Cell> cells;
-  cells.reserve(static_cast<std::size_t>(across) * up * (type == CellType::triangle ? 2 : 1));
+  cells.reserve(static_cast<std::size_t>(across) * up * (type == CellType::quadrilateral ? 1 : 2));
   for (int j = 0; j < up; ++j)
     for (int i = 0; i < across; ++i) {
       const int a = j * (across + 1) + i, b = a + 1, d = a + across + 1, c = d + 1;

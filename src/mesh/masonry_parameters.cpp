@@ -60,8 +60,12 @@ void add_embrace(ParameterSection& section, double& embrace) {
 
 void declare_cell_type(ParameterSection& section, CellType& cells) {
   section.add_choice<CellType>("cells", cells,
-                               {{"triangle", CellType::triangle}, {"quadrilateral", CellType::quadrilateral}},
-                               "shape of the cells a block is divided into, P1 triangles or Q1 quadrilaterals");
+                               {{"triangle", CellType::triangle},
+                                {"quadrilateral", CellType::quadrilateral},
+                                {"quadratic triangle", CellType::quadratic_triangle}},
+                               "cells a block is divided into: P1 triangles, Q1 quadrilaterals, or triangles that bend "
+                               "along their edges, but for edges on joints and supports, and are condensed to their "
+                               "corners");
 }
 
 void Opening::declare(ParameterSection& section) {

@@ -10,7 +10,7 @@ namespace voussoir {
 class ParameterSection;
 
 /// How a block is divided; P1 triangles or Q1 quadrilaterals.
-enum class CellType { triangle, quadrilateral };
+enum class CellType { triangle, quadrilateral, quadratic_triangle };
 
 std::string words_of(CellType);
 void declare_cell_type(ParameterSection&, CellType&);

@@ -37,7 +37,11 @@ double product(std::initializer_list<double> factors) {
 
 }  // namespace
 
-std::string words_of(CellType cells) { return cells == CellType::triangle ? "triangles" : "quadrilaterals"; }
+std::string words_of(CellType cells) {
+  return cells == CellType::triangle        ? "triangles"
+         : cells == CellType::quadrilateral ? "quadrilaterals"
+                                            : "quadratic triangles";
+}
 
 double WallParameters::cell_count() const {
   return product({double(courses), double(blocks_per_course), double(cells_along), double(cells_up)});

@@ -38,7 +38,7 @@ struct Block {
   std::vector<Vector<dim>> position;  ///< [m] per node
   std::vector<VertexId> vertex;       ///< per node; equal for coincident nodes of touching blocks
   std::vector<Cell> cells;
-  /// Edges of its tetrahedra that may bend, by local nodes, ascending. Linear cells have none.
+  /// Edges of its triangles or tetrahedra that may bend, by local nodes, ascending. Linear cells have none.
   std::vector<std::array<int, 2>> curved;
   /// Nodes where the drawing has an edge (a corner in 2D), ascending: facets that meet there at an angle are two sides
   /// of a joint, where others are parts of something curved (joints/same_side.hpp).

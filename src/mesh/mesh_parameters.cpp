@@ -39,6 +39,12 @@ void GmshParameters::declare(ParameterSection& section) {
       "further numbers set in the .geo by their name, such as pier_settlement = 0.05, in the units of the file");
 }
 
+bool MeshParameters::has_quadratic_triangles() const {
+  return (type == MeshType::gmsh && gmsh.cells == CellType::quadratic_triangle) ||
+         (type == MeshType::wall && wall.cells == CellType::quadratic_triangle) ||
+         (type == MeshType::arch && arch.cells == CellType::quadratic_triangle);
+}
+
 const MasonryParameters* MeshParameters::masonry() const {
   switch (type) {
     case MeshType::wall:

@@ -15,7 +15,7 @@ struct GmshParameters {
   std::string file;           ///< .geo or .msh (format 4.1); a scene that was read holds an absolute path
   double unit = 1.0;          ///< [m] length that the file calls 1
   double element_size = 0.0;  ///< [m] the number `element_size` of the .geo or gmsh's mesh size; 0 = the file's own
-  CellType cells = CellType::triangle;     ///< quadrilateral: passed to the .geo as `recombine` = 1
+  CellType cells = CellType::triangle;     ///< quadrilaterals: passed to the .geo as `recombine` = 1
   std::map<std::string, double> geometry;  ///< further numbers set in the .geo, by name, in its units
   void declare(ParameterSection&);
 };
@@ -41,6 +41,8 @@ struct MeshParameters {
   int dimension() const { return type == MeshType::gmsh || type == MeshType::wall || type == MeshType::arch ? 2 : 3; }
   /// Whether they are read from a file, which says what it likes.
   bool from_file() const { return type == MeshType::gmsh || type == MeshType::stones; }
+  /// Whether triangles of the plane bend along their edges.
+  bool has_quadratic_triangles() const;
   void declare(ParameterSection&);
 };
 

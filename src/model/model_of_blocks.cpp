@@ -126,10 +126,6 @@ double ModelOfBlocks<dim>::passage(int block) const {
     shortest = std::min(shortest, norm(mesh.position[b] - mesh.position[a]) / wave_speed(block));
   };
   for (const auto& cell : mesh.cells) {
-    if (dim == 3 && cell.count == 4) {
-      for (const auto& edge : tetrahedron_edges) look_at(cell.node[edge[0]], cell.node[edge[1]]);
-      continue;
-    }
     const int around = dim == 2 ? cell.count : 4;  // corners of a face
     if (dim == 3 && cell.count == 4) {             // all corners of a tetrahedron are neighbours
       for (int i = 0; i < 4; ++i)

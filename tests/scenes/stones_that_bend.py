@@ -1,9 +1,9 @@
-"""Stones of quadratic tetrahedra that are linear on joints and condensed to their corners: how they bend, and at the seams.
+"""Stones of quadratic cells that are linear on joints and condensed to their corners: how they bend, and at the seams.
 
 usage: stones_that_bend.py PROGRAM MPIEXEC
 
 Set-up    A stone that sticks out of a wall; an arch of wedges; a column of boxes that is built, bonded by mortar, shaken; a
-          slab between plates; the cross vault of others, whose folder VOUSSOIR_STONES names.
+          slab between plates; the cross vault of others, whose folder VOUSSOIR_STONES names. In the plane an arm and a wall.
 Expected  Few quadratic cells bend as many hexahedra do, linear ones by a quarter less. Points that all stick are the bonded
           continuum. What stands on a support weighs what is there; a column in mortar shortens by what mortar and stone
           each do; energy is kept in time. The same on any number of ranks, and in parts. One cell between joints is warned of.
@@ -21,6 +21,7 @@ import h5py  # noqa: E402  (folders of their own)
 import numpy as np  # noqa: E402
 import program  # noqa: E402
 import solids  # noqa: E402
+import stones as plane  # noqa: E402
 from stones_in_space import DENSITY, GRAVITY, push, scene  # noqa: E402
 
 OTHERS = os.environ.get("VOUSSOIR_STONES")
@@ -137,6 +138,71 @@ class StonesThatBend(program.SceneTest):
         for better in ({"element size": 0.05}, {"element size": 0.3, "element": "linear"}):
             run = self.run_stones(slab, scene(mesh={**TETRAHEDRA, **better}), "--validate")
             self.assertNotIn("one cell between them", run.words)
+
+
+class InThePlane(program.SceneTest):
+    TRIANGLES = "quadratic triangle"
+
+    def posed(self, mesh, supports, **sections):
+        """Own weight, and pushed by a tenth of it."""
+        push = {"push": {"type": "acceleration", "ax": 0.1 * GRAVITY}}
+        stages = {"own weight": OWN, "pushed": {"loads": {"push": 1.0}}}
+        return plane.scene(mesh, supports, push, stages, **sections)
+
+    def wall(self, cells, mode, joints=None, **more):
+        wall = {"courses": 4, "blocks per course": 3, "block length": 0.5, "block height": 0.25, "cells along": 4, "cells up": 2,
+                "cells": cells}
+        return self.posed({"type": "wall", "wall": wall}, ["base"], joints=joints or {"dry": {"friction coefficient": 0.6}},
+                          selection={"mode": mode}, newton={"tolerance": 1e-12}, **more)
+
+    def displacements(self, run):
+        self.assertEqual(run.outcome, "equilibrium", run.said)
+        with h5py.File(run.folder / "fields.h5") as fields:
+            return fields[f"steps/{len(fields['steps']):04d}/displacement"][:]
+
+    def test_an_arm_bends_as_fine_cells_say(self):
+        outlines = {"wall": plane.rectangle(-0.4, 0, 0, 0.4), "arm": plane.rectangle(0, 0, 0.8, 0.4)}
+        found = {}
+        for name, cells, size in (("fine", "quadrilateral", 0.02), ("quadratic", self.TRIANGLES, 0.2), ("linear", "triangle", 0.2)):
+            mesh = {"type": "gmsh", "gmsh": {"file": "stones.geo", "cells": cells}}
+            recombined = "DefineConstant[ recombine = {0} ];\nIf (recombine)\nRecombine Surface{:};\nEndIf\n"
+            run = self.run_scene(self.posed(mesh, ["left"], selection={"mode": "bonded"}), out=name,
+                                 drawing=plane.geo(outlines, size, {"left": ("wall", 3)}) + recombined)
+            self.assertEqual(run.outcome, "equilibrium", run.said)
+            found[name] = run.history[0]["largest_displacement_m"]
+        self.assertLess(abs(found["quadratic"] / found["fine"] - 1), 0.02, found)
+        self.assertLess(found["linear"] / found["fine"], 0.85, found)
+
+    def test_points_that_stick_are_the_bonded_continuum(self):
+        glue = {"dry": {"friction coefficient": 0.6, "cohesion": 1e8, "tension strength": 1e8}}
+        bonded, every = (self.displacements(self.run_scene(self.wall(self.TRIANGLES, mode, glue), out=mode)) for mode in ("bonded", "all"))
+        self.assertLess(abs(bonded - every).max(), 1e-10 * abs(bonded).max())
+
+    def test_contact_is_nearer_to_fine_cells_on_any_number_of_ranks(self):
+        found = {}
+        for name, cells, settings in (("fine", "quadrilateral", {"along": 32, "up": 16}), ("coarse", "quadrilateral", {}),
+                                      ("quadratic", self.TRIANGLES, {})):
+            given = [f"--set=mesh/wall/cells {key}={value}" for key, value in settings.items()]
+            run = self.run_scene(self.wall(cells, "all"), *given, out=name)
+            self.assertEqual(run.outcome, "equilibrium", run.said)
+            found[name] = run.history[-1]["largest_displacement_m"]
+        self.assertLess(found["coarse"], found["quadratic"])
+        self.assertLess(found["quadratic"], found["fine"])
+        for ranks in 2, 4:
+            run = self.run_scene(self.wall(self.TRIANGLES, "all"), out=f"on {ranks}", ranks=ranks)
+            self.assertLess(abs(run.history[-1]["largest_displacement_m"] / found["quadratic"] - 1), 1e-6, run.said)
+
+    def test_large_rotations_are_refused(self):
+        run = self.run_scene(self.wall(self.TRIANGLES, "all", model={"rotations": "finite"}), "--validate")
+        self.assertEqual(run.code, 2)
+        self.assertIn("does not go with cells = \"quadratic triangle\"", run.words)
+
+    def test_a_mesh_of_quadrilaterals_has_none(self):
+        mesh = {"type": "gmsh", "gmsh": {"file": "stones.geo", "cells": self.TRIANGLES}}
+        drawing = plane.geo({"a": plane.rectangle(0, 0, 1, 1)}, 0.5, {"base": ("a", 0)}) + "Transfinite Surface{:};\nRecombine Surface{:};\n"
+        run = self.run_scene(self.posed(mesh, ["base"]), "--validate", drawing=drawing)
+        self.assertEqual(run.code, 2)
+        self.assertIn("has quadrilaterals only", run.words)
 
 
 @unittest.skipUnless(OTHERS, "VOUSSOIR_STONES names no folder with files of others")

@@ -197,15 +197,15 @@ TEUCHOS_UNIT_TEST(CondensedEdges, UniformStrainIsExactInADistortedMesh) {
     apart = std::max(apart, std::abs(linear[i] - force[i]));
   }
   TEST_COMPARE(apart, <=, 1e-12 * largest);
-  const CondensedEdges edges(block, stone);
-  for (const auto& cell : edges.bends(block, u, {}))
+  const CondensedEdges edges(block, stone, {});
+  for (const auto& cell : edges.bends<3>(block, u, {}))
     for (const auto& bend : cell) TEST_COMPARE(norm(bend), <=, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(CondensedEdges, HandOverNoForceAndNoMoment) {
   const auto block = straight_where(all_curved(box(0, {2, 1, 3}, 0.5)), [](const auto& x) { return x[0] == 0; });
   std::vector<double> force(3 * block.position.size(), 0.0);
-  CondensedEdges(block, stone).hand_over({1, -2, 3}, force.data());
+  CondensedEdges(block, stone, {}).hand_over<3>({1, -2, 3}, force.data());
   Vector<3> sum{}, moment{};
   double largest = 0;
   for (std::size_t i = 0; i < block.position.size(); ++i) {
@@ -235,7 +235,7 @@ TEUCHOS_UNIT_TEST(CondensedEdges, AColumnUnderItsOwnWeightIsExact) {
     force[3 * i + 2] = -weight * volume[i];
     for (int c = 0; c < 3 && block.position[i][2] == 0; ++c) held[3 * i + c] = 1;
   }
-  b.edges->hand_over({0, 0, -weight}, force.data());
+  b.edges->hand_over<3>({0, 0, -weight}, force.data());
   const auto u = solved(*b.stiffness, held, force);
   for (std::size_t i = 0; i < volume.size(); ++i) {
     const double z = block.position[i][2];
