@@ -21,10 +21,12 @@
 #include "linalg/agree.hpp"
 #include "linalg/blas_memory.hpp"
 #include "output/hdf5_file.hpp"
+#include "output/output_folder.hpp"
 #include "run/simulation.hpp"
 #include "run/stop_signals.hpp"
 #include "scene/scene_printer.hpp"
 #include "scene/scene_reader.hpp"
+#include "statics/linear_programme.hpp"
 
 namespace {
 
@@ -146,9 +148,12 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
   if (summary.scene.empty()) return exit_done;  // nothing was to be computed
   say << "\n";
   if (summary.outcome == Outcome::interrupted) {
-    say << static_cast<char>(std::toupper(summary.message[0])) << summary.message.substr(1)
-        << ".\nThe state is saved; go on with\n  voussoir --xml=" << a.xml << " --out=" << a.run.folder
-        << " --restart\n";
+    say << static_cast<char>(std::toupper(summary.message[0])) << summary.message.substr(1) << ".\n";
+    if (summary.rigid)
+      say << "This is in " << a.run.folder << "/" << interrupted_file << "; begin anew with more time for the rest\n";
+    else
+      say << "The state is saved; go on with\n  voussoir --xml=" << a.xml << " --out=" << a.run.folder
+          << " --restart\n";
     return exit_interrupted;
   }
   if (summary.rigid)
@@ -193,6 +198,7 @@ int run_program(std::vector<std::string> words) {
     }
     listen_for_stop_signals();
     end_child_processes_when(stop_wanted_here);
+    end_linear_programmes_when(stop_wanted_here);
     if (a.at_most > 0) stop_within(a.at_most);
     reserve_blas_memory();
     const auto scene = read_on_all_ranks(a, *comm);

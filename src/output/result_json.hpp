@@ -54,7 +54,7 @@ struct RigidSummary {
   struct Range {
     double least = 0, most = 0;  ///< [N] of a reaction; infinite where it has no end
   };
-  double free_share = 0;  ///< [-] of dry joints, from their edges, that forces can leave
+  double free_share = NAN;  ///< [-] of dry joints, from their edges, that forces can leave; not a number: not known
   std::map<std::string, std::array<Range, 3>> reactions;  ///< along x, y and z, by name of the support
   int components = 2;                                     ///< of reactions; 3 in space
   double borne = NAN;     ///< [-] factor of the pattern for which admissible forces are found; not a number: none asked

@@ -11,6 +11,7 @@
 #include "results/mechanism_words.hpp"
 #include "results/recorder.hpp"
 #include "run/rigid_limits.hpp"
+#include "run/what_is_known.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 #include "step/adaptive_step.hpp"
 
@@ -78,10 +79,11 @@ class LimitRun {
     const auto& search = scene_.load_factor;
     if (search.asked()) task.raised = loads_of_pattern(model_, factors, search.pattern, 0);
     const RigidLimits<dim> limits(model_, task);
-    const auto at_rest = limits.bears(0);
     auto& summary = recorder_.summary();
     summary.rigid.emplace();
     summary.rigid->components = dim;
+    const auto at_rest = limits.bears(0);
+    if (stopped("whether forces can balance the loads is not known")) return summary;
     if (at_rest.verdict == LimitVerdict::refused) {
       summary.message =
           "no forces that joints admit balance the loads, so that no equilibrium exists, by the static theorem";
@@ -90,7 +92,7 @@ class LimitRun {
       summary.message = "the linear programme could not be solved exactly enough to prove anything";
     } else {
       stands(limits);
-      if (search.asked()) raise(limits);
+      if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits);
     }
     return summary;
   }
@@ -98,21 +100,37 @@ class LimitRun {
  private:
   static constexpr auto stage = "limit analysis";  ///< as fields call its steps
 
+  /// Whether the run was asked to stop; then that is what the summary says, with what it knew by then. Collective.
+  /// @param unknown  what was being looked for
+  bool stopped(const std::string& unknown) {
+    const auto stop = stop_wanted(*model_.structure().comm());
+    if (stop == Stop::no) return false;
+    auto& summary = recorder_.summary();
+    const std::string known = summary.message.empty() ? "" : summary.message + "; ";
+    summary.outcome = Outcome::interrupted;
+    summary.message = why_stopped(stop) + ": " + known + unknown;
+    return true;
+  }
+
   /// Forces that balance loads: the most balanced ones, and between which ends those of supports can be.
   void stands(const RigidLimits<dim>& limits) {
     auto& summary = recorder_.summary();
     auto& rigid = *summary.rigid;
     summary.outcome = Outcome::equilibrium;
-    const auto forces = limits.most_balanced(0, &rigid.free_share);
+    summary.message = "forces that joints admit balance the loads";
+    double share = 0;
+    const auto forces = limits.most_balanced(0, &share);
+    if (stopped("how much of every joint they can leave free is not known")) return;
+    rigid.free_share = share;
     rigid.at_least = rigid.free_share >= LimitAnalysisParameters::largest_free_share;
     const bool rows = limits.is_rows();
     if (rows && !rigid.at_least) rigid.factor = 1 / (1 - rigid.free_share);
-    summary.message = "forces that joints admit balance the loads; they can leave " +
-                      std::string(rigid.at_least ? "at least " : "") + six_digits(100 * rigid.free_share) +
-                      " % of every dry joint free" + words_of_share(rigid, rows);
+    summary.message += "; they can leave " + std::string(rigid.at_least ? "at least " : "") +
+                       six_digits(100 * rigid.free_share) + " % of every dry joint free" + words_of_share(rigid, rows);
     recorder_.record_forces(limits.on_points(forces), stage, scene_.load_factor.asked() ? 0 : 1);
     const int supports = static_cast<int>(scene_.supports.size());
     const auto ranges = limits.reactions(supports, 0);
+    if (stopped("between which ends reactions can be is not known")) return;
     const auto force = [](double f) { return std::isfinite(f) ? six_digits(f) + " N" : std::string("any force"); };
     for (int k = 0; k < supports; ++k) {
       const auto& name = scene_.supports[static_cast<std::size_t>(k)].name;
@@ -134,12 +152,18 @@ class LimitRun {
     const auto& search = scene_.load_factor;
     auto& summary = recorder_.summary();
     const auto limit = limits.largest_factor(search.largest);
+    if (stopped("how far the pattern can be raised is not known")) return;
     summary.collapse = CollapseSummary{search.pattern, NAN, INFINITY, true, {}, INFINITY, INFINITY};
     auto& found = *summary.collapse;
     if (limit.verdict == LimitVerdict::limited) {
       found.certified = found.upper = limit.factor;
       if (const auto estimate = limits.without_dilatancy(search.largest, limit)) found.estimate = *estimate;
-      summary.rigid->borne = dim == 2 ? limit.factor : limits.largest_borne(search.largest).factor;
+      const double borne = dim == 2 ? limit.factor : limits.largest_borne(search.largest).factor;
+      if (dim == 3 && stopped("above " + six_digits(limit.factor) +
+                              " times the pattern no equilibrium exists, by the static theorem; up to which factor "
+                              "forces can balance it is not known"))
+        return;
+      summary.rigid->borne = borne;
       summary.message =
           "above " + six_digits(limit.factor) +
           " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip dilates stand up "
@@ -192,7 +216,8 @@ RunSummary limit_run(const Scene& scene, const BlockSource<dim>& source, const s
   summary.scene = scene.file;
   summary.seconds["total"] = clock.totalElapsedTime(true);
   summary.peak_memory = peak_memory_per_rank(*comm);
-  write_result_json(folder + "/" + result_file, summary, *comm);
+  const bool stopped = summary.outcome == Outcome::interrupted;
+  write_result_json(folder + "/" + (stopped ? interrupted_file : result_file), summary, *comm);
   return summary;
 }
 

@@ -19,12 +19,15 @@ std::string of_stages(const LoadSteps& steps) {
 
 }  // namespace
 
+std::string why_stopped(Stop why) {
+  return why == Stop::signal ? "stopped by a signal" : "stopped because its time was over";
+}
+
 std::string what_is_known(Stop why, const LoadSteps& steps, const LoadFactorAnalysis* search,
                           const RunSummary& summary) {
   const bool factor = search && steps.finished() && !search->known().empty();
-  return std::string(why == Stop::signal ? "stopped by a signal" : "stopped because its time was over") + " after " +
-         std::to_string(summary.steps) + (summary.steps == 1 ? " step" : " steps") + ": " +
-         (factor ? search->known() : of_stages(steps));
+  return why_stopped(why) + " after " + std::to_string(summary.steps) + (summary.steps == 1 ? " step" : " steps") +
+         ": " + (factor ? search->known() : of_stages(steps));
 }
 
 }  // namespace voussoir

@@ -10,6 +10,9 @@
 
 namespace voussoir {
 
+/// "stopped by a signal", or what else it was.
+std::string why_stopped(Stop);
+
 /// "stopped by a signal after 3 steps: ..." with the bracket of the load factor so far, or how far stages are passed.
 /// @param search  null where the scene asks for none
 std::string what_is_known(Stop, const LoadSteps&, const LoadFactorAnalysis* search, const RunSummary&);

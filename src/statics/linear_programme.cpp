@@ -1,9 +1,11 @@
 #include "statics/linear_programme.hpp"
 
+#include <ClpEventHandler.hpp>
 #include <ClpSimplex.hpp>
 #include <ClpSolve.hpp>
 #include <CoinError.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,6 +15,26 @@
 
 namespace voussoir {
 namespace {
+
+bool (*asked_to_stop)() = nullptr;
+
+bool is_to_stop() { return asked_to_stop && asked_to_stop(); }
+
+/// Between iterations of CLP, which take microseconds.
+class Listener final : public ClpEventHandler {
+ public:
+  ClpEventHandler* clone() const override { return new Listener(*this); }
+  int event(Event) override {
+    const int go_on = -1, stop = 1;  // as CLP reads them
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return go_on;
+    next_ = now + std::chrono::milliseconds(100);
+    return is_to_stop() ? stop : go_on;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point next_;
+};
 
 double bound(double value) { return std::isfinite(value) ? value : std::copysign(COIN_DBL_MAX, value); }
 
@@ -48,7 +70,11 @@ struct LinearProgramme::Parts {
   }
 };
 
+void end_linear_programmes_when(bool (*asked)()) { asked_to_stop = asked; }
+
 LinearProgramme::LinearProgramme() : parts_(std::make_unique<Parts>()) {
+  const Listener listener;
+  parts_->simplex.passInEventHandler(&listener);
   parts_->simplex.setLogLevel(0);
   parts_->simplex.setOptimizationDirection(-1);
   parts_->simplex.scaling(0);  // callers give rows and columns of size one; scaled prices may be worth nothing unscaled
@@ -121,6 +147,7 @@ void LinearProgramme::start_from(const ProgrammeBasis& basis) {
 }
 
 ProgrammeSolution LinearProgramme::maximise() {
+  if (is_to_stop()) return {};
   auto& simplex = parts_->simplex;
   try {
     const bool again = parts_->loaded;
@@ -143,6 +170,7 @@ ProgrammeSolution LinearProgramme::maximise() {
 }
 
 ProgrammeSolution LinearProgramme::maximise_from_prices() {
+  if (is_to_stop()) return {};
   auto& simplex = parts_->simplex;
   try {
     parts_->load();

@@ -24,6 +24,10 @@ struct ProgrammeSolution {
   int iterations = 0;
 };
 
+/// While a programme is solved CLP asks so, every tenth of a second; once the answer is yes it ends as one that failed,
+/// and so does every other from then on.
+void end_linear_programmes_when(bool (*asked_to_stop)());
+
 class LinearProgramme {
  public:
   LinearProgramme();

@@ -43,8 +43,7 @@ std::string GmshSession::run(const std::function<void()>& commands) {
 
 std::string in_gmsh_child(ChildWork work, const std::string& request) {
   return in_child_process(work, request, [](const ChildEnd& end) {
-    if (end.by == ChildEnd::By::request)
-      throw ResourceError("Stopped by a signal while gmsh meshed stones.\n  Begin again.");
+    if (end.by == ChildEnd::By::request) throw ResourceError("Stopped while gmsh meshed stones.\n  Begin again.");
     if (end.by == ChildEnd::By::memory)
       throw ResourceError("gmsh was ended " + end.time_and_size() +
                           "\n  because it wanted more for the stones than half of what is free on this machine.\n"

@@ -105,6 +105,21 @@ class AtMost(sweeps.SweepTest):
             self.assertEqual(known["steps"], len((self.folder / "out/history.csv").read_text().splitlines()) - 1)
             self.assertIn(f"stopped by a signal after {known['steps']} steps: stage 'rest' is passed to ", known["message"])
 
+    def test_limit_analysis_ends_within_its_programmes(self):
+        # Those of a wall of 40 x 40 stones take most of a minute.
+        large = [f"--set=mesh/wall/{key}=40" for key in ("courses", "blocks per course")]
+        for ranks in 1, 2:
+            began = time.monotonic()
+            run = self.run_scene(ROOT / "xml/wall.xml", "--limit-analysis", "--at-most=4s", *large, ranks=ranks, out=f"on {ranks}")
+            self.assertEqual(run.code, 5, run.said)
+            self.assertLess(time.monotonic() - began, 4 + SPARE)
+            known = self.known(f"on {ranks}")
+            self.assertEqual(known["outcome"], "interrupted")
+            self.assertRegex(known["message"], "^stopped because its time was over: .* is not known$")
+            self.assertFalse((self.folder / f"on {ranks}/result.json").exists())
+            self.assertIsNone(known["rigid"].get("free_share_of_joints"))
+            self.assertNotIn("--restart", run.said)
+
     def test_a_run_that_was_stopped_has_a_report(self):
         said = self.stopped_by(signal.SIGINT, [str(ROOT / "drivers/run"), "--ranks=1", "--overwrite"])
         page = (self.folder / "out/report.html").read_text(encoding="utf-8")
