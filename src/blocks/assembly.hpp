@@ -21,7 +21,7 @@ LocalCsr block_stiffness(const Block<3>&, const Material&, Hexahedra);
 template <int dim>
 LocalCsr block_stiffness(const Block<dim>& block, const Material& material, const ModelParameters& model) {
   if constexpr (dim == 2)
-    return block_stiffness(block, material, model.plane, model.thickness);
+    return block_stiffness(block, material, model.plane, thickness_of(material, model));
   else
     return block_stiffness(block, material, model.hexahedra);
 }
@@ -30,11 +30,11 @@ LocalCsr block_stiffness(const Block<dim>& block, const Material& material, cons
 LocalCsr block_mass(const Block<2>&, double density, double thickness, Mass);
 LocalCsr block_mass(const Block<3>&, double density, Mass);
 template <int dim>
-LocalCsr block_mass(const Block<dim>& block, double density, const ModelParameters& model, Mass kind) {
+LocalCsr block_mass(const Block<dim>& block, const Material& material, const ModelParameters& model, Mass kind) {
   if constexpr (dim == 2)
-    return block_mass(block, density, model.thickness, kind);
+    return block_mass(block, material.density, thickness_of(material, model), kind);
   else
-    return block_mass(block, density, kind);
+    return block_mass(block, material.density, kind);
 }
 
 /// factor_a a + factor_b b of two matrices; b has no entry where a has none.
@@ -47,9 +47,9 @@ std::vector<double> cell_sizes(const Block<3>&);
 std::vector<double> nodal_volumes(const Block<2>&, double thickness);
 std::vector<double> nodal_volumes(const Block<3>&);
 template <int dim>
-std::vector<double> nodal_volumes(const Block<dim>& block, const ModelParameters& model) {
+std::vector<double> nodal_volumes(const Block<dim>& block, const Material& material, const ModelParameters& model) {
   if constexpr (dim == 2)
-    return nodal_volumes(block, model.thickness);
+    return nodal_volumes(block, thickness_of(material, model));
   else
     return nodal_volumes(block);
 }

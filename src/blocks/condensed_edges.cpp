@@ -56,7 +56,7 @@ CondensedEdges::CondensedEdges(const Block<dim>& block, const Material& material
     : edges_(block.curved), volume_(edges_.size(), 0.0), handed_over_(dim) {
   VOUSSOIR_EXPECT(!edges_.empty());
   const auto elasticity = dim == 2 ? lame(material, model.plane) : lame(material);
-  const double thickness = dim == 2 ? model.thickness : 1.0;
+  const double thickness = dim == 2 ? thickness_of(material, model) : 1.0;
   std::vector<std::vector<int>> corners(edges_.size()), others(edges_.size());
   for (const auto& cell : block.cells) {
     const auto number = numbers_of<dim>(cell);

@@ -12,7 +12,13 @@ struct Material {
   double young_modulus = 0;  ///< [Pa]
   double poisson_ratio = 0;  ///< [-]
   double density = 0;        ///< [kg/m3]
+  double thickness = 0;      ///< [m] out of plane; 0 = that of the model
 };
+
+/// [m] out of plane.
+inline double thickness_of(const Material& m, const ModelParameters& model) {
+  return m.thickness > 0 ? m.thickness : model.thickness;
+}
 
 /// Elasticity matrix in Voigt notation (xx, yy, xy with engineering shear) [Pa].
 inline std::array<std::array<double, 3>, 3> plane_elasticity(const Material& m, Plane plane) {

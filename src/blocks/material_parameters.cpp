@@ -29,6 +29,9 @@ void MaterialParameters::declare(ParameterSection& section) {
               "Stone has 0.1 to 0.3.");
   section.add("density", density, "kg/m3", above(0.0).usually(200, 10000), "mass per volume",
               "weight and inertia come from it", "Stone has 1800 to 2700.");
+  section.add("thickness", thickness, "m", at_least(0.0).usually(0.01, 100),
+              "of its blocks out of plane; 0 = model > thickness. A joint between two thicknesses bears on the smaller",
+              "a length", "Give 0 for that of the model.");
 }
 
 }  // namespace voussoir

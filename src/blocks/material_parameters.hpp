@@ -31,6 +31,7 @@ struct MaterialParameters {
   double young_modulus = 20e9;  ///< [Pa]
   double poisson_ratio = 0.2;   ///< [-]
   double density = 2200.0;      ///< [kg/m3]
+  double thickness = 0;         ///< [m] out of plane; 0 = that of the model
   void declare(ParameterSection&);
 };
 

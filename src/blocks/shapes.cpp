@@ -11,7 +11,8 @@ template <int dim>
 BlockMatrices StiffnessOfShapes::of(Block<dim> block, const Material& material) {
   const auto first = block.position.front();
   for (auto& x : block.position) x = x - first;
-  std::vector<double> shape{material.young_modulus, material.poisson_ratio, static_cast<double>(block.position.size())};
+  std::vector<double> shape{material.young_modulus, material.poisson_ratio, material.thickness,
+                            static_cast<double>(block.position.size())};
   for (const auto& x : block.position) shape.insert(shape.end(), x.begin(), x.end());
   for (const auto& cell : block.cells) {
     shape.push_back(cell.count);

@@ -134,7 +134,7 @@ template <int dim>
 std::vector<double> Structure<dim>::nodal_volumes() const {
   std::vector<double> volume;
   for (const auto& b : blocks_) {
-    const auto more = voussoir::nodal_volumes(b.mesh, model_);
+    const auto more = voussoir::nodal_volumes(b.mesh, b.material, model_);
     volume.insert(volume.end(), more.begin(), more.end());
   }
   return volume;

@@ -21,8 +21,10 @@ std::vector<BorderFace> border_of(const Block<3>& block) { return border_faces({
 double extent(const PointOfTwoBlocks& p) { return p.length; }
 double extent(const PointInSpace& p) { return p.area; }
 
-double thickness_of(const Structure<2>& s) { return s.model().thickness; }
-double thickness_of(const Structure<3>&) { return 1; }
+double thickness_between(const Structure<2>& s, const LocalBlock<2>& i, const LocalBlock<2>& j) {
+  return std::min(thickness_of(i.material, s.model()), thickness_of(j.material, s.model()));
+}
+double thickness_between(const Structure<3>&, const LocalBlock<3>&, const LocalBlock<3>&) { return 1; }
 
 std::array<Vector<3>, 3> axes_in_plane(const Vector<2>& normal) {
   return {in_space(normal), in_space(Vector<2>{-normal[1], normal[0]}), Vector<3>{0, 0, 1}};
@@ -103,7 +105,7 @@ std::vector<PointId> ContactPoints::find(const BlockSource<dim>& source, const S
       const int other = structure.local_block(j);
       if (found.empty()) continue;
       total_joints_ += local < structure.owned_blocks();  // of this rank, at first
-      if (other >= 0) joints_.push_back({i, j, local, other, 0});
+      if (other >= 0) joints_.push_back({i, j, local, other, 0, thickness_between(structure, bi, blocks[other])});
       for (const auto& p : found) {
         const PointId number = next++;
         if (other < 0) continue;
@@ -112,7 +114,7 @@ std::vector<PointId> ContactPoints::find(const BlockSource<dim>& source, const S
         point.shares_j = p.shares_j.from(blocks[other].first_local);
         point.joint = static_cast<int>(joints_.size()) - 1;
         point.coincident = p.coincident;
-        point.area = p.extent * thickness_of(structure);
+        point.area = p.extent * joints_.back().thickness;
         point.place = p.place;
         point.axis = axes(dim, p.normal);
         points_.push_back(std::move(point));

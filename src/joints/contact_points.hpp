@@ -23,6 +23,7 @@ struct Joint {
   BlockId block_i = 0, block_j = 0;
   int local_i = 0, local_j = 0;  ///< their numbers on this rank
   int family = 0;                ///< index into the scene's joint laws
+  double thickness = 1;          ///< [m] out of plane, of the thinner block: so much of both bears; 1 in space
 };
 
 /// A block with its border.

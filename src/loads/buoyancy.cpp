@@ -98,11 +98,12 @@ const std::vector<std::array<int, 4>>& tetrahedra_of(const Cell& cell) {
 
 void add_cell(const Structure<2>& s, const LocalBlock<2>& b, const Cell& cell, double level, double weight,
               std::vector<double>& force) {
+  const double thickness = thickness_of(b.material, s.model());
   for (int i = 2; i < cell.count; ++i) {  // a quadrilateral as two triangles
     const int corner[3] = {cell.node[0], cell.node[i - 1], cell.node[i]};
     const auto area =
         area_below({b.mesh.position[corner[0]], b.mesh.position[corner[1]], b.mesh.position[corner[2]]}, level);
-    for (int k = 0; k < 3; ++k) force[2 * (b.first_local + corner[k]) + 1] += weight * s.model().thickness * area[k];
+    for (int k = 0; k < 3; ++k) force[2 * (b.first_local + corner[k]) + 1] += weight * thickness * area[k];
   }
 }
 
@@ -150,7 +151,7 @@ void add_buoyancy(const Structure<dim>& s, const BuoyancyParameters& load, const
     const auto& b = s.blocks()[n];
     if (!in_set[n]) continue;
     if (is_submerged(b.mesh, load.level)) {  // its cells need not be cut: each node loses what it weighs in water
-      const auto volume = nodal_volumes(b.mesh, s.model());
+      const auto volume = nodal_volumes(b.mesh, b.material, s.model());
       for (std::size_t i = 0; i < volume.size(); ++i) force[dim * (b.first_local + i) + dim - 1] += weight * volume[i];
       hand_over_edges<dim>(b, weight * up<dim>(), force);
     } else {

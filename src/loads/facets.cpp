@@ -26,8 +26,11 @@ std::vector<LoadedEdge> edges_of_set(const Structure<2>& s, const FacetSet& set)
         if (first && second && dot(outward, middle - x0) > 0) outward = -1.0 * outward;
       }
       const double length = norm(along);
-      edges.push_back(
-          {{b.first_local + f.node[0], b.first_local + f.node[1]}, {x0, x1}, (1 / length) * outward, length});
+      edges.push_back({{b.first_local + f.node[0], b.first_local + f.node[1]},
+                       {x0, x1},
+                       (1 / length) * outward,
+                       length,
+                       thickness_of(b.material, s.model())});
     }
   return edges;
 }

@@ -17,6 +17,7 @@ struct LoadedEdge {
   Vector<2> x[2];     ///< [m] their positions
   Vector<2> outward;  ///< unit normal that leaves the block
   double length;      ///< [m]
+  double thickness;   ///< [m] of its block, out of plane
 
   /// Position at s in [0, 1] from the first node to the second.
   Vector<2> at(double s) const { return x[0] + s * (x[1] - x[0]); }
@@ -56,12 +57,11 @@ PartOfEdge part_between(const LoadedEdge&, int c, double low, double high);
 /// that is linear along the part.
 /// @param traction  Vector<2>(const Vector<2>& position)
 template <class Traction>
-void add_along(const LoadedEdge& e, const PartOfEdge& part, double thickness, const Traction& traction,
-               std::vector<double>& force) {
+void add_along(const LoadedEdge& e, const PartOfEdge& part, const Traction& traction, std::vector<double>& force) {
   if (part.from >= part.to) return;
   const double middle = (part.from + part.to) / 2, half = (part.to - part.from) / 2;
   for (const double xi : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
-    const double s = middle + xi * half, area = half * e.length * thickness;
+    const double s = middle + xi * half, area = half * e.length * e.thickness;
     const Vector<2> t = traction(e.at(s));
     for (int c = 0; c < 2; ++c) {
       force[2 * e.node[0] + c] += (1 - s) * area * t[c];
@@ -95,7 +95,7 @@ void add_on_facets(const Structure<2>& s, const FacetSet& set, const std::vector
       part = {std::max(part.from, other.from), std::min(part.to, other.to)};
     }
     add_along(
-        e, part, s.model().thickness, [&](const Vector<2>& x) { return traction(x, e.outward); }, force);
+        e, part, [&](const Vector<2>& x) { return traction(x, e.outward); }, force);
   }
 }
 

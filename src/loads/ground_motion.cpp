@@ -116,7 +116,7 @@ class GroundMotion final : public Load<dim> {
     }
     mass_.reserve(static_cast<std::size_t>(site.structure.nodes()));
     for (const auto& b : site.structure.blocks())
-      for (const double volume : nodal_volumes(b.mesh, site.structure.model()))
+      for (const double volume : nodal_volumes(b.mesh, b.material, site.structure.model()))
         mass_.push_back(b.material.density * volume);
   }
 

@@ -35,7 +35,7 @@ template <int dim>
 void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration, double factor,
                        std::vector<double>& force) {
   for (const auto& b : s.blocks()) {
-    const auto volume = nodal_volumes(b.mesh, s.model());
+    const auto volume = nodal_volumes(b.mesh, b.material, s.model());
     for (std::size_t i = 0; i < volume.size(); ++i)
       for (int c = 0; c < dim; ++c)
         force[dim * (b.first_local + i) + c] += factor * b.material.density * volume[i] * acceleration[c];

@@ -27,7 +27,7 @@ template <int dim>
 Material material_of(const Scene& scene, const BlockSource<dim>& source, const Block<dim>& block) {
   Material m;
   for (const auto& [name, p] : scene.materials)
-    if (in_set(source, block, p.blocks)) m = {p.young_modulus, p.poisson_ratio, p.density};
+    if (in_set(source, block, p.blocks)) m = {p.young_modulus, p.poisson_ratio, p.density, p.thickness};
   return m;
 }
 
@@ -114,7 +114,7 @@ std::unique_ptr<const BlockSystem> ModelOfBlocks<dim>::mass() const {
     const auto& block = structure_->blocks()[b];
     auto mesh = block.mesh;  // around its first node, so that it is that of all blocks alike, to the last bit
     for (auto& x : mesh.position) x = x - block.mesh.position.front();
-    return block_mass(mesh, block.material.density, structure_->model(), settings_.time.mass);
+    return block_mass(mesh, block.material, structure_->model(), settings_.time.mass);
   }));
 }
 
@@ -209,7 +209,7 @@ Vector<dim> ModelOfBlocks<dim>::centre_of_rotation(const InitialVelocityParamete
   for (int n = 0; n < s.owned_blocks(); ++n) {
     const auto& b = s.blocks()[n];
     if (!in_set(source_, b.mesh, given.blocks)) continue;
-    const auto volume = nodal_volumes(b.mesh, s.model());
+    const auto volume = nodal_volumes(b.mesh, b.material, s.model());
     for (std::size_t i = 0; i < volume.size(); ++i) {
       const double mass = b.material.density * volume[i];
       mine[dim] += mass;

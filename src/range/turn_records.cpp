@@ -23,7 +23,7 @@ Vector<3> field_at(const std::vector<double>& field, int node) {
 template <int dim>
 Vector<3> centre_of_mass(const Structure<dim>& s, int b) {
   const auto& block = s.blocks()[b];
-  const auto volume = nodal_volumes(block.mesh, s.model());
+  const auto volume = nodal_volumes(block.mesh, block.material, s.model());
   Vector<dim> sum{};
   double total = 0;
   for (std::size_t n = 0; n < volume.size(); ++n) {
@@ -123,7 +123,7 @@ std::vector<JointRecord> joints_here(const ModelOfBlocks<dim>& model, const Step
     add_forces(model, end, first, last, centre, r);
     if constexpr (dim == 2) {
       r.axis[1] = {-r.axis[0][1], r.axis[0][0], 0};
-      r.area /= s.model().thickness;
+      r.area /= joint.thickness;
       r.half[0] = r.area / 2;
     } else {
       const auto& any = points.points()[first].axis[1];

@@ -33,7 +33,14 @@ void check_plane(Scene& scene, InputProblems& problems) {
 }
 
 /// What a scene in space names that is of the plane alone.
-void check_space(const ModelParameters& model, InputProblems& problems) {
+void check_space(const Scene& scene, InputProblems& problems) {
+  const auto& model = scene.model;
+  for (const auto& [name, material] : scene.materials)
+    if (material.thickness > 0)
+      problems.add(
+          "scene > materials > " + name + " > thickness",
+          " = " + number_text(material.thickness) +
+              " [m]\n  is of plane meshes, and this one is in space.\n  Leave it out: the mesh has a thickness.");
   if (model.plane != Plane::stress)
     problems.add(
         "scene > model > plane",
@@ -56,7 +63,7 @@ void check_dimension(Scene& scene, InputProblems& problems) {
   if (scene.mesh.dimension() == 2)
     check_plane(scene, problems);
   else
-    check_space(scene.model, problems);
+    check_space(scene, problems);
 }
 
 }  // namespace voussoir

@@ -244,7 +244,7 @@ void check_stiffness(const Scene& scene, InputProblems& problems) {
     problems.add("scene > model > thickness", " = " + number_text(thickness) + " [m]" + why + "Give it in metres.");
   for (const auto& [name, material] : scene.materials) {
     const std::string path = "scene > materials > " + name + " > Young modulus";
-    const double stiffness = material.young_modulus * thickness;
+    const double stiffness = material.young_modulus * (material.thickness > 0 ? material.thickness : thickness);
     if (problems.concern(path) || problems.concern("scene > model > thickness")) continue;
     if (!holds(material.young_modulus) || !holds(stiffness))
       problems.add(path, " = " + number_text(material.young_modulus) + " [Pa], " + number_text(stiffness) +

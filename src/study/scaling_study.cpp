@@ -33,7 +33,7 @@ void assemble_blocks(const Structure<2>& structure) {
   const auto& model = structure.model();
   for (int b = 0; b < structure.owned_blocks(); ++b) {
     const auto& block = structure.blocks()[b];
-    block_stiffness(block.mesh, block.material, model.plane, model.thickness);
+    block_stiffness(block.mesh, block.material, model.plane, thickness_of(block.material, model));
   }
 }
 

@@ -29,7 +29,8 @@ double ModelOfBlocks<2>::move_geometry(const std::vector<double>& displacement) 
 /// A cell gives way at its node by its thickness times area over length, which is one of a square.
 template <>
 double ModelOfBlocks<2>::stiffness_beside(int node) const {
-  return structure_->blocks()[structure_->block_of_node()[node]].material.young_modulus * structure_->model().thickness;
+  const auto& material = structure_->blocks()[structure_->block_of_node()[node]].material;
+  return material.young_modulus * thickness_of(material, structure_->model());
 }
 
 }  // namespace voussoir

@@ -30,7 +30,8 @@ struct Sizes {
     }
     std::vector<double> length(model.points().joints().size(), 0.0);
     for (int k = 0; k < model.points().owned(); ++k)
-      length[model.points().points()[k].joint] += model.points().points()[k].area / s.model().thickness;
+      length[model.points().points()[k].joint] +=
+          model.points().points()[k].area / model.points().joints()[model.points().points()[k].joint].thickness;
     for (const double l : length)
       if (l > 0) half = std::min(half, l / 2);
     smallest_side = least_over_ranks(*s.comm(), side);

@@ -161,13 +161,12 @@ std::vector<OwnSlip> long_slips(const PlaneModel& model, const StepEnd& end) {
   const auto gap = model.gaps(end.state.displacement, end.state.lambda);
   const auto slip = [&](int k) { return std::abs(gap[2 * k + 1]); };
   const auto presses = [&](int k) { return least > 0 && end.state.lambda[2 * k] > least; };
-  const double thickness = model.structure().model().thickness;
   std::vector<OwnSlip> found;
   for (int first = 0, last = 0; first < points.owned(); first = last) {
     const int joint = points.points()[first].joint;
     bool far = false;  // by half the length a point stands for: looked at closely
     for (last = first; last < points.owned() && points.points()[last].joint == joint; ++last)
-      far |= presses(last) && slip(last) > points.points()[last].area / thickness / 2;
+      far |= presses(last) && slip(last) > points.points()[last].area / points.joints()[joint].thickness / 2;
     if (!far) continue;
     std::vector<int> members;
     for (int k = first; k < last; ++k) members.push_back(k);
