@@ -95,7 +95,7 @@ def scale_of(result):
     from .scene import Scene
 
     scene = Scene.read(result.folder / "scene.xml")
-    if scene["mesh/type"] != "stones" or scene["mesh/stones/up"] != "z":
+    if scene["mesh/type"] != "stones" or scene["mesh/stones/up"] not in ("usual", "z"):
         raise program.InputError(f"{result.folder}: mesh\n  was not read from a file of COMPAS with up = z\n"
                                  "  so that places cannot be handed back in its axes.")
     return scene["mesh/stones/unit"]

@@ -35,6 +35,7 @@ class ListedBlocks final : public BlockSource<dim> {
   const std::vector<std::string>& facet_sets() const override { return list_.facet_sets; }
   Warnings warnings() const override { return list_.warnings; }
   std::vector<std::string> report() const override { return list_.report; }
+  std::string picture() const override { return list_.picture; }
 
  private:
   BlockList<dim> list_;

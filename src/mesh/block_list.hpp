@@ -17,6 +17,7 @@ struct BlockList {
   bool quadratic = false;           ///< simplices bend along edges that one block alone has
   Warnings warnings;                ///< of the source
   std::vector<std::string> report;  ///< of the source
+  std::string picture;              ///< of the source, on the first rank alone
 };
 
 /// Gives every rank the list of rank 0. Collective.

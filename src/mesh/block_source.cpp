@@ -26,6 +26,7 @@ std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parame
     if (parameters.type == MeshType::barrel_vault) return make_barrel_vault(parameters.barrel_vault);
     return make_wall_in_space(parameters.wall_in_space);
   } else {
+    VOUSSOIR_CHECK(parameters.type != MeshType::stones);  // which drawings/ reads
     auto source = parameters.type == MeshType::wall   ? make_wall(parameters.wall)
                   : parameters.type == MeshType::arch ? make_arch(parameters.arch)
                                                       : read_gmsh(parameters.gmsh, comm, trust);

@@ -77,6 +77,8 @@ class BlockSource {
   virtual Warnings warnings() const { return {}; }
   /// What was found and made of what was given, line by line, for the user.
   virtual std::vector<std::string> report() const { return {}; }
+  /// A picture of it as SVG, on the first rank alone; "" where there is none to be looked at.
+  virtual std::string picture() const { return {}; }
 };
 
 /// First node of each block in the global numbering of nodes, and the total at the end: [blocks + 1].

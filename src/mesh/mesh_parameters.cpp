@@ -107,11 +107,15 @@ void MeshParameters::declare(ParameterSection& section) {
       "front (y = 0), back; ground left, ground right");
   section.add_alternative(
       "stones", stones, type == MeshType::stones, "type = stones",
-      "Stones in space from a file that holds their surfaces; where they touch there are joints. Sets of blocks: the "
+      "Stones from a file that holds their surfaces or, in the plane, their outlines; where they touch there are "
+      "joints. "
+      "Sets of blocks: the "
       "name of every stone (object or group of the file); one neighbour: those that touch one other; supports: those "
-      "that a file of COMPAS says are held. Sets of facets: base and top: free faces that look down or up, of the "
+      "that a file of COMPAS says are held; of a drawing: names of stones, and its layers or classes. Sets of facets: "
+      "base and top: free faces that look down or up, of the "
       "lowest and "
-      "the highest stones; faces: all of every stone, by which with blocks = a set of stones those stones are held "
+      "the highest stones (of a drawing left and right too); faces: all of every stone, by which with blocks = a set "
+      "of stones those stones are held "
       "whole");
 }
 

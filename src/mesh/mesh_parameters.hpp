@@ -38,7 +38,10 @@ struct MeshParameters {
   /// The word of a scene for its type.
   std::string word() const;
   /// Of its blocks: 2 in the plane, 3 in space.
-  int dimension() const { return type == MeshType::gmsh || type == MeshType::wall || type == MeshType::arch ? 2 : 3; }
+  int dimension() const {
+    if (type == MeshType::stones) return stones.is_drawing() ? 2 : 3;
+    return type == MeshType::gmsh || type == MeshType::wall || type == MeshType::arch ? 2 : 3;
+  }
   /// Whether they are read from a file, which says what it likes.
   bool from_file() const { return type == MeshType::gmsh || type == MeshType::stones; }
   /// Whether triangles of the plane bend along their edges.

@@ -65,5 +65,6 @@ inline const char* const checkpoint_file = "checkpoint.h5";
 inline const char* const joints_file = "joints.csv";
 inline const char* const history_file = "history.csv";
 inline const char* const fields_file = "fields.h5";
+inline const char* const drawing_file = "drawing.svg";
 
 }  // namespace voussoir

@@ -1,6 +1,7 @@
 #include "range/checked_blocks.hpp"
 
 #include "base/error.hpp"
+#include "drawings/drawing_source.hpp"
 #include "dynamics/load_steps.hpp"
 #include "mesh/block_source.hpp"
 #include "mesh/mesh_check.hpp"
@@ -14,8 +15,10 @@ namespace {
 
 template <int dim>
 std::unique_ptr<BlockSource<dim>> blocks_of(const MeshParameters& mesh, const Teuchos::Comm<int>& comm, Trust trust) {
-  if constexpr (dim == 3)
-    if (mesh.type == MeshType::stones) return read_stone_blocks(mesh.stones, comm, trust);
+  if (mesh.type == MeshType::stones && mesh.dimension() == dim) {
+    if constexpr (dim == 3) return read_stone_blocks(mesh.stones, comm, trust);
+    if constexpr (dim == 2) return read_drawn_blocks(mesh.stones, comm);
+  }
   return make_block_source<dim>(mesh, comm, trust);
 }
 
@@ -34,7 +37,7 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))
       for (const auto& [name, support] : scene.supports) supported.emplace_back(support.on, support.blocks);
-    const bool from_file = scene.mesh.type == MeshType::gmsh;
+    const bool from_file = scene.mesh.from_file() && dim == 2;
     if constexpr (dim == 2)
       if (from_file) check_blocks(*source, supported, *comm);
     if (!from_file) check_supports(*source, supported);

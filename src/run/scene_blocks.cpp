@@ -56,6 +56,7 @@ class BlocksIn final : public SceneBlocks {
   explicit BlocksIn(std::unique_ptr<BlockSource<dim>> source) : source_(std::move(source)) {}
   BlockId count() const override { return source_->block_count(); }
   std::vector<std::string> report() const override { return source_->report(); }
+  std::string picture() const override { return source_->picture(); }
   Warnings warnings(const Scene& scene) const override { return mesh_warnings(scene, *source_); }
   void predict(const Scene& scene, const Comm& comm, std::ostream& say) const override {
     voussoir::predict(scene, *source_, comm, say);

@@ -28,6 +28,8 @@ class SceneBlocks {
   virtual BlockId count() const = 0;
   /// What was found and made of what the mesh was given, line by line.
   virtual std::vector<std::string> report() const = 0;
+  /// Of it, as SVG on the first rank; "" where there is none.
+  virtual std::string picture() const = 0;
   /// What scene and mesh leave open.
   virtual Warnings warnings(const Scene&) const = 0;
   /// What a run would cost.

@@ -20,4 +20,13 @@ void write_scene_file(const Scene& scene, const std::string& folder, const Teuch
   });
 }
 
+void write_drawing(const std::string& picture, const std::string& folder, const Teuchos::Comm<int>& comm) {
+  on_first_rank(comm, [&] {
+    if (picture.empty())
+      std::filesystem::remove(folder + "/" + drawing_file);  // of another scene that was computed here
+    else
+      replace_file(folder + "/" + drawing_file, picture);
+  });
+}
+
 }  // namespace voussoir

@@ -12,4 +12,7 @@ namespace voussoir {
 /// end. Collective; throws ResourceError on all ranks.
 void write_scene_file(const Scene&, const std::string& folder, const Teuchos::Comm<int>&);
 
+/// drawing.svg: how a drawing of stones was fitted together. Nothing where there is no picture. Collective.
+void write_drawing(const std::string& picture, const std::string& folder, const Teuchos::Comm<int>&);
+
 }  // namespace voussoir

@@ -67,6 +67,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
   const bool goes_on = options.restart || branched;
   if (!goes_on) write_scene_file(scene, options.folder, *comm);
+  write_drawing(blocks->picture(), options.folder, *comm);
   if (options.limit_analysis) return blocks->limit_analysis(scene, options.folder, comm, say);
   const auto modelled = blocks->modelled(scene, comm);
   auto& model = *modelled.model;

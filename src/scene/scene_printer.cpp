@@ -36,7 +36,10 @@ std::string mesh_text(const MeshParameters& mesh) {
     const StonesParameters& s = mesh.stones;
     std::string text = "stones of " + s.file + ", unit " + number_text(s.unit) + " m" +
                        (s.element_size > 0 ? ", element size " + number_text(s.element_size) + " m" : "") +
-                       (s.cells == StoneCells::tetrahedra ? ", tetrahedra" : "");
+                       (s.cells == StoneCells::tetrahedra  ? ", tetrahedra"
+                        : s.cells == StoneCells::triangles ? ", triangles"
+                                                           : "") +
+                       (s.snap > 0 ? ", snap " + number_text(s.snap) + " m" : "");
     for (const auto& [name, value] : s.geometry) text += ", " + name + " = " + number_text(value);
     return text;
   }
@@ -115,7 +118,8 @@ void print_internals(std::ostream& os, const Scene& scene) {
 
 std::string material_text(const MaterialParameters& m) {
   return in_quotes(m.blocks) + ": E " + number_text(m.young_modulus) + " Pa, nu " + number_text(m.poisson_ratio) +
-         ", density " + number_text(m.density) + " kg/m3";
+         ", density " + number_text(m.density) + " kg/m3" +
+         (m.thickness > 0 ? ", thickness " + number_text(m.thickness) + " m" : "");
 }
 
 std::string joint_text(const JointLawParameters& j) {

@@ -165,7 +165,7 @@ BoxMeshes box_meshes(const StoneStructure& s) {
   BoxMeshes result;
   result.blocks.resize(s.stones.size());
   result.free_faces.resize(s.stones.size());
-  WeldedPoints border(std::min(s.weld, 0.1 * s.hexahedron_size));
+  WeldedPoints<3> border(std::min(s.weld, 0.1 * s.hexahedron_size));
   VertexId inside = 0;
   for (std::size_t k = 0; k < s.stones.size(); ++k) {
     if (!cuts[k]) continue;

@@ -170,7 +170,7 @@ std::vector<StoneSurface> read_compas(const std::string& file, const std::string
   json root;
   try {
     root = json::parse(contents);
-  } catch (const json::parse_error& error) {
+  } catch (const json::exception& error) {
     const std::string said = error.what();
     refuse_stones(file, "is no JSON: " + said.substr(said.find("] ") == std::string::npos ? 0 : said.find("] ") + 2),
                   "It was cut when it was copied, or is damaged: save it anew by compas.json_dump");

@@ -9,6 +9,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/sort_unique.hpp"
+#include "mesh/box_tree.hpp"
 
 namespace voussoir {
 namespace {
@@ -62,10 +63,9 @@ std::vector<Loop> loops_of(const Drawing2& drawing) {
   return loops;
 }
 
-/// The middle of the widest span that horizontal lines between corners have inside; the even-odd rule makes holes.
-Vector<2> point_inside(const Drawing2& drawing, const DrawnCell& cell) {
-  std::vector<Polygon> loops{polygon_of(drawing, cell.outer)};
-  for (const auto& hole : cell.holes) loops.push_back(polygon_of(drawing, hole));
+}  // namespace
+
+Vector<2> point_inside(const std::vector<Polygon>& loops) {
   std::vector<double> levels;
   for (const auto& loop : loops)
     for (const auto& p : loop) levels.push_back(p[1]);
@@ -88,8 +88,6 @@ Vector<2> point_inside(const Drawing2& drawing, const DrawnCell& cell) {
   }
   return best;
 }
-
-}  // namespace
 
 std::vector<DrawnCell> cells_of(Drawing2 drawing) {
   prune(drawing);
@@ -118,7 +116,11 @@ std::vector<DrawnCell> cells_of(Drawing2 drawing) {
     holder->area += area(polygon_of(drawing, hole));
     holder->holes.push_back(std::move(hole));
   }
-  for (auto& cell : cells) cell.inside = point_inside(drawing, cell);
+  for (auto& cell : cells) {
+    std::vector<Polygon> loops{polygon_of(drawing, cell.outer)};
+    for (const auto& hole : cell.holes) loops.push_back(polygon_of(drawing, hole));
+    cell.inside = point_inside(loops);
+  }
   return cells;
 }
 
@@ -127,14 +129,20 @@ std::vector<std::array<int, 2>> crossings_of(const Drawing2& drawing) {
   const auto turn = [&](int a, int b, int c) {
     return cross(drawing.points[b] - drawing.points[a], drawing.points[c] - drawing.points[a]);
   };
-  for (std::size_t i = 0; i < drawing.edges.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
+  std::vector<Box<2>> boxes;
+  for (const auto& e : drawing.edges) {
+    boxes.push_back({drawing.points[e[0]], drawing.points[e[0]]});
+    boxes.back().add({drawing.points[e[1]], drawing.points[e[1]]});
+  }
+  const BoxTree<2> tree(boxes);
+  for (int i = 0; i < static_cast<int>(drawing.edges.size()); ++i)
+    tree.visit_overlaps(boxes[i], [&](int j) {
       const auto [a, b] = drawing.edges[i];
       const auto [c, d] = drawing.edges[j];
-      if (a == c || a == d || b == c || b == d) continue;
-      if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0)
-        pairs.push_back({static_cast<int>(j), static_cast<int>(i)});
-    }
+      if (j >= i || a == c || a == d || b == c || b == d) return;
+      if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) pairs.push_back({j, i});
+    });
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 

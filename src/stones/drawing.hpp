@@ -24,7 +24,11 @@ struct DrawnCell {
 /// The bounded cells. Edges that hang free, with the same cell on both sides, are left out.
 std::vector<DrawnCell> cells_of(Drawing2);
 
-/// Pairs of edges that cross between their ends, which a drawing must not have.
+/// A point between loops, far from them: the middle of the widest span that horizontal lines between corners have
+/// inside, where inside is what lies in an odd number of loops.
+Vector<2> point_inside(const std::vector<Polygon>& loops);
+
+/// Pairs of edges that cross between their ends, which a drawing must not have, in ascending order.
 std::vector<std::array<int, 2>> crossings_of(const Drawing2&);
 
 /// How often directed edges go around a point, counter-clockwise.

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "stones/cut_edges.hpp"
 #include "stones/drawing.hpp"
 #include "stones/welded_points.hpp"
 
@@ -17,71 +18,6 @@ namespace {
 
 using Loop = std::vector<int>;
 using Edge = std::pair<int, int>;
-
-/// All points, and the edges between them cut at those that lie on them.
-class CutEdges {
- public:
-  CutEdges(const Places& points, double weld) : x_(points), weld_(weld), tree_(boxes(points)) {}
-
-  /// The points on the way from a to b, both included.
-  Loop way(int a, int b) {
-    const auto [known, is_new] = ways_.emplace(std::minmax(a, b), Loop{});
-    if (is_new) known->second = cut(known->first.first, known->first.second);
-    return a < b ? known->second : Loop(known->second.rbegin(), known->second.rend());
-  }
-
-  /// A closed polygon with all points on its edges, without edges that it goes to and fro; empty when nothing is left.
-  Loop around(const Loop& corners) {
-    Loop loop;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const int a = corners[k], b = corners[(k + 1) % corners.size()];
-      if (a == b) continue;
-      const Loop part = way(a, b);
-      loop.insert(loop.end(), part.begin(), part.end() - 1);
-    }
-    for (std::size_t k = 0; k < loop.size() && loop.size() > 2;) {
-      const int before = loop[(k + loop.size() - 1) % loop.size()], after = loop[(k + 1) % loop.size()];
-      if (loop[k] == before || before == after) {
-        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(k));
-        k = 0;
-      } else {
-        ++k;
-      }
-    }
-    return loop.size() > 2 ? loop : Loop{};
-  }
-
- private:
-  static std::vector<Box<3>> boxes(const Places& points) {
-    std::vector<Box<3>> boxes;
-    for (const auto& x : points) boxes.push_back({x, x});
-    return boxes;
-  }
-
-  Loop cut(int a, int b) const {
-    const auto along = x_[b] - x_[a];
-    const double squared = dot(along, along);
-    Box<3> box{x_[a], x_[a]};
-    box.add({x_[b], x_[b]});
-    for (int i = 0; i < 3; ++i) box.low[i] -= weld_, box.high[i] += weld_;
-    std::vector<std::pair<double, int>> between;
-    tree_.visit_overlaps(box, [&](int point) {
-      if (point == a || point == b) return;
-      const double part = dot(x_[point] - x_[a], along) / squared;
-      if (part > 0 && part < 1 && norm(x_[point] - x_[a] - part * along) <= weld_) between.emplace_back(part, point);
-    });
-    std::sort(between.begin(), between.end());
-    Loop way{a};
-    for (const auto& [part, point] : between) way.push_back(point);
-    way.push_back(b);
-    return way;
-  }
-
-  const Places& x_;
-  double weld_;
-  BoxTree<3> tree_;
-  std::map<Edge, Loop> ways_;
-};
 
 /// The border of polygons that lie side by side: edges that two of them have are none of it.
 class Outline {
@@ -244,10 +180,10 @@ class Imprinting {
   const std::vector<FacetedStone>& stones_;
   const StoneJoints& joints_;
   double weld_;
-  WeldedPoints welded_;
+  WeldedPoints<3> welded_;
   std::vector<Loop> number_;               ///< per stone and point
   std::vector<std::vector<Loop>> pieces_;  ///< per joint and piece
-  CutEdges cut_;
+  CutEdges<3> cut_;
   Imprint imprint_;
 };
 

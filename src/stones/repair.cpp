@@ -91,7 +91,7 @@ Repair weld(StoneSurface& stone) {
     stone.faces.clear();
     return repair;
   }
-  WeldedPoints welded(same_point * size);
+  WeldedPoints<3> welded(same_point * size);
   std::vector<int> number;
   for (const auto& x : stone.points) number.push_back(welded.add(x));
   repair.welded = static_cast<int>(stone.points.size() - welded.points().size());

@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "stones/stone_text.hpp"
+#include "stones/stones_parameters.hpp"
 
 namespace voussoir {
 namespace {
@@ -15,9 +16,7 @@ using Reader = std::vector<StoneSurface> (*)(const std::string&, const std::stri
 
 /// Nothing for a file that is none of stones.
 Reader reader_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string ending = lower_ending(path.string());
   if (ending == ".obj") return read_obj;
   if (ending == ".stl") return read_stl;
   if (ending == ".ply") return read_ply;
@@ -56,7 +55,8 @@ std::vector<StoneSurface> read_stones(const std::string& path, double unit) {
                   "Correct the name or the folder");
   if (!folder && !reader_of(path))
     refuse_stones(path, "is no file of stones by its ending",
-                  "Known are .obj, .stl, .ply, .json (of COMPAS), .step and .stp");
+                  "Known are .obj, .stl, .ply, .json (of COMPAS), .step and .stp in space, and .csv, .dxf, .svg and "
+                  ".geojson in the plane (a .dwg is saved as .dxf)");
   std::vector<StoneSurface> stones;
   for (const auto& file : folder ? files_of(path) : std::vector<std::string>{path})
     for (auto& stone : reader_of(file)(file, contents_of(file))) stones.push_back(std::move(stone));

@@ -41,7 +41,7 @@ double distance_of_one(const VolumeMesh& mesh) {
 
 /// A block for each volume, with places of vertices.
 std::vector<Block<3>> blocks_of(const VolumeMesh& mesh, double within) {
-  WeldedPoints welded(within);
+  WeldedPoints<3> welded(within);
   std::vector<Block<3>> blocks(mesh.volumes.size());
   for (std::size_t v = 0; v < blocks.size(); ++v) {
     auto& block = blocks[v];

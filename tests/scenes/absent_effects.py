@@ -44,7 +44,7 @@ def read(path):
     if (search := sublist(tree, "load factor")) is not None:
         tree.remove(search)
     for p in tree.iter("Parameter"):
-        if p.get("value").endswith((".geo", ".msh", ".csv")):
+        if p.get("value").endswith((".geo", ".msh", ".csv", ".svg")):
             places = [path.parent / p.get("value"), ROOT / p.get("value"), ROOT / "meshes" / p.get("value")]
             p.set("value", str(next(f for f in places if f.is_file())))
     for stage in sublist(tree, "steps", "stages"):

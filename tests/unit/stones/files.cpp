@@ -107,6 +107,10 @@ const std::string mesh_data = R"({"vertex": {"0": {}, "7": {"x": 1.0}, "12": {"y
 
 std::string mesh() { return R"({"dtype": "compas.datastructures/Mesh", "data": )" + mesh_data + "}"; }
 
+TEUCHOS_UNIT_TEST(Compas, ANumberThatNoComputerHoldsIsRefused) {
+  TEST_ASSERT(holds(input_error([&] { read_compas("m.json", "{\"x\": 1e970}"); }), "s no JSON: number overflow"));
+}
+
 TEUCHOS_UNIT_TEST(Compas, MeshesOfListsAssembliesAndModelsAreStonesAndThoseOfInterfacesAreNot) {
   TEST_EQUALITY(read_compas("m.json", mesh())[0].name, "m");
   const auto list = read_compas("m.json", "[" + mesh() + ", [" + mesh() + "]]");

@@ -1,0 +1,27 @@
+#include "drawings/drawing_source.hpp"
+
+#include <utility>
+
+#include "drawings/plane_mesh.hpp"
+#include "linalg/agree.hpp"
+
+namespace voussoir {
+
+std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm) {
+  BlockList<2> list;
+  on_first_rank(comm, [&] {
+    auto stones = plane_stones_of(p);
+    auto meshes = mesh_plane_stones(stones, p.cells);
+    list = std::move(meshes.list);
+    list.picture = picture_of(stones);
+    list.report = std::move(stones.report);
+    list.report.push_back(std::to_string(meshes.of_quadrilaterals) + " stones of quadrilaterals, " +
+                          std::to_string(list.blocks.size() - static_cast<std::size_t>(meshes.of_quadrilaterals)) +
+                          " of triangles: " + std::to_string(meshes.nodes) + " nodes, " + std::to_string(meshes.cells) +
+                          " cells");
+  });
+  broadcast_blocks(comm, list);
+  return make_source(std::move(list));
+}
+
+}  // namespace voussoir
