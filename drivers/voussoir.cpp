@@ -226,6 +226,8 @@ int run_program(std::vector<std::string> words) {
 int main(int argc, char** argv) {
   begin_child_processes();
   keep_freed_memory();
+  // A run without mpirun asks no daemon of Open MPI, which would need a network interface, a loopback at least.
+  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);

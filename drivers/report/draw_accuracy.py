@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from draw_common import BLUE, GREEN, GREY, INK, ORANGE, PALE, RED, WIDTH, save_study
+from draw_common import BLUE, GREEN, GREY, INK, ORANGE, PALE, PAPER, RED, save_study
 from read_results import number
 
 SOLVED = "equilibrium"
@@ -161,7 +161,7 @@ def main(folder):
     panels = ([draw_cost, draw_estimate] if selection else []) + ([draw_sizes] if sizes else [])
     if not panels:
         sys.exit(f"{folder}/accuracy.csv holds no run.\n  Nothing to draw.")
-    figure, axes = plt.subplots(1, len(panels), figsize=(WIDTH * max(len(panels), 1.4) / 2.6, 4.0), squeeze=False)
+    figure, axes = plt.subplots(1, len(panels), figsize=(PAPER.width * max(len(panels), 1.4) / 2.6, 4.0), squeeze=False)
     for panel, draw in zip(axes[0], panels):
         panel.grid(True, which="major", color=PALE, lw=0.5, alpha=0.7)
         draw(panel, sizes if draw is draw_sizes else selection)

@@ -3,6 +3,9 @@
 Colours are those of Okabe and Ito, told apart by colour-blind readers; nothing is said by colour alone that the caption
 or the line weight does not say too.
 """
+import contextlib
+import functools
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -10,6 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
+from PIL import Image
 
 from geometry import bounds, round_number
 
@@ -20,8 +24,51 @@ STONE, STONE_EDGE, STONE_PALE = "#e5dcc8", "#6f6655", "#f3efe6"
 # Stones of different sets: muted, equally light, apart in hue; after the last they start again.
 SET_COLOURS = ("#e3c58f", "#a9c4dd", "#b9d3a8", "#dfae9b", "#c9b7d8", "#9fd0c7", "#efe1b4", "#c4c4c4", "#d9a9c4", "#b3b98a")
 
-WIDTH = 10.0  # inch: 1100 px of the page at 110 px per inch
 DPI = 160     # sharp on a printed page, and below 1 MB per picture
+
+
+class Paper:
+    """What pictures are drawn on. Letters have the same size on both, so that they are read on the page they are for."""
+    width = 10.0  # inch: 1100 px of the page at 110 px per inch
+    least = 6.5   # inch: room for a scale bar and a legend
+    suffix = ""   # of the name of the file
+
+    @property
+    def is_narrow(self):
+        return bool(self.suffix)
+
+
+PAPER = Paper()
+NARROW = 5.0         # inch: on a screen of 400 px letters of 10 points are 10 px high
+NARROW_COLOURS = 96  # of its palette, which a screen of that size does not show
+
+
+@contextlib.contextmanager
+def narrow_paper():
+    PAPER.width, PAPER.least, PAPER.suffix = NARROW, NARROW, "-narrow"
+    try:
+        yield
+    finally:
+        del PAPER.width, PAPER.least, PAPER.suffix
+
+
+def in_both_widths(draw):
+    """Of a function that saves one picture: draws it for a page and once more for a narrow screen, NAME-narrow.png."""
+    @functools.wraps(draw)
+    def both(*arguments, **named):
+        drawn = draw(*arguments, **named)
+        with narrow_paper():
+            draw(*arguments, **named)
+        return drawn
+    return both
+
+
+def panels(heights, ratios):
+    """Axes side by side, or below each other where the paper is narrow. heights: [inch] of one, side by side and below each other"""
+    across, below = heights
+    if PAPER.is_narrow:
+        return plt.subplots(len(ratios), 1, figsize=(PAPER.width, below * len(ratios)), squeeze=False)
+    return plt.subplots(1, len(ratios), figsize=(PAPER.width, across), gridspec_kw=dict(width_ratios=ratios), squeeze=False)
 
 plt.rcParams.update({
     "font.family": "sans-serif", "font.size": 10, "axes.titlesize": 10, "axes.labelsize": 10, "legend.fontsize": 10,
@@ -71,8 +118,8 @@ def scale_bar(axes, box):
 
 def drawing(box, bottom=0.55, right=0.0, highest=7.5):
     """Figure and axes for one drawing of the structure, with room [inch] below and at the right for legends."""
-    width, height = frame_size(box, WIDTH - right, highest)
-    total_width, total_height = max(width + right, 6.5), height + bottom + 0.1
+    width, height = frame_size(box, PAPER.width - right, highest)
+    total_width, total_height = max(width + right, PAPER.least), height + bottom + 0.1
     figure = plt.figure(figsize=(total_width, total_height))
     left = (total_width - right - width) / 2 / total_width
     axes = figure.add_axes([left, bottom / total_height, width / total_width, height / total_height])
@@ -80,10 +127,43 @@ def drawing(box, bottom=0.55, right=0.0, highest=7.5):
     return figure, axes
 
 
-def legend(figure, entries, columns=None):
-    """Legend below the drawing, at the right of the scale bar."""
-    figure.legend(handles=entries, loc="lower right", bbox_to_anchor=(0.995, 0.0), ncol=columns or len(entries), frameon=False,
-                  handlelength=1.8, columnspacing=1.6, borderaxespad=0.2)
+def add_room(figure, below, above):
+    """Makes the figure higher [inch], what is drawn staying as large as it is."""
+    width, height = figure.get_size_inches()
+    whole = height + below + above
+    places = [axes.get_position() for axes in figure.axes]
+    figure.set_size_inches(width, whole)
+    for axes, place in zip(figure.axes, places):
+        axes.set_position([place.x0, (place.y0 * height + below) / whole, place.width, place.height * height / whole])
+
+
+def add_room_below(figure, inches):
+    add_room(figure, inches, 0.0)
+
+
+def add_room_above(figure, inches):
+    add_room(figure, 0.0, inches)
+
+
+def legend(figure, entries, most=6, bar=True):
+    """Legend below the drawing, in as many columns as fit.
+
+    bar  a scale bar stands at the left of its first row
+    """
+    if not entries:
+        return
+    width = figure.get_size_inches()[0]
+    make = lambda columns: figure.legend(handles=entries, loc="lower right", bbox_to_anchor=(0.995, 0.0), ncol=columns, frameon=False,
+                                         handlelength=1.8, columnspacing=1.6, borderaxespad=0.2)
+    size = lambda made: made.get_window_extent(figure.canvas.get_renderer())
+    for columns in range(min(most, len(entries)), 0, -1):
+        made = make(columns)
+        if size(made).width / figure.dpi < width - (1.7 if bar and columns == len(entries) else 0.1) or columns == 1:
+            break
+        made.remove()
+    if columns == len(entries):
+        return
+    add_room_below(figure, size(made).height / figure.dpi - (0.0 if bar else 0.25))
 
 
 def line_entry(label, colour, width=2.0):
@@ -117,7 +197,11 @@ def save_study(figure, folder, name):
 
 def save(figure, folder, name):
     """Writes pictures/NAME.png and closes the figure; returns its path."""
-    path = folder / f"{name}.png"
+    path = folder / f"{name}{PAPER.suffix}.png"
     figure.savefig(path, dpi=DPI, facecolor="white")
     plt.close(figure)
+    if PAPER.is_narrow:
+        with Image.open(path) as image:
+            few = image.convert("RGB").quantize(NARROW_COLOURS, dither=Image.Dither.NONE)
+        few.save(path, optimize=True)
     return path

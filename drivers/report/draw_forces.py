@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-from draw_common import GREY, RED, STONE, dot_entry, draw_lines, drawing, limits, line_entry, outline_width, save
+from draw_common import GREY, RED, STONE, dot_entry, draw_lines, drawing, in_both_widths, legend, limits, line_entry, outline_width, save
 from geometry import force_text, round_number
 from chains import joint_points
 from statics import chain_resultants, resultant, thrust_line
@@ -22,6 +22,7 @@ def all_resultants(joints, step):
     return [resultant(joints, step, points, np.ones(len(points))) for points in joint_points(joints) if len(points) > 1]
 
 
+@in_both_widths
 def draw_stress(mesh, joints, edges, step, chains, folder):
     """Returns the path, the stress at the top of the colour scale [Pa] and the largest resultant [N]."""
     x = mesh.coordinates
@@ -43,6 +44,7 @@ def draw_stress(mesh, joints, edges, step, chains, folder):
     return save(figure, folder, "stress"), top, largest
 
 
+@in_both_widths
 def draw_thrust(mesh, joints, edges, step, chains, folder, name):
     """Resultants and lines of thrust on the stones alone; returns the path and the largest resultant [N]."""
     x = mesh.coordinates
@@ -77,6 +79,5 @@ def draw_force_legend(figure, largest, biggest, with_line):
         entries.append(dot_entry(f"joint resultant {force_text(force)}", RED, np.sqrt(biggest * force / largest), edge="none"))
     if with_line:
         entries.append(line_entry("line of thrust", RED, 1.8))
-    if entries:
-        figure.legend(handles=entries, loc="lower right", bbox_to_anchor=(0.9, 0), ncol=len(entries), frameon=False)
+    legend(figure, entries)
 

@@ -2,7 +2,7 @@
 import numpy as np
 
 from draw_common import (BLUE, INK, ORANGE, PALE, RED, SKY, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells,
-                         legend, limits, line_entry, outline_width, save)
+                         in_both_widths, legend, limits, line_entry, outline_width, save)
 from geometry import bounds, deformed, factor_text, length_text
 from read_results import OPEN, SLIP, is_mechanism
 
@@ -10,6 +10,7 @@ CRACKED = 0.99  # damage
 WIDEST, THINNEST = 5.0, 0.8  # points: line weight of the widest opening and of the smallest
 
 
+@in_both_widths
 def draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder):
     x = deformed(mesh, step, scale)
     lines, point = pieces.halves(x, joints)
@@ -35,6 +36,7 @@ def draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder):
     return save(figure, folder, "joints")
 
 
+@in_both_widths
 def draw_damage(mesh, joints, pieces, edges, step, scale, folder):
     x = deformed(mesh, step, scale)
     lines, point = pieces.halves(x, joints)
@@ -52,6 +54,7 @@ def draw_damage(mesh, joints, pieces, edges, step, scale, folder):
     return save(figure, folder, "damage")
 
 
+@in_both_widths
 def draw_selection(mesh, joints, pieces, edges, step, folder):
     x = mesh.coordinates
     lines, point = pieces.halves(x, joints)

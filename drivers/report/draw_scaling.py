@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from draw_common import BLUE, GREEN, GREY, ORANGE, PALE, PURPLE, RED, SKY, WIDTH, save_study
+from draw_common import BLUE, GREEN, GREY, ORANGE, PALE, PAPER, PURPLE, RED, SKY, save_study
 from read_results import number
 
 COLOURS = {"walls": BLUE, "openings": PURPLE, "storeys": SKY, "arches": ORANGE, "bridge": GREEN}
@@ -77,7 +77,7 @@ def main(folder):
         found = curves(list(csv.DictReader(file)))
     if not found:
         sys.exit(f"{folder}/scaling.csv holds no run.\n  Nothing to draw.")
-    figure, axes = plt.subplots(2, 2, figsize=(WIDTH, 7.2))
+    figure, axes = plt.subplots(2, 2, figsize=(PAPER.width, 7.2))
     draw_seconds(axes[0][0], found)
     draw(axes[0][1], found, lambda run: largest(run, "in_continua"), MOST_CONTINUA, "dearest load step [bonded solves]")
     draw(axes[1][0], found, lambda run: largest(run, "linear_solves"), MOST_SOLVES, "most linear solves of a load step")

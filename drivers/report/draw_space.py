@@ -7,13 +7,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+import draw_loads
 import draw_structure
 import hidden_lines
+import motion_player
 import solids
 import view_in_space
-from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, legend, limits, outline_width, save
+from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, in_both_widths, legend, limits, outline_width, save
 from geometry import deformation_scale, deformed, factor_text, length_text
-from read_results import OPEN, SLIP, Step, is_mechanism
+from read_results import OPEN, SLIP, Step, is_mechanism, read_frames
 
 TOWARDS_VIEWER = np.array([0.55, -1.0, 0.6]) / np.linalg.norm([0.55, -1.0, 0.6])
 
@@ -49,12 +51,15 @@ def projected(results):
     kinds = {name.split()[0] for name in mesh.sets if name.split()}
     named = len(kinds) <= len(draw_structure.SET_COLOURS)
     sets = {name: blocks for name, blocks in mesh.sets.items() if named or len(blocks) > 1}
-    flat = replace(mesh, sets=sets, coordinates=places[:, :2], cells=faces[order], block_of_cell=block[order])
+    held = np.concatenate([mesh.held, mesh.held[between[0][:, 0]] & mesh.held[between[0][:, 1]]])
+    flat = replace(mesh, sets=sets, coordinates=places[:, :2], cells=faces[order], block_of_cell=block[order], held=held, projected=True)
     steps = [ProjectedStep(**{**vars(step), "displacement": hidden_lines.with_new_nodes(np.nan_to_num(step.displacement), *between) @ axes},
                            largest=step.largest_displacement) for step in results.stage_ends]
-    return replace(results, mesh=flat, stage_ends=steps), pieces[seen]
+    seen_at = lambda values: hidden_lines.with_new_nodes(np.nan_to_num(values), *between) @ axes
+    return replace(results, mesh=flat, stage_ends=steps), pieces[seen], seen_at
 
 
+@in_both_widths
 def draw_points(flat, edges, step, scale, folder):
     """Points that are open or slip, on the deformed shape."""
     mesh, joints = flat.mesh, flat.joints
@@ -69,9 +74,37 @@ def draw_points(flat, edges, step, scale, folder):
     return save(figure, folder, "joints")
 
 
+def add_loads(page, results, flat, edges, folder):
+    step = results.equilibrium
+    if not step or not step.loads:
+        return
+    words = draw_loads.words_of_loads(step.loads)
+    page.picture(draw_loads.draw_loads_in_space(flat.mesh, edges, step.loads, screen(), folder),
+                 f"What acts on the structure in stage “{step.stage}”, step {step.number}: arrows are forces of nodes, those of one load in "
+                 "proportion, also behind stones; sizes of whole loads stand beside them. Heavy lines: edges that supports hold."
+                 + (f" On all of the stones: {words}." if words else ""))
+
+
+def add_motion(page, results, flat, edges, seen_at):
+    """A section of its own, when something moves through enough recorded steps."""
+    times = results.times
+    if len(times) < 2:
+        return
+    nodes = len(np.unique(np.concatenate([edges.reshape(-1), flat.mesh.cells.reshape(-1)])))
+    chosen = motion_player.chosen_frames(times, motion_player.frames_for(nodes))
+    frames = read_frames(results, chosen)
+    in_space = [frame.displacement for frame in frames]
+    flat_frames = [replace(frame, displacement=seen_at(frame.displacement)) for frame in frames]
+    data = motion_player.data_of(flat.mesh, edges, flat_frames, faces=True, sizes=in_space)
+    if data:
+        page.section("The motion")
+        page.motion(motion_player.text_of(data), motion_player.SCRIPT.read_text(encoding="utf-8"), len(chosen),
+                    f"The structure at {len(chosen)} of {len(times)} recorded steps, all drawn with one magnification. Thin grey: the structure as built.")
+
+
 def add_space_sections(page, results, folder, attempt):
     """The pictures of a structure in space."""
-    flat, edges = projected(results)
+    flat, edges, seen_at = projected(results)
     view = "in parallel projection from the front, the right and above (x along, y into the picture, z up); the bar holds along the picture"
     page.section("The structure")
     try:
@@ -89,12 +122,14 @@ def add_space_sections(page, results, folder, attempt):
     attempt(page, "The deformed structure", lambda: page.picture(
         draw_structure.draw_deformed(flat.mesh, edges, step, scale, folder),
         f"{what}. End of step {step.number}, stage “{step.stage}”. Thin grey: the structure as built."))
+    attempt(page, "The loads", add_loads, page, results, flat, edges, folder)
     if len(flat.stage_ends) > 1:
         attempt(page, "The stages", lambda: page.picture(
             draw_structure.draw_stages(flat.mesh, edges, flat.stage_ends, folder),
             "Deformed shape at the end of each stage, each with its own magnification, stated above it."))
+    attempt(page, "The motion", add_motion, page, results, flat, edges, seen_at)
     page.section("Joints")
     attempt(page, "The joints", lambda: page.picture(
         draw_points(flat, edges, step, scale, folder),
         f"Contact points at step {step.number} on the deformed shape ({factor_text(scale)}): {(step.status == OPEN).sum()} open (red), "
-        f"{(step.status == SLIP).sum()} slip (orange); those behind stones are drawn as well. fields.xdmf holds all of them for ParaView."))
+        f"{(step.status == SLIP).sum()} slip (orange); those behind stones are drawn as well. joints.xdmf holds all of them for ParaView."))

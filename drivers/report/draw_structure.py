@@ -3,8 +3,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
 
-from draw_common import (GREY, PALE, SET_COLOURS, STONE, STONE_EDGE, STONE_PALE, WIDTH, draw_lines, drawing, fill_cells, frame_size,
-                         limits, line_entry, outline_width, prepare, save, visible)
+from draw_common import (GREY, PAPER, SET_COLOURS, STONE, STONE_EDGE, STONE_PALE, draw_lines, drawing, fill_cells, frame_size,
+                         in_both_widths, legend, limits, line_entry, outline_width, prepare, save, visible)
+from draw_supports import draw_supports, support_entries
 from geometry import deformation_scale, deformed, factor_text, length_text
 
 PANELS = 6  # small multiples: more are too small to read
@@ -37,19 +38,19 @@ def colours_by_set(mesh):
     return colour, entries
 
 
+@in_both_widths
 def draw_undeformed(mesh, edges, folder):
     x = mesh.coordinates
     colour, entries = colours_by_set(mesh)
-    rows = -(-len(entries) // 5)
-    figure, axes = drawing(limits(x), bottom=0.45 + 0.22 * rows)
+    figure, axes = drawing(limits(x))
     fill_cells(axes, x, mesh, colour[mesh.block_of_cell])
     draw_lines(axes, x[edges], STONE_EDGE, outline_width(mesh.blocks))
-    if entries:
-        figure.legend(handles=entries, loc="lower right", bbox_to_anchor=(0.995, 0), ncol=min(5, len(entries)), frameon=False,
-                      handlelength=1.4, columnspacing=1.4)
+    draw_supports(axes, mesh, x, edges)
+    legend(figure, entries + support_entries(mesh, edges))
     return save(figure, folder, "structure")
 
 
+@in_both_widths
 def draw_deformed(mesh, edges, step, scale, folder):
     x = deformed(mesh, step, scale)
     colour, _ = colours_by_set(mesh)
@@ -57,8 +58,7 @@ def draw_deformed(mesh, edges, step, scale, folder):
     draw_lines(axes, mesh.coordinates[edges], GREY, 0.5)
     fill_cells(axes, x, mesh, colour[mesh.block_of_cell])
     draw_lines(axes, x[edges], STONE_EDGE, outline_width(mesh.blocks))
-    figure.legend(handles=[line_entry(f"deformed {factor_text(scale)}", STONE_EDGE, 1.5), line_entry("undeformed", GREY, 0.8)],
-                  loc="lower right", bbox_to_anchor=(0.995, 0), ncol=2, frameon=False)
+    legend(figure, [line_entry(f"deformed {factor_text(scale)}", STONE_EDGE, 1.5), line_entry("undeformed", GREY, 0.8)])
     return save(figure, folder, "deformed")
 
 
@@ -69,6 +69,7 @@ def chosen_stages(steps):
     return [steps[k] for k in np.unique(np.linspace(0, len(steps) - 1, PANELS).round().astype(int))]
 
 
+@in_both_widths
 def draw_stages(mesh, edges, steps, folder):
     """One small picture per stage, each with its own magnification, stated above it."""
     steps = chosen_stages(steps)
@@ -76,10 +77,10 @@ def draw_stages(mesh, edges, steps, folder):
     shapes = [deformed(mesh, step, scale) for step, scale in zip(steps, scales)]
     box = limits(mesh.coordinates, *shapes)
     wide = (box[1] - box[0]) / (box[3] - box[2])
-    columns = min(len(steps), 2 if wide > 1.2 else 3)
+    columns = min(len(steps), 1 if PAPER.is_narrow and wide > 1.2 else 2 if PAPER.is_narrow or wide > 1.2 else 3)
     rows = -(-len(steps) // columns)
     gap, title = 0.3, 0.55
-    width, height = frame_size(box, (WIDTH - gap * (columns - 1)) / columns, 3.6)
+    width, height = frame_size(box, (PAPER.width - gap * (columns - 1)) / columns, 3.6)
     total_width, total_height = columns * width + gap * (columns - 1), rows * (height + title)
     figure = plt.figure(figsize=(total_width, total_height))
     for k, (step, scale, x) in enumerate(zip(steps, scales, shapes)):

@@ -4,13 +4,13 @@ import re
 import matplotlib.pyplot as plt
 import numpy as np
 
-from draw_common import BLUE, DARK_SKY, GREEN, GREY, INK, ORANGE, PURPLE, RED, WIDTH, save, visible
+from draw_common import BLUE, DARK_SKY, GREEN, GREY, INK, ORANGE, PURPLE, RED, PAPER, add_room_below, in_both_widths, legend, panels, save, visible
 from draw_cost import column
 
 PLACES = 6  # in one picture: more lines than that cannot be told apart
 STYLES = tuple(zip((BLUE, ORANGE, GREEN, RED, PURPLE, DARK_SKY), ("-", "--", "-.", (0, (5, 1)), (0, (1, 1)), (0, (3, 1, 1, 1)))))
 # Column of history.csv -> what of which place, as src/output/README.md says.
-OBSERVED = re.compile(r"([uvf][xy])_(?:m|m_per_s|N) of (.*)", re.DOTALL)
+OBSERVED = re.compile(r"([uvf][xyz])_(?:m|m_per_s|N) of (.*)", re.DOTALL)
 ROUND_OFF = 1e-9  # of a way that stays
 SMALLEST = 1e-16  # of the largest energy: round-off, and the bottom of a logarithmic axis
 
@@ -50,6 +50,7 @@ def prefixed(largest, unit):
     return 1e9, "n" + unit
 
 
+@in_both_widths
 def draw_energy(history, folder):
     """Energy book and what it cannot explain; path and the largest unexplained share, or None without a course."""
     if len(history) < 2 or "elastic_J" not in history[0]:
@@ -64,7 +65,8 @@ def draw_energy(history, folder):
     if not largest > 0:
         return None
     factor, unit = prefixed(largest, "J")
-    figure, axes = plt.subplots(1, 2, figsize=(WIDTH, 3.6), gridspec_kw=dict(width_ratios=(1.6, 1)))
+    figure, axes = panels((3.6, 2.8), (1.6, 1))
+    axes = axes.reshape(-1)
     shades = dict(zip(energies, ((INK, "--"), (BLUE, "-"), (GREEN, "-"), (ORANGE, "-"), (RED, "-"), (PURPLE, "-"), (RED, ":"))))
     for name, value in present.items():
         colour, style = shades[name]
@@ -80,10 +82,16 @@ def draw_energy(history, folder):
     axes[1].set_title(f"not explained{' in time' if course.in_time else ''} / largest", loc="left")
     for panel in axes:
         course.prepare(panel)
-    lines, names = axes[0].get_legend_handles_labels()
-    figure.tight_layout(w_pad=2, rect=(0, 0.1, 1, 1))
-    figure.legend(lines, names, loc="lower left", ncol=len(names), frameon=False, fontsize=9)
+    legend_of_lines(figure, axes[0])
     return save(figure, folder, "energy"), float(np.nanmax(share, initial=0)), course.in_time
+
+
+def legend_of_lines(figure, axes):
+    """The lines of one panel, below all panels."""
+    lines, names = axes.get_legend_handles_labels()
+    figure.tight_layout(w_pad=2)
+    add_room_below(figure, 0.3)
+    legend(figure, lines, most=6 if not PAPER.is_narrow else 3, bar=False)
 
 
 def observed_places(history):
@@ -96,6 +104,7 @@ def observed_places(history):
     return places
 
 
+@in_both_widths
 def draw_places(history, places, folder):
     """Displacements of the places, and velocities in time; None without a course."""
     if len(history) < 2 or not places:
@@ -105,7 +114,9 @@ def draw_places(history, places, folder):
     rows = [("u", "displacement", "m")]
     if course.in_time and any("vx" in values for values in shown.values()):
         rows.append(("v", "velocity", "m/s"))
-    figure, axes = plt.subplots(len(rows), 2, figsize=(WIDTH, 0.4 + 2.5 * len(rows)), squeeze=False)
+    shape = (2 * len(rows), 1) if PAPER.is_narrow else (len(rows), 2)
+    figure, axes = plt.subplots(*shape, figsize=(PAPER.width, 0.4 + 2.5 * shape[0]), squeeze=False)
+    axes = axes.reshape(len(rows), 2)
     for (letter, what, unit), panels in zip(rows, axes):
         largest = max((np.nanmax(np.abs(v), initial=0) for values in shown.values() for k, v in values.items() if k[0] == letter),
                       default=0)
@@ -117,12 +128,11 @@ def draw_places(history, places, folder):
                                **marks(len(history)))
             panel.set_title(f"{what} {sense} [{unit}]", loc="left")
             course.prepare(panel)
-    lines, names = axes[0][0].get_legend_handles_labels()
-    figure.tight_layout(w_pad=2, rect=(0, 0.35 / (0.4 + 2.5 * len(rows)), 1, 1))
-    figure.legend(lines, names, loc="lower center", ncol=min(len(names), 3), frameon=False, fontsize=9)
+    legend_of_lines(figure, axes[0][0])
     return save(figure, folder, "places")
 
 
+@in_both_widths
 def draw_supports(history, places, folder):
     """Force of each support that moves step by step over its way, one panel per direction; None where none does."""
     moving = {}  # direction -> name -> way [m], force [N]
@@ -133,8 +143,8 @@ def draw_supports(history, places, folder):
                 moving.setdefault(direction, {})[name] = way, force
     if len(history) < 2 or not moving:
         return None
-    figure, axes = plt.subplots(1, len(moving), figsize=(WIDTH, 3.4), squeeze=False)
-    for panel, (direction, curves) in zip(axes[0], moving.items()):
+    figure, axes = panels((3.4, 3.0), (1,) * len(moving))
+    for panel, (direction, curves) in zip(axes.reshape(-1), moving.items()):
         sense = {"x": "to the right", "y": "upwards"}[direction]
         in_metres, metres = prefixed(max(np.nanmax(np.abs(way)) for way, _ in curves.values()), "m")
         in_newtons, newtons = prefixed(max(np.nanmax(np.abs(force)) for _, force in curves.values()), "N")

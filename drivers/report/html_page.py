@@ -1,6 +1,7 @@
 """One self-contained page: sections, figures with captions, tables. Every text that comes in is escaped here."""
 import base64
 import html
+import re
 import urllib.parse
 
 STYLE = """
@@ -28,19 +29,24 @@ th { vertical-align: bottom; font-weight: 600; white-space: normal; border-botto
 /* Words break between words: "anywhere" would let a narrow table shrink them to a letter a line. A wide table scrolls. */
 th.words, td.words { text-align: left; white-space: normal; overflow-wrap: break-word; min-width: 6rem; }
 th.long, td.long { min-width: 14rem; }
-#view-in-space .controls { display: flex; flex-wrap: wrap; gap: .4rem 1.1rem; align-items: center; font-size: .9rem; }
+nav ul { display: flex; flex-wrap: wrap; gap: .3rem 1.2rem; list-style: none; margin: 1rem 0; padding: 0; font-size: .95rem; }
+nav a { color: var(--accent); }
+.controls { display: flex; flex-wrap: wrap; gap: .4rem 1.1rem; align-items: center; font-size: .9rem; }
+.controls button { font: inherit; padding: .1rem .7rem; min-width: 2.6rem; } .said { margin: .2rem 0; font-size: .9rem; min-height: 1.3em; }
+#motion .frame { margin: .5rem 0; } #motion canvas { display: block; margin: 0 auto; max-width: 100%; } #motion [name=frame] { width: min(20rem, 60vw); }
 #view-in-space .frame { border: 1px solid var(--line); margin: .5rem 0; touch-action: none; }
-#view-in-space canvas { display: block; width: 100%; } #view-in-space .said { margin: .2rem 0; font-size: .9rem; min-height: 1.3em; }
-#view-in-space select { max-width: 12rem; } #view-in-space button { font: inherit; padding: .1rem .7rem; }
+#view-in-space canvas { display: block; width: 100%; }
+#view-in-space select { max-width: 12rem; }
 .remarks { background: #fdf3d8; border-left: 4px solid #e69f00; padding: .6rem 1rem; margin: 1rem 0; }
 .remarks ul { margin: .3rem 0; padding-left: 1.2rem; }
 footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .85rem; }
-@media print { #view-in-space { display: none; } @page { size: A4; margin: 15mm; } body { max-width: none; padding: 0; font-size: 10.5pt; }
+@media print { #view-in-space, .controls, nav { display: none; } @page { size: A4; margin: 15mm; } body { max-width: none; padding: 0; font-size: 10.5pt; }
   figure, tr, dl div, .remarks { break-inside: avoid; } h2, h3 { break-after: avoid; } .table { overflow: visible; }
   table { font-size: 7.5pt; } th, td { padding: .1rem .3rem; } * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 """
 
 
+NARROW_SCREEN = 640  # [px] up to which pictures are those drawn for it
 LONG = 20  # letters; what is longer gets a column of 14 rem, so that it takes two or three lines and not one a word
 
 
@@ -52,6 +58,8 @@ class Page:
     def __init__(self, title):
         self.title = title
         self.parts = []
+        self.sections = []       # rows (anchor, title)
+        self.contents_at = None  # number of the part that is to hold their list
 
     def head(self, outcome, kind):
         """Title and outcome; kind is good, warn, bad or empty and only chooses the colour."""
@@ -78,7 +86,17 @@ class Page:
         self.parts.append(f"<dl>{cells}</dl>")
 
     def section(self, title):
-        self.parts.append(f"<h2>{escape(title)}</h2>")
+        """Begins a section, which the list of contents leads to."""
+        name = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") or "section"
+        while name in (known for known, _ in self.sections):
+            name += "-"
+        self.sections.append((name, title))
+        self.parts.append(f'<h2 id="{name}">{escape(title)}</h2>')
+
+    def contents(self):
+        """Where the list of all sections stands."""
+        self.contents_at = len(self.parts)
+        self.parts.append("")
 
     def part(self, title):
         self.parts.append(f"<h3>{escape(title)}</h3>")
@@ -87,11 +105,13 @@ class Page:
         self.parts.append(f"<p>{escape(words)}</p>")
 
     def picture(self, path, caption):
-        """A PNG as data URI. It was drawn at 160 dots per inch and is shown at 110 pixels per inch."""
+        """A PNG as data URI, and the one that was drawn for a narrow screen. Drawn at 160 dots per inch, shown at 110 pixels."""
         content = path.read_bytes()
         width = round(int.from_bytes(content[16:20], "big") * 110 / 160)
-        data = base64.b64encode(content).decode("ascii")
-        self.parts.append(f'<figure><img width="{width}" alt="{escape(caption)}" src="data:image/png;base64,{data}">'
+        uri = lambda content: f"data:image/png;base64,{base64.b64encode(content).decode('ascii')}"
+        narrow = path.with_name(f"{path.stem}-narrow.png")
+        source = f'<source media="(max-width: {NARROW_SCREEN}px)" srcset="{uri(narrow.read_bytes())}">' if narrow.exists() else ""
+        self.parts.append(f'<figure><picture>{source}<img width="{width}" alt="{escape(caption)}" src="{uri(content)}"></picture>'
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
 
     def drawing(self, path, caption):
@@ -100,11 +120,25 @@ class Page:
         self.parts.append(f'<figure><img alt="{escape(caption)}" src="data:image/svg+xml;base64,{data}">'
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
 
-    def animation(self, path, caption):
-        """An animated GIF as data URI, in its own size."""
-        data = base64.b64encode(path.read_bytes()).decode("ascii")
-        self.parts.append(f'<figure><img alt="{escape(caption)}" src="data:image/gif;base64,{data}">'
-                          f"<figcaption>{escape(caption)}</figcaption></figure>")
+    def motion(self, data, script, frames, caption):
+        """A motion to be played, stopped and stepped through: data as JSON, the script that draws it."""
+        self.parts.append(
+            '<figure id="motion"><div class="controls"><button type="button" name="back" aria-label="one step back">◀</button>'
+            '<button type="button" name="play">Play</button><button type="button" name="on" aria-label="one step on">▶</button>'
+            f'<label>Step <input type="range" name="frame" min="0" max="{frames - 1}" value="{frames - 1}"></label>'
+            '<label>Magnified <input type="range" name="scale" min="0" max="100" value="50"></label></div>'
+            f'<div class="frame"><canvas role="img" aria-label="{escape(caption)}"></canvas></div>'
+            f'<p class="said"><output aria-live="polite"></output></p><figcaption>{escape(caption)}</figcaption></figure>')
+        self.add_script("motion-data", data, [script])
+
+    def add_script(self, name, data, scripts):
+        """Numbers as JSON under a name, then the scripts that read them."""
+        body = data.replace("<", "\\u003c")  # names in it must not end the element
+        self.parts.append(f'<script type="application/json" id="{name}">{body}</script>')
+        for script in scripts:
+            if "</script" in script.lower():
+                raise ValueError("a script that would end its own element")
+            self.parts.append(f"<script>{script}</script>")
 
     def view_in_space(self, data, scripts, stages, ways, caption):
         """A structure to be turned: data as JSON, scripts that draw it, what the reader chooses from."""
@@ -120,12 +154,7 @@ class Page:
             f'{boxes}<button type="button" name="play">Move</button><button type="button" name="home">From the front</button></div>'
             '<div class="frame"></div><p class="said"><output name="stage-words"></output>; <output name="scale-words"></output></p>'
             f'<p class="said stone" aria-live="polite"></p><figcaption>{escape(caption)}</figcaption></figure>')
-        body = data.replace("<", "\\u003c")  # names in it must not end the element
-        self.parts.append(f'<script type="application/json" id="view-in-space-data">{body}</script>')
-        for script in scripts:
-            if "</script" in script.lower():
-                raise ValueError("a script that would end its own element")
-            self.parts.append(f"<script>{script}</script>")
+        self.add_script("view-in-space-data", data, scripts)
 
     def table(self, columns, rows, words=(), links=None):
         """columns: headings; words: numbers of the columns that hold text and are set flush left; links: of every row the
@@ -147,6 +176,9 @@ class Page:
         self.parts.append(f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>')
 
     def write(self, path):
+        if self.contents_at is not None and len(self.sections) > 1:
+            items = "".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in self.sections)
+            self.parts[self.contents_at] = f'<nav aria-label="Contents"><ul>{items}</ul></nav>'
         body = "\n".join(self.parts)
         path.write_text(f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
                         f'<meta name="viewport" content="width=device-width, initial-scale=1"><title>{escape(self.title)}</title>'

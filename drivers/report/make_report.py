@@ -8,19 +8,22 @@ import argparse
 import sys
 from pathlib import Path
 
+import numpy as np
+
 import chains
 import draw_cost
 import draw_forces
 import draw_joints
-import draw_motion
+import draw_loads
 import draw_space
 import draw_structure
 import draw_time
+import motion_player
 import rigid_report
 import tables
 from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
 from html_page import Page
-from read_results import OPEN, SLIP, find, is_mechanism, read_frames, read_results
+from read_results import OPEN, SLIP, find, is_mechanism, number, read_frames, read_results, step_nearest
 from statics import chain_resultants, find_hinges
 
 # A result with holes (a table of the wrong length, say) must not take the rest of the report with it.
@@ -41,6 +44,24 @@ def add_undeformed(page, results, edges, folder):
     sets = "Stones are coloured by set" if mesh.sets else "The scene names no sets of stones"
     page.picture(draw_structure.draw_undeformed(mesh, edges, folder),
                  f"The structure as built: {mesh.blocks} stones, drawn by their outlines, to scale (bar in metres). {sets}.")
+
+
+def add_loads(page, results, edges, folder):
+    """What acts at the end, in time when the structure moves most."""
+    step, when = results.equilibrium, ""
+    peak = number(results.result.get("largest_displacement_time_s")) if results.ends_in_time else None
+    if peak is not None:
+        step = step_nearest(results, peak)
+        when = f" at {step.time:.4g} s, of the recorded steps the nearest to the largest displacement" if np.isfinite(step.time) else ""
+    if not step or not step.loads:
+        return
+    reactions = [] if results.ends_in_time else draw_loads.reactions_of(results)
+    whole = draw_loads.words_of_loads(step.loads)
+    page.picture(draw_loads.draw_loads(results.mesh, edges, step.loads, reactions, folder),
+                 f"What acts on the structure in stage “{step.stage}”{when or f', step {step.number}'}. Along edges arrows are forces per length, those of "
+                 "one load in proportion; sizes stand beside them."
+                 + (f" On all of the stones: {whole}." if whole else "")
+                 + (" Green: what supports answer, where it passes." if reactions else ""))
 
 
 def add_deformed(page, results, edges, scale, folder):
@@ -72,19 +93,18 @@ def add_stages(page, results, edges, folder):
                  + ". Each has its own magnification, stated above it: compare the shapes by eye, the sizes by number.")
 
 
-def add_motion(page, results, pieces, edges, folder):
+def add_motion(page, results, pieces, edges):
     """A section of its own, when something moves through enough recorded steps."""
     times = results.times
-    if len(times) < 3:
+    if len(times) < 2:
         return
-    chosen = draw_motion.chosen_frames(times, draw_motion.frames_for(results.mesh))
-    drawn = draw_motion.draw_motion(results.mesh, results.joints, pieces, edges, read_frames(results, chosen), folder)
-    if not drawn:
-        return
-    path, scale, frames = drawn
-    page.section("The motion")
-    page.animation(path, f"The structure at {frames} of {len(times)} recorded steps, displacements drawn {factor_text(scale)} throughout. "
-                   "Red: open joints; thin grey: the structure as built.")
+    chosen = motion_player.chosen_frames(times, motion_player.frames_for(len(np.unique(edges))))
+    data = motion_player.data_of(results.mesh, edges, read_frames(results, chosen), pieces, results.joints)
+    if data:
+        page.section("The motion")
+        page.motion(motion_player.text_of(data), motion_player.SCRIPT.read_text(encoding="utf-8"), len(chosen),
+                    f"The structure at {len(chosen)} of {len(times)} recorded steps, all drawn with one magnification. Red: open joints; "
+                    "thin grey: the structure as built; blue: loads at points.")
 
 
 def add_joints(page, results, pieces, edges, scale, found, folder):
@@ -138,9 +158,10 @@ def add_structure_sections(page, results, folder):
     scale = deformation_scale(mesh, step)
     pieces = JointPieces(mesh, joints, edges)
     found = attempt(page, "The arches", chains.find_chains, mesh, joints, results.standing) or []
+    attempt(page, "The loads", add_loads, page, results, edges, folder)
     attempt(page, "The deformed structure", add_deformed, page, results, edges, scale, folder)
     attempt(page, "The stages", add_stages, page, results, edges, folder)
-    attempt(page, "The motion", add_motion, page, results, pieces, edges, folder)
+    attempt(page, "The motion", add_motion, page, results, pieces, edges)
     page.section("Joints")
     attempt(page, "The joints", add_joints, page, results, pieces, edges, scale, found, folder)
     page.section("How the load is carried")
@@ -155,9 +176,10 @@ def add_cost(page, results, folder):
     history = results.history
     path = draw_cost.draw_history(history, folder)
     if path:
-        page.picture(path, "Load path and work, load step by load step; dotted lines part the stages.")
+        page.picture(path, f"The course of the run and its work, {'time step by time step' if results.ends_in_time else 'load step by load step'}; dotted lines "
+                     "part the stages.")
     if history:
-        tables.step_table(page, history, tables.STEP_COLUMNS)
+        tables.step_table(page, history, tables.step_columns(history))
     else:
         page.words("There is no history.csv, hence no table per load step.")
     seconds, phases = tables.seconds_of(results)
@@ -165,7 +187,7 @@ def add_cost(page, results, folder):
     if path:
         memory = find(results.result, "peak memory per rank", "peak memory mb per rank", "peak memory")
         page.picture(path, f"Seconds per phase, longest first{'' if seconds is None else f'; {seconds:.3g} s in all'}."
-                     + (f" Peak memory per rank: {memory}." if memory else ""))
+                     + tables.memory_words(memory))
     if history and "elastic_J" in history[0]:
         page.part("Energy book")
         page.words("External work, forces times ways of loads and moved supports, is stored as elastic energy or spent in friction and fracture, "
@@ -183,7 +205,10 @@ def add_time(page, results, folder):
     energy = draw_time.draw_energy(history, folder)
     if not path and not energy:
         return
-    page.section("Over time" if draw_time.Course(history).in_time else "Over the load steps")
+    in_time = draw_time.Course(history).in_time
+    page.section("Over time" if in_time else "Over the load steps")
+    if in_time:
+        tables.peak_table(page, results, places)
     if path:
         left_out = len(places) - draw_time.PLACES
         page.picture(path, "Motion of the places the scene observes"
@@ -213,6 +238,7 @@ def add_rigid(page, results, folder):
     page.head("limit analysis: forces balance the loads" if words == "equilibrium" else f"limit analysis: {words}", kind)
     page.figures_asked_first(rigid_report.facts(results))
     page.remarks(results.remarks)
+    page.contents()
     rigid_report.add_verdict(page, results)
     if results.mesh and results.mesh.in_space:
         draw_space.add_space_sections(page, results, folder, attempt)
@@ -248,6 +274,7 @@ def make_report(folder):
     page.warnings(tables.warnings(results))
     page.figures_asked_first(tables.facts_asked_first(results))
     page.remarks(results.remarks)
+    page.contents()
     found = add_structure_sections(page, results, pictures) if results.mesh else []
     attempt(page, "The load factor", tables.load_factor_section, page, results)
     attempt(page, "The course of the run", add_time, page, results, pictures)

@@ -30,6 +30,8 @@ class Mesh:
     rank_of_block: np.ndarray  # [blocks]
     sets: dict                 # name -> ascending block numbers
     held_blocks: set           # blocks of which a support holds a node
+    held: np.ndarray           # [nodes] what supports hold: the sum of 1 for x, 2 for y, 4 for z
+    projected: bool = False    # a structure in space as it is seen: cells are faces, the farthest first
 
     @property
     def in_space(self):
@@ -56,6 +58,18 @@ class Joints:
 
 
 @dataclass
+class Load:
+    """A load as it acts at the end of a step."""
+    name: str
+    kind: str           # its type in the scene
+    factor: float       # of its stage times its function of time
+    of_stones: bool     # acts on all of stones, so that no node is named
+    total: np.ndarray   # [2 or 3] N
+    node: np.ndarray    # [rows]
+    force: np.ndarray   # [rows, 2 or 3] N
+
+
+@dataclass
 class Step:
     """State at the end of one load step."""
     number: int
@@ -71,6 +85,8 @@ class Step:
     selected: np.ndarray          # [points] bool
     force: np.ndarray             # [points, 3] N of block_i on block_j in space; None in the plane
     damage: np.ndarray            # [points] share of the strength that is lost; None where joints have none to lose
+    loads: list = field(default_factory=list)
+    time: float = np.nan          # [s] of a time step
 
     @property
     def largest_displacement(self):
@@ -167,9 +183,9 @@ def read_mesh(file):
     block_of_node = group["block_of_node"][()].astype(int).reshape(-1)
     blocks = int(block_of_node.max()) + 1
     rank = group["rank_of_block"][()].astype(int) if "rank_of_block" in group else np.zeros(blocks, int)
-    held = group["held"][()].reshape(-1) > 0 if "held" in group else np.zeros(len(block_of_node), bool)
+    held = group["held"][()].reshape(-1).astype(int) if "held" in group else np.zeros(len(block_of_node), int)
     return Mesh(group["coordinates"][()], group["cells"][()].astype(int), block_of_cell, blocks, rank,
-                read_sets(group, blocks), set(block_of_node[held].tolist()))
+                read_sets(group, blocks), set(block_of_node[held > 0].tolist()), held)
 
 
 def read_joints(file):
@@ -181,6 +197,27 @@ def read_joints(file):
                   group["area"][()].reshape(-1))
 
 
+def read_loads(step_group):
+    """The loads that act at the end of a step, in the order of the scene."""
+    if "loads" not in step_group:
+        return []
+    group = step_group["loads"]
+    table = {name: group[name][()] for name in group}
+    names, kinds = ([text(n) for n in np.atleast_1d(table[key])] for key in ("name", "type"))
+    total = table["total_N"].reshape(len(names), -1)
+    of = table["load_of"].reshape(-1).astype(int)
+    node, force = table["node"].reshape(-1).astype(int), table["force_N"].reshape(len(of), total.shape[1])
+    return [Load(name, kind, float(factor), bool(whole), total[k], node[of == k], force[of == k])
+            for k, (name, kind, factor, whole) in enumerate(zip(names, kinds, np.ravel(table["factor"]), np.ravel(table["of_stones"])))]
+
+
+def step_nearest(results, time):
+    """The recorded step nearest to a time [s], with all its fields."""
+    with h5py.File(results.folder / "fields.h5", "r") as file:
+        name = steps_of_motion(file["steps"])[int(np.nanargmin(np.abs(np.array(results.times) - time)))]
+        return read_step(name, file["steps"][name], len(results.joints.area))
+
+
 def read_step(name, group, points):
     value = lambda key: group[key][()].reshape(-1) if key in group else np.zeros(points)
     status = value("joint_status").astype(int) if "joint_status" in group else np.full(points, BONDED)
@@ -190,7 +227,7 @@ def read_step(name, group, points):
                 value("joint_gap_m"), value("joint_slip_m"), value("joint_normal_force_N"),
                 value("joint_tangential_force_N"), status, selected,
                 group["joint_force_N"][()].reshape(-1, 3) if "joint_force_N" in group else None,
-                value("joint_damage") if "joint_damage" in group else None)
+                value("joint_damage") if "joint_damage" in group else None, read_loads(group), float(group.attrs.get("time_s", np.nan)))
 
 
 def last_of_each_stage(steps):
@@ -206,8 +243,19 @@ def steps_of_motion(steps):
     return [name for name in names if not text(steps[name].attrs.get("stage", "")).endswith(MECHANISM)]
 
 
+@dataclass
+class Frame:
+    """What the motion is drawn from, of one recorded step."""
+    number: int
+    stage: str
+    time: float               # [s] or NaN
+    displacement: np.ndarray  # [nodes, 2 or 3] m
+    status: np.ndarray        # [points]
+    loads: list
+
+
 def read_frames(results, chosen):
-    """Rows (stage, time or NaN, displacement, status of the points) of the recorded steps with these numbers."""
+    """Frames of the recorded steps with these numbers."""
     with h5py.File(results.folder / "fields.h5", "r") as file:
         steps, points = file["steps"], len(results.joints.area)
         names = steps_of_motion(steps)
@@ -215,7 +263,8 @@ def read_frames(results, chosen):
         for k in chosen:
             group = steps[names[k]]
             status = group["joint_status"][()].astype(int).reshape(-1) if "joint_status" in group else np.full(points, BONDED)
-            rows.append((text(group.attrs.get("stage", "")), results.times[k], group["displacement"][()], status))
+            rows.append(Frame(int(group.attrs.get("step", names[k])), text(group.attrs.get("stage", "")), results.times[k],
+                              group["displacement"][()], status, read_loads(group)))
         return rows
 
 

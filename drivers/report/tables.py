@@ -173,6 +173,58 @@ def shown_rows(history):
     return rows, stride
 
 
+def step_columns(history):
+    """Those of the table per step. In time a step is told by its time: a load factor means nothing there."""
+    times = [number(row.get("time_s")) for row in history]
+    if all(time is None for time in times):
+        return STEP_COLUMNS
+    told = [("time [s]", "time_s") if key == "load_factor" else (heading, key) for heading, key in STEP_COLUMNS]
+    return tuple(told)
+
+
+def memory_words(memory):
+    """Of all ranks [1e6 bytes], as a sentence."""
+    values = [value for value in map(number, memory if isinstance(memory, list) else [memory]) if value is not None]
+    if not values:
+        return ""
+    least, most = (f"{value:.0f}" for value in (min(values), max(values)))
+    return f" Peak memory per rank: {most if least == most else f'{least} to {most}'} MB."
+
+
+def peak_and_rest(columns):
+    """Of a vector over the steps: its largest size, the row it is reached in, its size at the end; None without numbers."""
+    size = np.sqrt(sum(np.nan_to_num(values) ** 2 for values in columns))
+    known = np.any([np.isfinite(values) for values in columns], axis=0)
+    if not known.any():
+        return None
+    row = int(np.where(known, size, -1).argmax())
+    return float(size[row]), row, float(size[np.flatnonzero(known)[-1]])
+
+
+def peak_table(page, results, places):
+    """Of the structure and of every observed place the largest displacement, when that was, and what is left at the end."""
+    times = column(results.history, "time_s")
+    moment = lambda row: f"{times[row]:.4g} s" if np.isfinite(times[row]) else f"load step {row + 1}"
+    rows, moving = [], False
+    whole = peak_and_rest([column(results.history, "largest_displacement_m")])
+    told = [("the structure, its farthest node", whole, None)] if whole else []
+    for name, values in places.items():
+        of = lambda letter: [values[letter + axis] for axis in "xyz" if letter + axis in values]
+        told.append((name, peak_and_rest(of("u")) if of("u") else None, peak_and_rest(of("v")) if of("v") else None))
+    for name, way, speed in told:
+        if not way:
+            continue
+        moving |= speed is not None
+        rows.append([name, length_text(way[0]), moment(way[1]), length_text(way[2]),
+                     f"{speed[0]:.3g} m/s" if speed else "", moment(speed[1]) if speed else ""])
+    if not rows:
+        return
+    page.part("Peaks, and what is left")
+    columns = ["place", "largest displacement", "when", "residual, at the end", "largest velocity", "when"]
+    kept = len(columns) if moving else 4
+    page.table(columns[:kept], [row[:kept] for row in rows], words=(0,))
+
+
 STEP_COLUMNS = (("step", "step"), ("stage", "stage"), ("load factor", "load_factor"), ("selected", "selected_points"), ("open", "open_points"),
                 ("stick", "stick_points"), ("slip", "slip_points"), ("selection rounds", "selection_rounds"), ("Newton", "newton_iterations"),
                 ("linear solves", "linear_solves"), ("Krylov", "krylov_iterations"), ("complementarity residual", "complementarity_residual"),
@@ -262,13 +314,18 @@ def reaction_table(page, results):
     if not isinstance(reactions, dict) or not reactions:
         return
     page.part("Support reactions")
+    largest = max((abs(number(r.get(key)) or 0) for r in reactions.values() for key in ("x_N", "y_N", "z_N")), default=0)
+    # Round-off of a large force is none of a small one.
+    force = lambda value: short(0 if abs(number(value) or 0) < 1e-9 * largest else value, 5)
+    told = lambda r, keys: [force(r.get(key)) if key.endswith("_N") else short(round(number(r.get(key)), 6) if number(r.get(key)) is not None else None, 5)
+                            for key in keys]
     if any("z_N" in r for r in reactions.values()):
         page.table(["support", "x [N]", "y [N]", "vertical [N]", "through x [m]", "y [m]", "z [m]"],
-                   [[name] + [short(r.get(key), 5) for key in ("x_N", "y_N", "z_N", "through_x_m", "through_y_m", "through_z_m")]
+                   [[name] + told(r, ("x_N", "y_N", "z_N", "through_x_m", "through_y_m", "through_z_m"))
                     for name, r in reactions.items()], words=(0,))
         return
     page.table(["support", "horizontal, its thrust [N]", "vertical [N]", "through x [m]", "y [m]"],
-               [[name] + [short(r.get(key), 5) for key in ("x_N", "y_N", "through_x_m", "through_y_m")] for name, r in reactions.items()], words=(0,))
+               [[name] + told(r, ("x_N", "y_N", "through_x_m", "through_y_m")) for name, r in reactions.items()], words=(0,))
 
 
 # Those that a table of the plane, or of space, has not are left out.

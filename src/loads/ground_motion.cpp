@@ -129,6 +129,7 @@ class GroundMotion final : public Load<dim> {
     }
   }
 
+  bool of_stones() const override { return true; }
   std::size_t bytes() const override {
     std::size_t bytes = sizeof(*this) + mass_.capacity() * sizeof(double);
     for (const auto& record : record_) bytes += record.acceleration.bytes();

@@ -50,6 +50,8 @@ class LoadOnNodes {
   /// Adds factor times the strain that a block would take freely, in every direction of the plane [-, per local block].
   virtual void add_free_strain(double, std::vector<double>&) const {}
   virtual bool strains() const { return false; }
+  /// The load acts on all of stones, and not on edges, faces or points of them.
+  virtual bool of_stones() const { return strains(); }
   /// Adds factor times the force on all of a block [N/m3, dim x local block]; of blocks whose edges bend.
   virtual void add_body_force(double, std::vector<double>&) const {}
   virtual bool has_body_force() const { return false; }
@@ -103,6 +105,7 @@ class BodyForce final : public PatternLoad<dim> {
   BodyForce(const Structure<dim>&, const std::vector<double>& unit, std::vector<double> per_volume);
   void add_body_force(double factor, std::vector<double>& force) const override;
   bool has_body_force() const override { return !per_volume_.empty(); }
+  bool of_stones() const override { return true; }
   std::size_t bytes() const override {
     return PatternLoad<dim>::bytes() + sizeof(per_volume_) + per_volume_.capacity() * sizeof(double);
   }

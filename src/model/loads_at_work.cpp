@@ -60,6 +60,20 @@ void LoadsAtWork::add(const std::map<std::string, double>& factors, double time,
   }
 }
 
+bool LoadsAtWork::act(std::size_t load, const std::map<std::string, double>& factors, double time, std::size_t size,
+                      ActingLoad& acting) const {
+  const Named& n = loads_[load];
+  acting.name = n.name;
+  acting.type = n.word;
+  acting.factor = factor_of(factors, n.name) * n.time_function(time);
+  acting.of_stones = n.load->of_stones();
+  if (acting.factor == 0) return false;
+  acting.force.assign(size, 0.0);
+  acting.prescribed.assign(size, 0.0);
+  n.load->add({{time, acting.factor}}, acting.force, acting.prescribed);
+  return true;
+}
+
 /// The moments whose weighted sum is the mean of a load over a step: Gauss's points between the corners of its time
 /// function and of its own motion.
 std::vector<LoadMoment> LoadsAtWork::moments_of(const Named& n, double begin, double end, double from,

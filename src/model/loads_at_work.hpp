@@ -19,6 +19,14 @@ namespace voussoir {
 
 struct Scene;
 
+/// A load of the scene as it acts at a moment.
+struct ActingLoad {
+  std::string name, type;
+  double factor = 0;                      ///< that of its stage times its function of time
+  bool of_stones = false;                 ///< acts on all of stones, and not on edges, faces or points of them
+  std::vector<double> force, prescribed;  ///< [N], [m, components x local node copies]
+};
+
 class LoadsAtWork {
  public:
   /// Makes every load of the scene. Collective; throws InputError on every rank alike.
@@ -30,6 +38,14 @@ class LoadsAtWork {
            std::vector<double>& prescribed) const;
   /// Mean nodal forces [N] over a step of time, written over: their impulse is exact however long the step is.
   void add_mean(const StepInTime&, std::vector<double>& force) const;
+  /// Each load that acts, by itself and in the order of the scene; the same loads on every rank.
+  template <class Visit>
+  void each_acting(const std::map<std::string, double>& factors, double time, std::size_t size,
+                   const Visit& visit) const {
+    ActingLoad acting;
+    for (std::size_t k = 0; k < loads_.size(); ++k)
+      if (act(k, factors, time, size, acting)) visit(acting);
+  }
   /// What of them stresses depend on beside displacements.
   InnerLoads inner_loads(const std::map<std::string, double>& factors, double time) const;
 
@@ -62,6 +78,9 @@ class LoadsAtWork {
     mutable double seconds = 0;
   };
 
+  /// A load at a moment, written over; false when it does not act.
+  bool act(std::size_t load, const std::map<std::string, double>& factors, double time, std::size_t size,
+           ActingLoad&) const;
   std::vector<LoadMoment> moments_of(const Named&, double begin, double end, double from, double to) const;
 
   std::size_t blocks_, components_;  ///< on this rank; of forces

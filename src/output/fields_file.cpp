@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -35,6 +36,13 @@ std::vector<long long> padded_corners(const MeshRows& mesh, int width) {
   }
   VOUSSOIR_ENSURE(corner == mesh.corners.end());
   return table;
+}
+
+/// 0, 1, 2, ...
+std::vector<long long> first_numbers(std::size_t count) {
+  std::vector<long long> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0LL);
+  return numbers;
 }
 
 }  // namespace
@@ -71,7 +79,7 @@ FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm
       file_(path, comm_, steps > 0 ? Hdf5File::Mode::append : Hdf5File::Mode::create) {
   VOUSSOIR_EXPECT(dim == 2 || dim == 3);
   const std::filesystem::path fields(path);
-  xdmf_path_ = std::filesystem::path(fields).replace_extension(".xdmf").string();
+  folder_ = fields.parent_path().string();
   xdmf_.fields = fields.filename().string();
   xdmf_.dim = dim;
   for (int k = 1; k <= steps; ++k) {
@@ -102,7 +110,7 @@ void FieldsFile::write_mesh(const MeshRows& mesh) {
   nodes_ = counted(mesh.node);
   write("/mesh/coordinates", nodes_, mesh.coordinates, dim_, "m");
   write("/mesh/block_of_node", nodes_, mesh.block_of_node, 1, "-");
-  write("/mesh/held", nodes_, mesh.held, 1, "-", "1 where a support holds the node");
+  write("/mesh/held", nodes_, mesh.held, 1, "-", "what supports hold: the sum of 1 for x, 2 for y, 4 for z");
 
   int width = dim_ + 1;
   const auto& count = mesh.corner_count;
@@ -183,10 +191,34 @@ void FieldsFile::write_step(const StepRows& step) {
   if (step.damage) write(group + "/joint_damage", points_, *step.damage, 1, "-", "0 sound, 1 all strength is lost");
   xdmf_.damage = step.damage.has_value();
   write(group + "/joint_selected", points_, step.selected, 1, "-", "1 treated as contact, 0 not");
+  write_loads(group, step.loads);
   file_.flush();
 
   list(group, step.time.value_or(static_cast<double>(step.number)), step.time.has_value());
-  on_first_rank(*comm_, [this] { replace_file(xdmf_path_, xdmf_text(xdmf_)); });
+  on_first_rank(*comm_, [this] { tell_viewers(); });
+}
+
+void FieldsFile::tell_viewers() const {
+  const std::filesystem::path folder(folder_);
+  replace_file((folder / xdmf_of_steps).string(), xdmf_text(xdmf_, XdmfOf::stones));
+  replace_file((folder / xdmf_of_last_step).string(), xdmf_text(xdmf_, XdmfOf::last_stones));
+  if (xdmf_.points > 0) replace_file((folder / xdmf_of_joints).string(), xdmf_text(xdmf_, XdmfOf::joints));
+}
+
+void FieldsFile::write_loads(const std::string& group, const LoadRows& loads) {
+  if (loads.name.empty()) return;
+  const std::string at = group + "/loads/";
+  if (!file_.has(at + "name")) file_.write_texts(at + "name", loads.name);
+  if (!file_.has(at + "type")) file_.write_texts(at + "type", loads.type);
+  const Rows each = counted(comm_->getRank() == 0 ? first_numbers(loads.name.size()) : std::vector<long long>{});
+  const auto of_first = [&](auto values) { return each.ids.empty() ? decltype(values){} : values; };
+  write(at + "factor", each, of_first(loads.factor), 1, "-", "of its stage times its function of time");
+  write(at + "of_stones", each, of_first(loads.of_stones), 1, "-", "1 where it acts on all of stones, and has no rows");
+  write(at + "total_N", each, of_first(loads.total), dim_, "N");
+  const Rows rows = counted(loads.row);
+  write(at + "load_of", rows, loads.load_of, 1, "-", "which load a row is of");
+  write(at + "node", rows, loads.node, 1, "-");
+  write(at + "force_N", rows, loads.force, dim_, "N");
 }
 
 }  // namespace voussoir

@@ -1,4 +1,4 @@
-// fields.h5: the structure and its state at every written load step, and fields.xdmf beside it for viewers.
+// fields.h5: the structure and its state at every written load step, and files beside it for viewers.
 // The layout (names, shapes, units) is the table "fields.h5" in src/output/README.md.
 #pragma once
 
@@ -20,7 +20,7 @@ struct MeshRows {
   std::vector<NodeId> node;
   std::vector<double> coordinates;  ///< [m] nodes x dim
   std::vector<int> block_of_node;
-  std::vector<int> held;  ///< per node: 1 where a support holds a component of its motion
+  std::vector<int> held;  ///< per node: which components of its motion supports hold, the sum of 1 (x), 2 (y), 4 (z)
 
   std::vector<long long> cell;
   std::vector<int> corner_count;  ///< per cell: 3 or 4 in 2D, 4 or 8 in 3D
@@ -47,6 +47,19 @@ struct JointRows {
   std::vector<NodeId> main_of_i, main_of_j;  ///< of the nodes on either side the one that counts most
 };
 
+/// Loads as they act at the end of a step. All but `row`, `load_of`, `node` and `force` are the same on every rank.
+struct LoadRows {
+  std::vector<std::string> name, type;
+  std::vector<double> factor;  ///< per load: that of its stage times its function of time
+  std::vector<int> of_stones;  ///< per load: 1 when it acts on all of stones; then it has no rows
+  std::vector<double> total;   ///< [N] loads x dim
+  /// Forces on nodes of this rank; rows ascend.
+  std::vector<long long> row;
+  std::vector<int> load_of;
+  std::vector<NodeId> node;
+  std::vector<double> force;  ///< [N] rows x dim
+};
+
 /// State at the end of a load step; rows in the order of the MeshRows and JointRows written before.
 struct StepRows {
   int number = 0;
@@ -66,6 +79,7 @@ struct StepRows {
   std::vector<int> selected;             ///< 1 treated as contact, 0 not
   /// [-] share of its strength that a point has lost; of runs in which joints have strength to lose, on all ranks
   std::optional<std::vector<double>> damage;
+  LoadRows loads;
 };
 
 /// Cuts fields.h5 behind its first `steps` steps. A file that a kill left unreadable is put aside as fields.damaged.h5.
@@ -76,7 +90,7 @@ bool cut_fields(const std::string& path, int steps, const Teuchos::Comm<int>&);
 /// Writes in the order mesh, joints, steps. Every function is collective and throws ResourceError on all ranks.
 class FieldsFile {
  public:
-  /// @param path   "out/wall/fields.h5"; fields.xdmf goes beside it
+  /// @param path   "out/wall/fields.h5"; fields.xdmf, joints.xdmf and stones.xdmf go beside it
   /// @param steps  steps to keep of the file that is there; 0 begins it anew. Mesh and joints are kept with them
   FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm<int>> comm, int dim, int steps = 0);
 
@@ -97,13 +111,16 @@ class FieldsFile {
   void write(const std::string& path, const Rows&, const std::vector<T>& values, int columns, const std::string& unit,
              const std::string& text = "");
   void write_mixed_cells(const MeshRows&);
+  void write_loads(const std::string& group, const LoadRows&);
+  /// The files for viewers, as far as steps are written.
+  void tell_viewers() const;
   /// A vector field, with a view of three components beside it in 2D.
   void write_vectors(const std::string& path, const Rows&, const std::vector<double>& values, const std::string& unit);
 
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   int dim_;
   Hdf5File file_;
-  std::string xdmf_path_;
+  std::string folder_;  ///< of the files for viewers
   XdmfContent xdmf_;
   Rows nodes_, cells_, points_;
 };

@@ -17,6 +17,7 @@
 #include "base/error.hpp"
 #include "linalg/agree.hpp"
 #include "output/safe_file.hpp"
+#include "output/xdmf.hpp"
 
 namespace voussoir {
 namespace {
@@ -70,8 +71,9 @@ int lock(const fs::path& folder, int kind = LOCK_EX) {
 /// @return where the earlier results went
 std::string prepare(const std::string& name, Earlier earlier, int& held) {
   // Everything a run writes but scene.xml, which tells nothing that the user does not have.
-  static const char* const results[] = {result_file,  interrupted_file, checkpoint_file, joints_file,
-                                        history_file, fields_file,      "fields.xdmf",   "report.html"};
+  static const char* const results[] = {result_file,    interrupted_file, checkpoint_file, joints_file,
+                                        history_file,   fields_file,      xdmf_of_steps,   xdmf_of_last_step,
+                                        xdmf_of_joints, "report.html"};
   const fs::path folder = without_slash(name);
   try {
     held = lock(folder);
@@ -155,7 +157,7 @@ BranchedFolder::~BranchedFolder() {
 
 void BranchedFolder::copy_records(bool fields) const {
   on_first_rank(comm_, [&] {
-    for (const char* file : {history_file, fields_file, "fields.xdmf"}) {
+    for (const char* file : {history_file, fields_file, xdmf_of_steps, xdmf_of_last_step, xdmf_of_joints}) {
       const auto source = fs::path(from_) / file, target = fs::path(to_) / file;
       std::error_code error;
       if ((file != history_file && !fields) || !fs::exists(source, error)) continue;

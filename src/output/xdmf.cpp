@@ -13,10 +13,16 @@ class Writer {
  public:
   explicit Writer(const XdmfContent& content) : content_(content) { text_.precision(15); }
 
-  std::string whole() {
+  std::string whole(XdmfOf what) {
     text_ << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
-    collection("blocks", &Writer::blocks);
-    if (content_.points > 0) collection("joints", &Writer::joints);
+    if (what == XdmfOf::stones) collection("blocks", &Writer::blocks);
+    if (what == XdmfOf::joints) collection("joints", &Writer::joints);
+    if (what == XdmfOf::last_stones && !content_.steps.empty()) {
+      // Without a time: meshio.read takes a grid of topology, geometry and attributes alone.
+      text_ << "<Grid Name=\"blocks\" GridType=\"Uniform\">\n";
+      blocks(content_.steps.back());
+      text_ << "</Grid>\n";
+    }
     text_ << "</Domain>\n</Xdmf>\n";
     return text_.str();
   }
@@ -118,9 +124,9 @@ long long xdmf_kind_of_solid(int corners) {
   return corners == 4 ? tetrahedron : hexahedron;
 }
 
-std::string xdmf_text(const XdmfContent& content) {
+std::string xdmf_text(const XdmfContent& content, XdmfOf what) {
   VOUSSOIR_EXPECT(content.dim == 2 || content.dim == 3);
-  return Writer(content).whole();
+  return Writer(content).whole(what);
 }
 
 std::string vectors_for_viewers(const std::string& table, int dim) { return dim == 2 ? table + "_xyz" : table; }

@@ -1,6 +1,7 @@
 #include "results/mesh_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -9,6 +10,9 @@
 
 namespace voussoir {
 namespace {
+
+// Round-off of a turned axis and more; less than an angle that anybody draws.
+constexpr double leaning = 1e-6;
 
 /// Things are numbered block by block, like nodes: the first of each block. Collective.
 /// @param count  of a block
@@ -41,6 +45,20 @@ void add_cells(const LocalBlock<dim>& block, long long number, long long place, 
   }
 }
 
+/// The sum of 1, 2 and 4 for x, y and z. What is held along a normal counts for every axis that the normal leans to.
+int directions_held(const Held& held, int dim, std::size_t node) {
+  int sum = 0;
+  for (int c = 0; c < dim; ++c) {
+    if (!held[dim * node + c]) continue;
+    Vector<3> own{};
+    own[c] = 1;
+    const auto way = held.from_own(static_cast<int>(node), own);
+    for (int d = 0; d < dim; ++d)
+      if (std::abs(way[d]) > leaning) sum |= 1 << d;
+  }
+  return sum;
+}
+
 }  // namespace
 
 template <int dim>
@@ -61,9 +79,7 @@ MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, cons
     for (std::size_t i = 0; i < block.mesh.position.size(); ++i) {
       rows.node.push_back(block.first_node + static_cast<NodeId>(i));
       rows.block_of_node.push_back(block.mesh.id);
-      bool any = false;
-      for (int c = 0; c < dim; ++c) any |= held[dim * (block.first_local + i) + c] != 0;
-      rows.held.push_back(any);
+      rows.held.push_back(directions_held(held, dim, static_cast<std::size_t>(block.first_local) + i));
       rows.coordinates.insert(rows.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
     }
     add_cells(block, first[block.mesh.id], first_place[block.mesh.id], rows);

@@ -11,7 +11,9 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
+#include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
+#include "results/acting_loads.hpp"
 #include "results/mesh_rows.hpp"
 #include "results/step_warnings.hpp"
 
@@ -93,8 +95,9 @@ void Recorder::write_tables() {
 /// Of the cells of this rank [Pa]; stones that are not there have none.
 std::vector<double> Recorder::stresses(const std::vector<double>& deformation) const {
   const int dim = model_.components(), of_cell = dim * (dim + 1) / 2;
+  const auto inner = model_.loads_at_work().inner_loads(factors_, time_of_loads_);
   return model_.in_geometry([&](const auto&, const auto& s) {
-    auto stress = cell_stresses(s, deformation, inner_loads_);
+    auto stress = cell_stresses(s, deformation, inner);
     auto of_block = stress.begin();
     for (int b = 0; b < s.owned_blocks(); ++b) {
       const auto values = static_cast<long>(s.blocks()[b].mesh.cells.size()) * of_cell;
@@ -130,6 +133,7 @@ void Recorder::write_step(const ContactState& state, const std::vector<double>& 
     rows.selected.push_back(joined ? state.selected[k] : 0);
   }
   rows.status = status;
+  rows.loads = acting_loads(model_, factors_, time_of_loads_);
   if (model_.weakens()) {
     rows.damage.emplace();
     for (int k = 0; k < model_.points().owned(); ++k)

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 
-#include "blocks/stresses.hpp"
 #include "dynamics/energy_book.hpp"
 #include "model/model.hpp"
 #include "model/step_counts.hpp"
@@ -41,8 +41,11 @@ class Recorder {
   /// @param book  opened before it was;  @param after, load  state and nodal loads [N] at its end
   void record(const LoadStepBook& book, const ContactState& after, const std::vector<double>& load, const StepReport&,
               const std::string& stage, double load_factor, bool write_fields, double seconds);
-  /// What acts within blocks from the next step on.
-  void set_inner_loads(InnerLoads inner) { inner_loads_ = std::move(inner); }
+  /// What acts from the next step on: factors of loads by name, at a time.
+  void set_loads(std::map<std::string, double> factors, double time) {
+    factors_ = std::move(factors);
+    time_of_loads_ = time;
+  }
   /// Books and writes a time step that was solved.
   /// @param stage_share  of the stage reached;  @param time [s]
   void record(const ContactState& after, const TimeStepReport&, const std::string& stage, double stage_share,
@@ -90,7 +93,8 @@ class Recorder {
   Observations observations_;
   std::unique_ptr<FieldsFile> fields_;
   std::unique_ptr<History> history_;
-  InnerLoads inner_loads_;
+  std::map<std::string, double> factors_;
+  double time_of_loads_ = 0;
   Record record_;
   bool fields_lost_ = false;
 };

@@ -73,6 +73,8 @@ class LimitRun {
       absent = construction.absent();
     }
     const auto factors = factors_after(scene_, stages);
+    factors_ = factors;
+    recorder_.set_loads(factors_, 0);
     RigidTask task{&absent, nullptr, {}, {}};
     std::vector<double> prescribed;
     model_.loads(factors, 0, task.fixed, prescribed);
@@ -185,6 +187,9 @@ class LimitRun {
 
   /// The motion in which it falls, with the forces that balance as much of the loads as can be.
   void falls(const RigidLimits<dim>& limits, const LimitAnswer<dim>& answer, double factor) {
+    auto raised = factors_;
+    for (const auto& [load, share] : scene_.load_factor.pattern) raised[load] += factor * share;
+    recorder_.set_loads(raised, 0);
     const auto mechanism = limits.on_nodes(answer);
     auto state = step_.initial_state();
     state.lambda = limits.on_points(answer);
@@ -202,6 +207,7 @@ class LimitRun {
   std::ostream& say_;
   AdaptiveStep step_;
   Recorder recorder_;
+  std::map<std::string, double> factors_;  ///< of loads, at the end of the stages
 };
 
 }  // namespace

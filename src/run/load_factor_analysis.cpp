@@ -173,7 +173,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   if (stands) {
     search_.add(Verdict::equilibrium, solves);
     tell(run, warnings_of(report, run.model.settings(), end.when));
-    run.recorder.set_inner_loads(run.model.loads_at_work().inner_loads(factors, time));
+    run.recorder.set_loads(factors, time);
     const double jumps = summary.energy.jump;
     run.recorder.record(book, run.state, next_load, report, stage, factor, true, seconds);
     tell(run, lost_in_jump(summary.energy.jump - jumps, summary.energy, end.when));

@@ -195,7 +195,7 @@ bool Run::load_step(const ContactState& before) {
   for (const auto& w : dropped) warn(w);
   failure_.reset();
   recorder_->remove(construction_.taken(start, state_));
-  recorder_->set_inner_loads(model_.loads_at_work().inner_loads(steps_.factors(), steps_.time()));
+  recorder_->set_loads(steps_.factors(), steps_.time());
   steps_.accept();
   const double jumps = summary.energy.jump;
   recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
@@ -266,7 +266,7 @@ bool Run::time_step(const ContactState& before) {
   const bool compares = target == 1 || writes();  // outlines of stones
   if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
   for (const auto& w : warnings_of(report.step, model_.settings(), at_time(stage, time))) warn(w);
-  recorder_->set_inner_loads(model_.loads_at_work().inner_loads(steps_.factors(target), time));
+  recorder_->set_loads(steps_.factors(target), time);
   const double duration = steps_.stage_parameters().duration;
   steps_.accept();
   model_.loads(steps_.last_factors(), time, load_, prescribed);

@@ -19,7 +19,7 @@ NO_CODE = re.compile(r"//[^\n]*|\"(?:[^\"\\\n]|\\.)*\"")
 BEHIND = ("src/linalg/gather.", "src/linalg/reduce.hpp", "src/linalg/traffic_mpi.cpp", "src/linalg/agree.hpp")
 SMALL = {
     "src/loads/deck.cpp", "src/loads/point_load.cpp", "src/model/patch_groups.cpp", "src/range/input_warnings.cpp",
-    "src/range/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/range/space/slip_in_space.cpp", "src/results/mechanism_words.cpp",
+    "src/range/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/range/space/slip_in_space.cpp", "src/results/acting_loads.cpp", "src/results/mechanism_words.cpp",
     "src/results/observations.cpp", "src/ties/tie_balance.cpp",
     "src/loads/time_series.cpp",  # a record of the ground
     "src/output/even_rows.cpp", "src/output/result_json.cpp",  # a number of each rank

@@ -102,9 +102,9 @@ def differences(folder, reference):
     if set(mine) != set(theirs):
         problems.append(f"names of tables: {sorted(set(mine) ^ set(theirs))[:3]}")
     problems += [name for name in mine if name in theirs and not same(mine[name], theirs[name])]
-    xdmf = [(f / "fields.xdmf").read_text() for f in (folder, reference)]
-    if xdmf[0] != xdmf[1]:
-        problems.append("fields.xdmf")
+    for name in ("fields.xdmf", "stones.xdmf", "joints.xdmf"):
+        if (folder / name).read_text() != (reference / name).read_text():
+            problems.append(name)
     return problems
 
 

@@ -146,6 +146,8 @@ TEUCHOS_UNIT_TEST(FieldsFile, EveryFinishedStepCanBeReadWhileTheRunGoesOn) {
     const std::string group = "/steps/000" + std::to_string(step);
     TEST_ASSERT(killed.read_rows<double>(group + "/joint_normal_force_N", {1}) == (std::vector<double>{1000.0 * step}));
     TEST_ASSERT(contains(content(folder + "/fields.xdmf"), "fields.h5:" + group + "/stress"));
+    TEST_ASSERT(contains(content(folder + "/stones.xdmf"), "fields.h5:" + group + "/stress"));
+    TEST_ASSERT(contains(content(folder + "/joints.xdmf"), "fields.h5:" + group + "/joint_gap_m"));
     TEST_ASSERT(!std::filesystem::exists(folder + "/fields.xdmf.part"));
   }
 }
@@ -185,7 +187,7 @@ TEUCHOS_UNIT_TEST(FieldsFile, AStructureWithoutJointsInThreeDimensionsIsWrittenT
   TEST_ASSERT(contains(xdmf, "\"Tetrahedron\""));
   TEST_ASSERT(contains(xdmf, "velocity [m/s]"));
   TEST_ASSERT(contains(xdmf, "<Time Value=\"0.25\"/>"));
-  TEST_ASSERT(!contains(xdmf, "joints"));
+  TEST_ASSERT(!std::filesystem::exists(folder + "/joints.xdmf"));
   TEST_ASSERT(!contains(xdmf, "_xyz"));
 }
 
@@ -229,14 +231,49 @@ TEUCHOS_UNIT_TEST(FieldsFile, ViewersAreGivenCellsOfTwoKindsInATableOfTheirOwn) 
   TEST_ASSERT(contains(xdmf, "Dimensions=\"14\""));
 }
 
+// Two loads: one on nodes of the first rank and of the last, one on all of stones.
+TEUCHOS_UNIT_TEST(FieldsFile, LoadsStandWithTheirNamesWhereTheyAct) {
+  const std::string folder = fresh_folder("loads");
+  const MeshRows mesh = two_squares();
+  const JointRows joints = joint_between_them();
+  auto step = state(1, mesh, joints);
+  step.loads.name = {"push", "weight"};
+  step.loads.type = {"traction", "self weight"};
+  step.loads.factor = {2.0, 1.0};
+  step.loads.of_stones = {0, 1};
+  step.loads.total = {3.0, 0.0, 0.0, -7.0};
+  const auto add = [&](long long row, NodeId node, double force) {
+    step.loads.row.push_back(row);
+    step.loads.load_of.push_back(0);
+    step.loads.node.push_back(node);
+    step.loads.force.insert(step.loads.force.end(), {force, 0.0});
+  };
+  if (rank() == 0) add(0, 1, 1.0);
+  if (rank() == last_rank()) add(1, 6, 2.0);
+  {
+    FieldsFile fields(folder + "/fields.h5", world(), 2);
+    fields.write_mesh(mesh);
+    fields.write_joints(joints);
+    fields.write_step(step);
+    fields.write_step(state(2, mesh, joints));
+  }
+  const Hdf5File file(folder + "/fields.h5", world(), Hdf5File::Mode::read);
+  TEST_ASSERT(file.read_texts("/steps/0001/loads/name") == step.loads.name);
+  TEST_ASSERT(file.read_rows<double>("/steps/0001/loads/factor", first(2)) == step.loads.factor);
+  TEST_ASSERT(file.read_rows<double>("/steps/0001/loads/total_N", first(2)) == step.loads.total);
+  TEST_ASSERT(file.read_rows<long long>("/steps/0001/loads/node", first(2)) == (std::vector<long long>{1, 6}));
+  TEST_ASSERT(file.read_rows<double>("/steps/0001/loads/force_N", first(2)) == (std::vector<double>{1, 0, 2, 0}));
+  TEST_ASSERT(!file.has("/steps/0002/loads"));
+}
+
 TEUCHOS_UNIT_TEST(Xdmf, TrianglesAloneAreCalledTriangles) {
   XdmfContent only_triangles;
   only_triangles.fields = "fields.h5";
   only_triangles.steps = {{"/steps/0001", 1.0}};
-  TEST_ASSERT(contains(xdmf_text(only_triangles), "\"Triangle\""));
+  TEST_ASSERT(contains(xdmf_text(only_triangles, XdmfOf::stones), "\"Triangle\""));
   XdmfContent mixed = only_triangles;
   mixed.corners = 4;
-  TEST_ASSERT(contains(xdmf_text(mixed), "\"Quadrilateral\""));
+  TEST_ASSERT(contains(xdmf_text(mixed, XdmfOf::last_stones), "\"Quadrilateral\""));
 }
 
 }  // namespace

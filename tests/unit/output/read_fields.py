@@ -1,14 +1,16 @@
-"""Opens the fields.h5 and fields.xdmf that test_fields_file left in a folder as a viewer would, through meshio.
+"""Opens the fields.h5 and the XDMF files that test_fields_file left in a folder as a viewer would, through meshio.
 
 Usage: read_fields.py FOLDER. The structure and the formulas of its values are those of fields_file.cpp.
 """
+import shutil
+import subprocess
 import sys
-import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 try:
     import h5py
+    import meshio
     import numpy as np
     from meshio.xdmf import TimeSeriesReader
 except ImportError as missing:
@@ -19,25 +21,18 @@ except ImportError as missing:
 CLOSE = dict(rtol=1e-15, atol=1e-18)
 
 
-def read_collection(folder, name):
-    """Points, cells and all steps (time, point data, cell data) of one collection; meshio reads one per file."""
-    tree = ElementTree.parse(folder / "fields.xdmf")
-    domain = tree.getroot().find("Domain")
-    for grid in list(domain):
-        if grid.get("Name") != name:
-            domain.remove(grid)
-    assert len(domain) == 1, f"fields.xdmf has no collection '{name}', or several"
-    with tempfile.NamedTemporaryFile(dir=folder, suffix=".xdmf") as alone:
-        tree.write(alone.name)
-        with TimeSeriesReader(alone.name) as reader:
-            points, cells = reader.read_points_cells()
-            return points, cells, [reader.read_data(k) for k in range(reader.num_steps)]
+def read_steps(path):
+    """Points, cells and all steps (time, point data, cell data)."""
+    with TimeSeriesReader(path) as reader:
+        points, cells = reader.read_points_cells()
+        return points, cells, [reader.read_data(k) for k in range(reader.num_steps)]
 
 
 def check_declared_shapes(folder):
     """Viewers trust the Dimensions, types and precisions of XDMF; meshio does not look at them."""
     with h5py.File(folder / "fields.h5", "r") as file:
-        for item in ElementTree.parse(folder / "fields.xdmf").iter("DataItem"):
+        items = [item for name in ("fields", "stones", "joints") for item in ElementTree.parse(folder / f"{name}.xdmf").iter("DataItem")]
+        for item in items:
             name, _, table = item.text.partition(":")
             assert name == "fields.h5"
             declared = tuple(int(d) for d in item.get("Dimensions").split())
@@ -48,7 +43,7 @@ def check_declared_shapes(folder):
 
 
 def check_blocks(folder):
-    points, cells, steps = read_collection(folder, "blocks")
+    points, cells, steps = read_steps(folder / "fields.xdmf")
     np.testing.assert_array_equal(points[:, 0], [0, 1, 1, 0, 1, 2, 2, 1])
     assert [block.type for block in cells] == ["quad"]
     np.testing.assert_array_equal(cells[0].data, [[0, 1, 2, 3], [4, 5, 6, 6], [4, 6, 7, 7]])
@@ -64,7 +59,7 @@ def check_blocks(folder):
 
 
 def check_joints(folder):
-    points, cells, steps = read_collection(folder, "joints")
+    points, cells, steps = read_steps(folder / "joints.xdmf")
     np.testing.assert_array_equal(points, [[1, 0], [1, 1]])
     assert [block.type for block in cells] == ["vertex"]
     np.testing.assert_array_equal(np.ravel(cells[0].data), [0, 1])
@@ -78,11 +73,44 @@ def check_joints(folder):
         np.testing.assert_array_equal(values["selected"], [1, 0])
 
 
+def check_last_step(folder):
+    """meshio.read takes one grid of one step: the stones at the last."""
+    mesh = meshio.read(folder / "stones.xdmf")
+    assert [(block.type, len(block.data)) for block in mesh.cells] == [("quad", 3)]
+    node = np.arange(8)
+    np.testing.assert_allclose(mesh.point_data["displacement [m]"], np.stack([0.002 * node, -0.004 * node, 0 * node], axis=1), **CLOSE)
+    np.testing.assert_array_equal(mesh.cell_data["block"][0], [0, 1, 1])
+
+
+# Of ParaView: what a file opens as, with its steps and the names and ranges of its fields.
+PARAVIEW = """
+import sys
+from paraview.simple import OpenDataFile
+opened = OpenDataFile(sys.argv[1])
+opened.UpdatePipeline(2.0)
+data = opened.GetDataInformation()
+print("opened", data.GetNumberOfCells(), data.GetNumberOfPoints(), list(opened.TimestepValues))
+"""
+
+
+def check_paraview(folder):
+    """Its own reader, where Debian's paraview is installed."""
+    program = shutil.which("pvpython")
+    if not program:
+        print("ParaView is not installed (Debian's package paraview): its reader is not asked.")
+        return
+    for name, expected in (("fields", "opened 3 8 [1.0, 2.0]"), ("joints", "opened 2 2 [1.0, 2.0]")):
+        done = subprocess.run([program, "-c", PARAVIEW, folder / f"{name}.xdmf"], capture_output=True, text=True, check=False)
+        assert expected in done.stdout, done.stdout + done.stderr
+
+
 def main():
     folder = Path(sys.argv[1])
     check_declared_shapes(folder)
     check_blocks(folder)
     check_joints(folder)
+    check_last_step(folder)
+    check_paraview(folder)
 
 
 main()
