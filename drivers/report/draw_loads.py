@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib import patheffects
+from matplotlib.transforms import Bbox
 
 from draw_common import BLUE, GREEN, PAPER, PURPLE, RED, STONE_PALE, STONE_EDGE, draw_lines, drawing, fill_cells, in_both_widths, legend, limits, line_entry
 from draw_common import add_room_above, add_room_below, outline_width, save, visible
 from draw_supports import draw_supports, support_entries
-from geometry import force_text, span
+from geometry import force_text, length_text, span
 from read_results import number
 
 COLOURS = (RED, BLUE, PURPLE, "#7a5200", "#00615c", "#5c5c5c")
@@ -122,7 +123,9 @@ class Words:
     """Labels that make way for those that were there before."""
 
     def __init__(self, figure, axes):
-        self.figure, self.axes, self.taken = figure, axes, []
+        self.figure, self.axes = figure, axes
+        bar = axes.get_window_extent(figure.canvas.get_renderer())  # the scale bar stands at its lower left corner
+        self.taken = [Bbox.from_extents(bar.x0, bar.y0 - 14, bar.x0 + 0.35 * bar.width, bar.y0 + 8)]
 
     def add(self, at, outward, text, colour):
         shift = np.where(np.abs(outward) > 0.3 * np.linalg.norm(outward), np.sign(outward), 0)
@@ -279,14 +282,27 @@ def draw_loads_in_space(mesh, edges, loads, axes_seen, folder):
     return save(figure, folder, "loads")
 
 
-def words_of_loads(loads):
-    """What the arrows do not say: loads on all of stones, and those that have no forces."""
+def words_of_arrows(loads):
+    """What the arrows say, for those who do not see them."""
+    return "; ".join(f"“{load.name}” ({load.kind}): {size_text(load.total)}" for load in loads if len(load.node))
+
+
+def way_of_supports(mesh, step):
+    """[m] The farthest that a held node has moved, along what is held."""
+    held = np.stack([(mesh.held >> c) & 1 for c in range(mesh.coordinates.shape[1])], 1)
+    return float(np.linalg.norm(np.nan_to_num(step.displacement) * held, axis=1).max(initial=0.0))
+
+
+def words_of_loads(loads, moved):
+    """What the arrows do not say: loads on all of stones, and those that have no forces. moved: [m] of supports, the largest"""
     said = []
     for load in loads:
         if len(load.node):
             continue
         if np.abs(load.total).max(initial=0) > 0 and load.kind != "temperature":
             told = size_text(load.total)
+        elif load.kind == "settlement":
+            told = f"supports have moved by up to {length_text(moved)}"
         else:
             told = f"factor {load.factor:.4g}"
         said.append(f"“{load.name}” ({load.kind}): {told}")

@@ -78,10 +78,12 @@ def add_loads(page, results, flat, edges, folder):
     step = results.equilibrium
     if not step or not step.loads:
         return
-    words = draw_loads.words_of_loads(step.loads)
+    placed = draw_loads.words_of_arrows(step.loads)
+    words = draw_loads.words_of_loads(step.loads, draw_loads.way_of_supports(results.mesh, step))
     page.picture(draw_loads.draw_loads_in_space(flat.mesh, edges, step.loads, screen(), folder),
                  f"What acts on the structure in stage “{step.stage}”, step {step.number}: arrows are forces of nodes, those of one load in "
                  "proportion, also behind stones; sizes of whole loads stand beside them. Heavy lines: edges that supports hold."
+                 + (f" At edges and points: {placed}." if placed else "")
                  + (f" On all of the stones: {words}." if words else ""))
 
 

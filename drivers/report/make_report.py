@@ -56,10 +56,12 @@ def add_loads(page, results, edges, folder):
     if not step or not step.loads:
         return
     reactions = [] if results.ends_in_time else draw_loads.reactions_of(results)
-    whole = draw_loads.words_of_loads(step.loads)
+    placed = draw_loads.words_of_arrows(step.loads)
+    whole = draw_loads.words_of_loads(step.loads, draw_loads.way_of_supports(results.mesh, step))
     page.picture(draw_loads.draw_loads(results.mesh, edges, step.loads, reactions, folder),
                  f"What acts on the structure in stage “{step.stage}”{when or f', step {step.number}'}. Along edges arrows are forces per length, those of "
                  "one load in proportion; sizes stand beside them."
+                 + (f" At edges and points: {placed}." if placed else "")
                  + (f" On all of the stones: {whole}." if whole else "")
                  + (" Green: what supports answer, where it passes." if reactions else ""))
 

@@ -340,5 +340,5 @@ def read_results(folder):
         except UNREADABLE as problem:
             results.remarks.append(f"{name} could not be read ({problem}): {loss}.")
     scene = find(results.result, "title", "scene", "name")
-    results.title = results.title or (str(scene) if scene else results.folder.resolve().name)
+    results.title = results.title or (Path(str(scene)).stem if scene else results.folder.resolve().name)
     return results

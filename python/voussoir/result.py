@@ -271,4 +271,5 @@ class Result:
         """Pictures of the report by kind, such as `deformed` -> path of the PNG; the report is drawn when there are none."""
         if not (self.folder / "pictures").is_dir():
             self.report()
-        return {path.stem: path for path in sorted((self.folder / "pictures").iterdir())}
+        return {path.stem: path for path in sorted((self.folder / "pictures").iterdir())
+                if not path.stem.endswith("-narrow")}

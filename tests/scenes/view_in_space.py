@@ -102,7 +102,7 @@ class ViewInSpace(program.SceneTest):
 
     def test_it_needs_no_other_file(self):
         _, page = self.page()
-        self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page), [])
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:|#)[^"]*"', page), [])
         self.assertNotIn("<script>alert", page)
 
     @unittest.skipUnless(shutil.which("chromium"), "needs a browser, Debian's chromium")
