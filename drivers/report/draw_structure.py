@@ -18,6 +18,8 @@ def kinds_of_sets(mesh):
     kinds = {}
     for name in mesh.sets:
         kinds.setdefault((name.split() or [name])[0], []).append(name)
+    if len(kinds) > len(SET_COLOURS):  # every stone has a name of its own: colours are for sets of several
+        kinds = {kind: names for kind, names in kinds.items() if len(names) > 1 or len(mesh.sets[names[0]]) > 1}
     return kinds
 
 
@@ -26,7 +28,7 @@ def colours_by_set(mesh):
     colour, entries = np.full(mesh.blocks, STONE, dtype="<U7"), []
     kinds = kinds_of_sets(mesh)
     shade = {name: SET_COLOURS[k % len(SET_COLOURS)] for k, names in enumerate(kinds.values()) for name in names}
-    for name in sorted(mesh.sets, key=lambda n: -len(mesh.sets[n])):
+    for name in sorted(shade, key=lambda n: -len(mesh.sets[n])):
         colour[mesh.sets[name]] = shade[name]
     for kind, names in kinds.items():
         shown = set(colour[np.concatenate([mesh.sets[n] for n in names])]) & {shade[names[0]]}

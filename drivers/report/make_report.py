@@ -41,7 +41,7 @@ def attempt(page, what, action, *arguments):
 
 def add_undeformed(page, results, edges, folder):
     mesh = results.mesh
-    sets = "Stones are coloured by set" if mesh.sets else "The scene names no sets of stones"
+    sets = "Stones are coloured by set" if draw_structure.kinds_of_sets(mesh) else "The scene names no sets of several stones"
     page.picture(draw_structure.draw_undeformed(mesh, edges, folder),
                  f"The structure as built: {mesh.blocks} stones, drawn by their outlines, to scale (bar in metres). {sets}.")
 

@@ -52,7 +52,7 @@ def facts(results):
         rows.append(("Free of every dry joint", ("at least " if rigid.get("free_share_is_at_least") else "")
                      + tables.margin_text(rigid.get("free_share_of_joints")),
                      f"from its edges, in the most balanced forces under the loads of the scene; {what}"))
-    return rows + [("Time", "not given" if seconds is None else f"{seconds:.3g} s", f"{tables.count_text(find(tree, 'ranks'))} ranks"),
+    return rows + [("Time", "not given" if seconds is None else f"{seconds:.3g} s", tables.ranks_text(find(tree, "ranks"))),
                    ("Blocks / joints", f"{tables.count_text(find(tree, 'blocks'))} / {tables.count_text(find(tree, 'joints'))}", "")]
 
 

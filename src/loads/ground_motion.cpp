@@ -85,7 +85,7 @@ struct MotionRecord {
     double peak = 0;
     for (const double a : acceleration.value()) peak = std::max(peak, std::abs(a));
     const std::string end =
-        "at " + number_text(drift.velocity) + " m/s, " + number_text(drift.displacement) + " m away";
+        "at " + three_digits(drift.velocity) + " m/s, " + three_digits(drift.displacement) + " m away";
     remark = key_ + ": " + std::to_string(time.size()) + " rows from " + number_text(time.front()) + " to " +
              number_text(time.back()) + " s, at most " + number_text(peak) + " m/s2; the ground " +
              (corrected ? "would end " : "ends ") + end + (corrected ? ", and is brought back to rest. " : ". ");
@@ -93,8 +93,8 @@ struct MotionRecord {
     const bool away = std::abs(drift.displacement) > still_away * drift.peak_displacement;
     if (corrected || (!moves && !away)) return;
     warn("record_ends_moving", drift.share(),
-         "the ground ends " + end + ", where its largest velocity is " + number_text(drift.peak_velocity) +
-             " m/s and its largest displacement " + number_text(drift.peak_displacement) +
+         "the ground ends " + end + ", where its largest velocity is " + three_digits(drift.peak_velocity) +
+             " m/s and its largest displacement " + three_digits(drift.peak_displacement) +
              " m; unless it did so, baseline = corrected brings it back to rest where it began");
   }
 
