@@ -142,7 +142,7 @@ Warnings warnings_of_sides(const Scene& scene, const BlockSource<dim>& source) {
     FacetsOfLoad facets;
     facets.on = support.on;
     facets.blocks = support.blocks;
-    if (scene.mesh.type == MeshType::stones && facets.on == "faces" && !facets.blocks.empty())
+    if ((dim == 3 || scene.mesh.type == MeshType::stones) && facets.on == "faces" && !facets.blocks.empty())
       continue;  // stones that are held whole
     ask("support_on_both_sides", "supports > " + name, facets,
         "the support holds both stones and nothing is left to the law of the joint");

@@ -3,10 +3,11 @@
     survey.py PROGRAM MPIEXEC
 
 Set-up    22 stones in running bond, in millimetres, corners off by 1 to 5 mm. Friction coefficient 0.6.
-Expected  The stone at the right end of the top course goes first: it slides on its bed, which the survey has falling to the
-          right, at tan(friction angle - fall). The bed goes from the mean of the corners measured at its left end to the
-          mean of those at its right end.
-Tolerance 1 %: both ends are known to a millimetre or two of 600.
+Expected  The right end of the wall slides on beds that the survey has falling to the right. By hand: the last stone of the top
+          course on its bed, from the mean of the corners measured at its left end to the mean of those at its right end,
+          at tan(friction angle - fall).
+Tolerance 1 %: ends of beds are known to a millimetre or two of 600, and where the halves of a bed fall differently the flatter
+          one may bear the stone.
 """
 
 import csv
