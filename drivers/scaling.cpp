@@ -84,11 +84,11 @@ void declare(CommandLine& line, Arguments& a) {
   line.add("--smallest", "N", a.smallest, above(0),
            "leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)");
   line.add("--systems", "LIST",
-           words("--systems", {"blocks", "cells", "contrast", "open", "spread"},
+           words("--systems", {"blocks", "space", "cells", "contrast", "open", "spread"},
                  [&a](const Words& given) { a.systems = given; }),
            "instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,\n"
-           "messages and bytes, on walls with more blocks, finer cells, larger contrast of stones (contrast),\n"
-           "more open joints (open), resistances further apart (spread)");
+           "messages and bytes, on walls with more blocks, the same in space (space), finer cells, larger\n"
+           "contrast of stones (contrast), more open joints (open), resistances further apart (spread)");
   line.add(
       "--motions", "LIST", [&](const std::string& text) { a.motions = peaks_of(line, text); },
       "instead, time steps at these peak accelerations [m/s2] of the ground, beside bonded ones: 0.4 s of\n"
@@ -206,6 +206,11 @@ void study_systems(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<in
   for (const auto& family : a.systems) {
     if (family == "blocks")
       for (int n = std::max(8, a.smallest); n <= a.largest; n *= 2) systems.add({family, double(n)}, wall_of(scene, n));
+    if (family == "space") {
+      const auto in_space = scene_of(a, "wall-in-space.xml");
+      for (int n = std::max(8, a.smallest); n <= a.largest; n *= 2)
+        systems.add({family, double(n)}, wall_of(in_space, n));
+    }
     if (family == "cells")
       for (const int finer : {1, 2, 4, 8}) systems.add({family, double(finer)}, with_element_size(wall, 1.0 / finer));
     if (family == "contrast")

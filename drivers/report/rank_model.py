@@ -19,7 +19,14 @@ RANKS = (1, 2, 4, 8, 16, 64, 256, 1024, 4096, 10000)
 # motions, passages to the continuum and back, scalar products.
 PRODUCTS, MOTIONS, TRANSFERS, SCALARS = 5, 2, 2, 3
 HALO_OF_MOTIONS = 2      # exchanges of a solve with block motions: right side and solution
-MOTIONS_ON_FIRST = 50000  # up to so many they go to the first rank and back (BlockMotionParameters)
+MOTIONS_ON_FIRST = 20000  # up to so many they go to the first rank and back (SharedSystemParameters)
+# Of a cycle of levels of block motions: two products with them and a residual on the finest, and on all V_CYCLE.
+FINEST_OF_MOTIONS = 5
+ROWS_OF_A_GROUP = 8.5    # motions of blocks, or of groups, for one of a group of them
+LEAST_MOTIONS = 600      # a level of them moves to fewer ranks below so many per rank (BodyLevelsParameters)
+COARSEST_MOTIONS = 300
+SET_UP_EXCHANGES, SET_UP_SUMS = 60, 90  # of a level that is built, as counted
+LANCZOS = 5              # cycles that measure it when it is built
 V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, restriction, prolongation
 SMALL_LEVEL = 2      # from here on there are three sweeps for one, down (the first without an exchange) and up
 MORE_SWEEPS = 4
@@ -52,6 +59,20 @@ def levels(rows, ranks):
     return result
 
 
+def motion_levels(rows, ranks):
+    """The same of block motions: groups of blocks, groups of those."""
+    result = [(rows, ranks)]
+    while result[-1][0] > COARSEST_MOTIONS:
+        rows = rows / ROWS_OF_A_GROUP
+        ranks = 1 if rows <= COARSEST_MOTIONS else max(1, min(ranks, int(rows / LEAST_MOTIONS)))
+        result.append((rows, ranks))
+    return result
+
+
+def exchanges_of_motions(level):
+    return FINEST_OF_MOTIONS if level == 0 else V_CYCLE
+
+
 def exchanges_of(level):
     return V_CYCLE + (MORE_SWEEPS if level >= SMALL_LEVEL else 0)
 
@@ -61,7 +82,11 @@ class Widths:
 
     def __init__(self, rows):
         self.motions = median((per_iteration(r, "block_motions", "total", "bytes") - to_first_and_back(r)[1])
-                              / (motions_halo(r, 1.0)) for r in rows)
+                              / (motions_halo(r, 1.0)) for r in rows if not has_levels(r))
+        with_levels = [r for r in rows if has_levels(r)]
+        self.groups = median((per_iteration(r, "block_motions", "total", "bytes") - motions_halo(r, self.motions)
+                              - cycle_of_motions(r, 0)[1]) / (cycle_of_motions(r, 1)[1] - cycle_of_motions(r, 0)[1])
+                             for r in with_levels) if with_levels else self.motions
         self.product = median(self.width(r, "krylov", PRODUCTS, r["unknowns"]) for r in rows)
         self.transfer = median(self.width(r, "transfer", TRANSFERS, r["unknowns"]) for r in rows)
         self.level = median((per_iteration(r, "continuum", "total", "bytes") - v_cycle(r, 0)[1])
@@ -86,13 +111,17 @@ def continuum_rows(r):
     return float(r["level_rows"].split()[0]) if r["level_rows"] else 0.55 * r["unknowns"]
 
 
+def has_levels(r):
+    return bool(r["motion_level_rows"])
+
+
 def on_first(coarse_unknowns):
     return coarse_unknowns <= MOTIONS_ON_FIRST
 
 
 def to_first_and_back(r):
     """Messages and bytes of all ranks in one iteration, of block motions that the first rank factors."""
-    if not on_first(r["coarse_unknowns"]):
+    if has_levels(r):
         return 0, 0
     return (MOTIONS * 2 * (r["ranks"] - 1), MOTIONS * 2 * NUMBER * r["coarse_unknowns"] * (1 - 1 / r["ranks"]))
 
@@ -102,12 +131,23 @@ def motions_halo(r, width):
 
 
 def v_cycle(r, width):
+    return sent_in_cycle(levels(continuum_rows(r), r["ranks"]), exchanges_of, width)
+
+
+def cycle_of_motions(r, width):
+    """In one iteration, where levels stand for the solution."""
+    if not has_levels(r):
+        return 0, 0
+    found = sent_in_cycle(motion_levels(r["coarse_unknowns"], r["ranks"]), exchanges_of_motions, width)
+    return tuple(MOTIONS * sent for sent in found)
+
+
+def sent_in_cycle(found, exchanges, width):
     """Messages and bytes of all ranks in one V-cycle, with so many unknowns exchanged along the root of a level's rows."""
-    found = levels(continuum_rows(r), r["ranks"])
     messages = bytes_sent = 0
     for k, (rows, ranks) in enumerate(found):
-        messages += exchanges_of(k) * 2 * pairs(ranks)
-        bytes_sent += exchanges_of(k) * NUMBER * width * border(ranks) * math.sqrt(rows)
+        messages += exchanges(k) * 2 * pairs(ranks)
+        bytes_sent += exchanges(k) * NUMBER * width * border(ranks) * math.sqrt(rows)
         if k + 1 < len(found) and found[k + 1][1] < ranks:
             messages += 2 * (ranks + found[k + 1][1] - 2)
             bytes_sent += 2 * NUMBER * found[k + 1][0] * (1 - found[k + 1][1] / ranks)
@@ -125,8 +165,10 @@ def predicted(r, widths):
         "transfer bytes": TRANSFERS * NUMBER * widths.transfer * border(ranks) * math.sqrt(n),
         "continuum messages": messages,
         "continuum bytes": bytes_sent,
-        "block_motions messages": MOTIONS * HALO_OF_MOTIONS * 2 * pairs(ranks) + to_first_and_back(r)[0],
-        "block_motions bytes": motions_halo(r, widths.motions) + to_first_and_back(r)[1],
+        "block_motions messages": MOTIONS * HALO_OF_MOTIONS * 2 * pairs(ranks) + to_first_and_back(r)[0]
+                                  + cycle_of_motions(r, 0)[0],
+        "block_motions bytes": motions_halo(r, widths.motions) + to_first_and_back(r)[1]
+                               + cycle_of_motions(r, widths.groups)[1],
         "collectives": SCALARS * ranks,
     }
 
@@ -165,6 +207,8 @@ class Machine:
         n = alone["coarse_unknowns"]
         self.factor = alone["motions_factor_s"] / n ** 1.5
         self.coarse_solve = alone["motions_solve_s"] / (n * math.log2(n))
+        # Levels of block motions take time in proportion to them.
+        self.build, self.cycle = alone["levels_build_s"] / n, alone["levels_cycle_s"] / n
 
     def exchange(self, neighbours, bytes_sent):
         return neighbours * self.latency + bytes_sent / self.bandwidth
@@ -199,27 +243,42 @@ def seconds(blocks, ranks, machine, widths, iterations):
             from_each = on / found[j + 1][1]
             multigrid += 2 * machine.exchange(from_each, NUMBER * found[j + 1][0] / found[j + 1][1])
     motions = MOTIONS * HALO_OF_MOTIONS * machine.exchange(k, NUMBER * widths.motions * inner * math.sqrt(coarse))
-    if ranks > 1 and on_first(coarse):
-        motions += MOTIONS * 2 * machine.exchange(ranks - 1, NUMBER * coarse * (1 - 1 / ranks))
-    # MUMPS factors the root of its tree on one rank: 1 - 1/sqrt 2 of all in the plane. The rest is shared at best.
-    root = 1 if on_first(coarse) else 1 - 1 / math.sqrt(2)
-    root_of_solve = 1 if on_first(coarse) else 1 / math.log2(coarse)
     applied = iterations + 1
+    sent, solved = block_motions(coarse, ranks, machine, widths, applied)
     return {
         "blocks and products": applied * machine.iteration * unknowns / ranks * 1.03,  # METIS: 3 % off balance
         "halo": applied * halo,
         "multigrid": applied * multigrid,
         "sums": applied * SCALARS * machine.sum(ranks, NUMBER),
-        "messages of block motions": applied * motions,
-        "block motions": applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse)
-                         * (root_of_solve + (1 - root_of_solve) / ranks)
-                         + machine.factor * coarse ** 1.5 * (root + (1 - root) / ranks),
+        "messages of block motions": applied * motions + sent,
+        "block motions": solved,
     }
+
+
+def block_motions(coarse, ranks, machine, widths, applied):
+    """Seconds of messages, and of processors, of a solve: direct on one rank and where they are few, by levels else."""
+    if ranks == 1 or on_first(coarse):
+        there_and_back = 2 * machine.exchange(ranks - 1, NUMBER * coarse * (1 - 1 / ranks)) if ranks > 1 else 0.0
+        return (applied * MOTIONS * there_and_back,
+                applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse) + machine.factor * coarse ** 1.5)
+    found = motion_levels(coarse, ranks)
+    sent, built, rows_done = 0.0, 0.0, coarse / ranks
+    for j, (rows, on) in enumerate(found):
+        if on > 1:
+            once = machine.exchange(2 * pairs(on) / on, NUMBER * widths.groups * border(on) / on * math.sqrt(rows))
+            sent += exchanges_of_motions(j) * once
+            built += SET_UP_EXCHANGES * once + SET_UP_SUMS * machine.sum(on, NUMBER)
+        if j > 0:  # which are not divided as far
+            rows_done += max(0.0, rows / on - rows / ranks)
+        if j + 1 < len(found) and found[j + 1][1] < on:
+            sent += 2 * machine.exchange(on / found[j + 1][1], NUMBER * found[j + 1][0] / found[j + 1][1])
+    return (applied * MOTIONS * sent + LANCZOS * sent + built,
+            applied * MOTIONS * machine.cycle * rows_done + machine.build * rows_done)
 
 
 def replicated_bytes(rows):
     """Of block motions and one block, on the first rank: what does not become less with ranks where it factors them."""
-    most = max((r for r in rows if r["level_rows"]), key=lambda r: (r["ranks"], r["size"]))
+    most = max((r for r in rows if r["level_rows"] and not has_levels(r)), key=lambda r: (r["ranks"], r["size"]))
     alone = next(r for r in rows if r["ranks"] == 1 and r["size"] == most["size"])
     ranks = most["ranks"]
     return (ranks * most["motions_bytes"] - alone["motions_bytes"]) / (ranks - 1) / most["blocks"]
@@ -236,8 +295,11 @@ def tables(rows, widths, options):
     machine = Machine(rows, options)
     replicated = replicated_bytes(rows)
     iterations = machine.alone["iterations"]
+    largest = max(r["size"] for r in rows if r["ranks"] > 1)
+    on_many = max(r["iterations"] for r in rows if r["ranks"] > 1 and r["size"] == largest)
     print(f"On one rank here: {machine.iteration * 1e9:.0f} ns an unknown and iteration, W({machine.alone['size']:g}) "
-          f"factors its block motions in {machine.alone['motions_factor_s']:.2g} s; {iterations} iterations.\n"
+          f"factors its block motions in {machine.alone['motions_factor_s']:.2g} s; {iterations} iterations, "
+          f"on several ranks {on_many}, as W({largest:g}) at most.\n"
           f"Network: {machine.latency:g} s, {machine.bandwidth:g} bytes/s of a rank. "
           f"Memory of a rank: {options['memory']:g} GB; "
           f"{replicated / 1e3:.2g} kB of each block on the first rank, where it factors block motions.\n")
@@ -252,7 +314,7 @@ def tables(rows, widths, options):
             blocks = options["blocks"] if kind == "strong" else options["blocks-per-rank"] * ranks
             if blocks < ranks:
                 continue
-            parts = seconds(blocks, ranks, machine, widths, iterations)
+            parts = seconds(blocks, ranks, machine, widths, iterations if ranks == 1 else on_many)
             all_parts = sum(parts.values())
             others = all_parts - parts["block motions"] - parts["messages of block motions"]
             first = first or (all_parts, others)

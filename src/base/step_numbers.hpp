@@ -29,7 +29,9 @@ enum class OverSteps {
           number(long long, patch_solves, "patch_solves", sum)         /* systems of patches of blocks */          \
       number(long long, factorised, "factorisations.made", sum)        /* preconditioners, for a linear solve */   \
       number(long long, factorised_whole, "factorisations.whole", sum) /* systems that were factored whole */      \
-      number(long long, factors_reused, "factorisations.reused", sum)  /* factors used again */                    \
+      number(long long, levels_built, "factorisations.levels", sum)    /* of block motions, in place of factors */ \
+      number(long long, levels_refused, "factorisations.levels_refused", sum)       /* which did not converge */   \
+      number(long long, factors_reused, "factorisations.reused", sum)               /* factors used again */       \
       number(double, complementarity_residual, "complementarity_residual", largest) /* [-] */                      \
       number(double, largest_penetration, "largest_penetration_m", largest)                                        \
           number(double, error_estimate, "error_estimate", largest) /* [-] relative, energy norm */

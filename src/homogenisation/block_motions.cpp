@@ -8,61 +8,17 @@
 #include "base/components.hpp"
 #include "base/sort_unique.hpp"
 #include "homogenisation/block_motions_kernel.hpp"
+#include "homogenisation/pairs_of_blocks.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
-namespace {
-
-/// Pairs of blocks, most of them met many times: doubles are dropped before they take more room than the pairs.
-class Pairs {
- public:
-  using Pair = std::array<int, 2>;
-  void add(int i, int j) {
-    pairs_.push_back({i, j});
-    if (pairs_.size() < full_) return;
-    sort_unique(pairs_);
-    full_ = std::max(full_, 2 * pairs_.size());
-  }
-  std::vector<Pair> all() && {
-    sort_unique(pairs_);
-    return std::move(pairs_);
-  }
-
- private:
-  std::vector<Pair> pairs_;
-  std::size_t full_ = 1024;
-};
-
-/// The upper triangle of a matrix of blocks, all values 0.
-/// @param pairs  of blocks that meet, each with itself too, in ascending order
-LocalCsr pattern_of(const std::vector<Pairs::Pair>& pairs, int modes) {
-  LocalCsr matrix;
-  std::size_t entries = 0;
-  for (const auto& [i, j] : pairs) entries += i == j ? modes * (modes + 1) / 2 : modes * modes;
-  matrix.column.reserve(entries);
-  for (auto first = pairs.begin(); first != pairs.end();) {
-    auto last = first;
-    while (last != pairs.end() && (*last)[0] == (*first)[0]) ++last;
-    for (int m = 0; m < modes; ++m) {
-      for (auto pair = first; pair != last; ++pair)
-        for (int n = pair == first ? m : 0; n < modes; ++n) matrix.column.push_back(modes * (*pair)[1] + n);
-      matrix.start.push_back(static_cast<int>(matrix.column.size()));
-    }
-    first = last;
-  }
-  matrix.value.assign(matrix.column.size(), 0.0);
-  return matrix;
-}
-
-}  // namespace
-
 template <int dim>
 BlockMotions::Motions<dim>::Motions(const BlockSystem& s, const ContactPoints& points,
                                     const std::vector<char>& selected, const MergedSpace& space,
-                                    const std::vector<char>& active, long long most_on_first)
+                                    const std::vector<char>& active, const SharedSystemParameters& numbers)
     : structure_(s), points_(points), space_(space) {
-  number_blocks(active, most_on_first);
+  number_blocks(active, numbers);
   find_copies(copies_met(selected));
   set_pattern(selected);
   add_elastic_energy();
@@ -70,7 +26,7 @@ BlockMotions::Motions<dim>::Motions(const BlockSystem& s, const ContactPoints& p
 
 /// Numbers of active blocks on this rank, and of their motions among those of all.
 template <int dim>
-void BlockMotions::Motions<dim>::number_blocks(const std::vector<char>& active, long long most_on_first) {
+void BlockMotions::Motions<dim>::number_blocks(const std::vector<char>& active, const SharedSystemParameters& numbers) {
   const auto& s = structure_;
   number_.assign(active.size(), -1);
   SharedSystem::Unknowns unknowns;
@@ -94,7 +50,35 @@ void BlockMotions::Motions<dim>::number_blocks(const std::vector<char>& active, 
       unknowns.owner.push_back(s.owner_of_block()[s.nodes_of(b).id]);
     }
   }
-  system_ = std::make_unique<SharedSystem>(std::move(unknowns), s.comm(), most_on_first);
+  system_ = std::make_unique<SharedSystem>(std::move(unknowns), rigid_motions(active), s.comm(), numbers);
+}
+
+/// Those of the structure, as motions of owned blocks. Lengths are scaled, and turns are about the middle.
+template <int dim>
+SharedSystem::Bodies BlockMotions::Motions<dim>::rigid_motions(const std::vector<char>& active) const {
+  const auto& s = structure_;
+  SharedSystem::Bodies bodies{modes, {}, {}};
+  bodies.rigid.resize(modes);
+  bodies.place.resize(dim);
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (!active[b]) continue;
+    const auto& block = s.nodes_of(b);
+    const auto first = s.place(block.first_local);
+    const auto x = first - s.centre();
+    const double length = norm(s.place(block.first_local + block.nodes - 1) - first);  // of arms (find_copies)
+    double value[modes][modes] = {};
+    for (int c = 0; c < dim; ++c) value[c][c] = 1;
+    for (int a = 0, turn = dim; a < dim; ++a)
+      for (int c = a + 1; c < dim; ++c, ++turn) {
+        value[a][turn] = -x[c] / s.size();
+        value[c][turn] = x[a] / s.size();
+        value[turn][turn] = length / s.size();
+      }
+    for (int column = 0; column < modes; ++column)
+      for (int m = 0; m < modes; ++m) bodies.rigid[column].push_back(value[m][column]);
+    for (int c = 0; c < dim; ++c) bodies.place[c].push_back(x[c]);
+  }
+  return bodies;
 }
 
 /// The copies at owned vertices, and those of all other clusters that an owned point with weights reaches.
@@ -184,7 +168,7 @@ void BlockMotions::Motions<dim>::add_motion(int cluster, Vector<dim> direction, 
 /// Pairs of blocks that meet at a node of an owned block or across an owned point.
 template <int dim>
 void BlockMotions::Motions<dim>::set_pattern(const std::vector<char>& selected) {
-  Pairs met;
+  PairsOfBlocks met;
   std::vector<int> around;
   const auto meet_at = [&](int cluster) {
     for (int k = copy_start_[cluster]; k < copy_start_[cluster + 1]; ++k) around.push_back(copies_[k].block);
@@ -276,8 +260,8 @@ void BlockMotions::Motions<dim>::add_elastic_energy() {
 }
 
 template <int dim>
-void BlockMotions::Motions<dim>::update(const std::vector<PointStiffness>& stiffness,
-                                        const std::vector<double>& proximal) {
+SolvedBy BlockMotions::Motions<dim>::update(const std::vector<PointStiffness>& stiffness,
+                                            const std::vector<double>& proximal) {
   matrix_.value = elastic_;
   Row row;
   for (int k : couplings_) {
@@ -310,8 +294,9 @@ void BlockMotions::Motions<dim>::update(const std::vector<PointStiffness>& stiff
     add_motion(static_cast<int>(i) / dim, direction, 1.0, row);
     add_product(row, proximal[i]);
   }
-  system_->factor(matrix_);
+  const auto by = system_->factor(matrix_);
   matrix_.value = std::vector<double>();  // a factor needs no matrix, and Krylov vectors may need its room
+  return by;
 }
 
 template <int dim>
@@ -354,22 +339,29 @@ long long BlockMotions::Motions<dim>::bytes() const {
 }
 
 BlockMotions::BlockMotions(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
-                           const MergedSpace& space, const std::vector<char>& active, long long most_on_first)
+                           const MergedSpace& space, const std::vector<char>& active,
+                           const SharedSystemParameters& numbers)
     : kernel_(with_components(s.components(), [&](auto dim) -> std::unique_ptr<Kernel> {
-        return std::make_unique<Motions<dim>>(s, points, selected, space, active, most_on_first);
+        return std::make_unique<Motions<dim>>(s, points, selected, space, active, numbers);
       })) {}
+
+BlockMotions::BlockMotions(const BlockSystem& s, const ContactPoints& points, const std::vector<char>& selected,
+                           const MergedSpace& space, const std::vector<char>& active)
+    : BlockMotions(s, points, selected, space, active, SharedSystemParameters()) {}
 
 BlockMotions::~BlockMotions() = default;
 
 void BlockMotions::factor_on_first_rank() { kernel_->factor_on_first_rank(); }
 
-void BlockMotions::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
-  kernel_->update(stiffness, proximal);
+SolvedBy BlockMotions::update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) {
+  return kernel_->update(stiffness, proximal);
 }
 
 void BlockMotions::add(const TpetraVector& r, TpetraVector& z) const { kernel_->add(r, z); }
 
 long long BlockMotions::size() const { return kernel_->size(); }
+
+std::vector<MultigridLevel> BlockMotions::levels() const { return kernel_->levels(); }
 
 long long BlockMotions::bytes() const { return kernel_->bytes(); }
 

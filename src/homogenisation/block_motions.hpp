@@ -9,27 +9,33 @@
 #include <memory>
 #include <vector>
 
-#include "homogenisation/block_motion_parameters.hpp"
 #include "homogenisation/system_matrix.hpp"
 
 namespace voussoir {
 
+struct MultigridLevel;
+struct SharedSystemParameters;
+enum class SolvedBy : int;
+
 class BlockMotions {
  public:
-  /// @param active         per local block: 1 if a point of it is selected
-  /// @param most_on_first  motions up to which the first rank factors Z^T H Z. Collective
+  /// @param active  per local block: 1 if a point of it is selected. Collective
   BlockMotions(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
-               const std::vector<char>& active, long long most_on_first = BlockMotionParameters::most_on_first);
+               const std::vector<char>& active);
+  BlockMotions(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
+               const std::vector<char>& active, const SharedSystemParameters&);
   ~BlockMotions();
 
   /// However many motions there are. Before the first update.
   void factor_on_first_rank();
-  /// Assembles Z^T H Z for new statuses and factors it. Collective.
-  void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
-  /// z += Z (Z^T H Z)^-1 Z^T r. Collective.
+  /// Assembles Z^T H Z for new statuses and factors it, or builds levels of it. Collective.
+  SolvedBy update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal);
+  /// z += Z (Z^T H Z)^-1 Z^T r, or with a cycle of levels in place of the inverse. Collective.
   void add(const TpetraVector& r, TpetraVector& z) const;
   /// Of all ranks.
   long long size() const;
+  /// Of groups of blocks, from the finest to the coarsest; none where Z^T H Z is factored. Collective.
+  std::vector<MultigridLevel> levels() const;
   long long bytes() const;
 
  private:

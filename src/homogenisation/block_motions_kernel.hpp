@@ -13,9 +13,10 @@ namespace voussoir {
 struct BlockMotions::Kernel {
   virtual ~Kernel() = default;
   virtual void factor_on_first_rank() = 0;
-  virtual void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) = 0;
+  virtual SolvedBy update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) = 0;
   virtual void add(const TpetraVector& r, TpetraVector& z) const = 0;
   virtual long long size() const = 0;
+  virtual std::vector<MultigridLevel> levels() const = 0;
   virtual long long bytes() const = 0;
 };
 
@@ -23,11 +24,12 @@ template <int dim>
 class BlockMotions::Motions final : public BlockMotions::Kernel {
  public:
   Motions(const BlockSystem&, const ContactPoints&, const std::vector<char>& selected, const MergedSpace&,
-          const std::vector<char>& active, long long most_on_first);
+          const std::vector<char>& active, const SharedSystemParameters&);
   void factor_on_first_rank() override { system_->factor_on_first_rank(); }
-  void update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) override;
+  SolvedBy update(const std::vector<PointStiffness>& stiffness, const std::vector<double>& proximal) override;
   void add(const TpetraVector& r, TpetraVector& z) const override;
   long long size() const override { return system_->size(); }
+  std::vector<MultigridLevel> levels() const override { return system_->levels(); }
   long long bytes() const override;
 
  private:
@@ -48,7 +50,8 @@ class BlockMotions::Motions final : public BlockMotions::Kernel {
   static Modes motion(const Vector<dim>& arm, const Vector<dim>& direction);
   static Vector<dim> displacement(const Vector<dim>& arm, const Modes&);
   std::vector<int> copies_met(const std::vector<char>& selected) const;
-  void number_blocks(const std::vector<char>& active, long long most_on_first);
+  void number_blocks(const std::vector<char>& active, const SharedSystemParameters&);
+  SharedSystem::Bodies rigid_motions(const std::vector<char>& active) const;
   void find_copies(const std::vector<int>& met);
   void set_pattern(const std::vector<char>& selected);
   void add_elastic_energy();

@@ -12,6 +12,7 @@
 
 #include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/shared_system.hpp"
 #include "linalg/solver_failure.hpp"
 
 namespace voussoir {
@@ -61,7 +62,10 @@ CoarseOperator::CoarseOperator(const BlockSystem& s, const ContactPoints& points
   const bool any = any_of_ranks(*s.comm(), std::find(active.begin(), active.end(), 1) != active.end());
   if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection>(continuum, space);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves>(s, space, active);
-  if (parameters.rigid_blocks && any) motions_ = std::make_unique<BlockMotions>(s, points, selected, space, active);
+  if (!parameters.rigid_blocks || !any) return;
+  SharedSystemParameters shared;
+  shared.most_on_first = numbers_.motions_on_first;
+  motions_ = std::make_unique<BlockMotions>(s, points, selected, space, active, shared);
 }
 
 void CoarseOperator::update(const SystemMatrix& h, const std::vector<PointStiffness>& stiffness,
@@ -79,7 +83,11 @@ void CoarseOperator::update(const SystemMatrix& h, const std::vector<PointStiffn
   factored_ = false;
   stale_ = true;
   all_or_none(*structure_.comm(), [&] {
-    if (motions_) motions_->update(stiffness, proximal);
+    if (motions_) {
+      const auto by = motions_->update(stiffness, proximal);
+      cost_.levels += by == SolvedBy::levels;
+      cost_.levels_refused += by == SolvedBy::factors_for_levels;
+    }
     if (blocks_) blocks_->update(h.local());
   });
   factored_stiffness_ = stiffness;
@@ -90,6 +98,10 @@ void CoarseOperator::update(const SystemMatrix& h, const std::vector<PointStiffn
 void CoarseOperator::factor_on_first_rank() {
   factors_are_ = FactorsAre::on_first_rank;
   if (motions_) motions_->factor_on_first_rank();
+}
+
+std::vector<MultigridLevel> CoarseOperator::motion_levels() const {
+  return motions_ ? motions_->levels() : std::vector<MultigridLevel>();
 }
 
 bool CoarseOperator::begin_step() {

@@ -51,6 +51,8 @@ class CoarseOperator : public Preconditioner {
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// Unknowns of the block motions.
   long long motions() const { return motions_ ? motions_->size() : 0; }
+  /// Of groups of blocks above them, from the finest to the coarsest; none where they are factored. Collective.
+  std::vector<MultigridLevel> motion_levels() const;
   /// Counts since the beginning; bytes held at present.
   SystemCost cost() const;
 

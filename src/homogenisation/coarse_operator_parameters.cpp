@@ -23,6 +23,11 @@ void CoarseOperatorParameters::declare(ParameterSection& section) {
   section.add("largest factor", largest_factor, "-", between(1, 1e9),
               "unknowns of the continuum up to which it is factored where stones are uneven. Reason: up to there it "
               "is hardly dearer");
+  section.add(
+      "motions on first rank", motions_on_first, "-", between(0, 1e9),
+      "block motions up to which the first of several ranks factors them for all; beyond, groups of blocks stand "
+      "above blocks. Reason: below, building levels takes longer than what two ranks save by them "
+      "(drivers/ranks.md)");
 }
 
 }  // namespace voussoir

@@ -15,6 +15,7 @@ struct CoarseOperatorParameters {
   double work_per_entry = 100;     ///< operations of factoring that take as long as an iteration, per entry of H
   double largest_region = 0.25;    ///< largest share of all unknowns in regions solved directly, in patches too
   int largest_factor = 300000;     ///< unknowns of the continuum up to which it is factored where stones are uneven
+  int motions_on_first = 20000;    ///< block motions up to which the first of several ranks factors them for all
   /// w of the block solves: every contact couples two blocks, so no eigenvalue of S H exceeds 2
   static constexpr double block_weight = 0.5;
   /// layers of cells around nodes that have parted: one to six differ by a tenth of the iterations

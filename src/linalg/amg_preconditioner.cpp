@@ -5,7 +5,6 @@
 #include <string>
 
 #include "linalg/reduce.hpp"
-#include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
@@ -35,18 +34,6 @@ bool names_smoothers(const Teuchos::ParameterList& list) {
   return false;
 }
 
-/// Forwards down and backwards up: symmetric, an iteration more than symmetric sweeps take, 0.75 of their time.
-void smooth(Teuchos::ParameterList& list, int sweeps) {
-  for (const auto* way : {"pre", "post"}) {
-    const std::string smoother = std::string("smoother: ") + way;
-    list.set(smoother + " type", "RELAXATION");
-    auto& parameters = list.sublist(smoother + " params");
-    parameters.set("relaxation: type", "Gauss-Seidel");
-    parameters.set("relaxation: sweeps", sweeps);
-  }
-  list.sublist("smoother: post params").set("relaxation: backward mode", true);
-}
-
 /// Along slanting borders, as those of ranks, aggregates come out uneven, and those of aggregates more so: small levels
 /// grow theirs from one to the next, and sweep three times, which costs little there (README.md, "Decisions").
 void treat_small_levels(Teuchos::ParameterList& list, int dim, const Teuchos::ParameterList& overrides) {
@@ -54,7 +41,7 @@ void treat_small_levels(Teuchos::ParameterList& list, int dim, const Teuchos::Pa
     const auto name = "level " + std::to_string(l);
     auto& level = list.sublist(name);
     const bool own = overrides.isSublist(name) && names_smoothers(overrides.sublist(name));
-    if (!own && !names_smoothers(overrides)) smooth(level, 3);
+    if (!own && !names_smoothers(overrides)) smooth_by_gauss_seidel(level, 3);
     if (l >= first_small_level && !overrides.isParameter("aggregation: ordering"))
       level.set("aggregation: ordering", "graph");
   }
@@ -76,7 +63,7 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   list.set("number of equations", dim);
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
-  if (!names_smoothers(overrides)) smooth(list, 1);
+  if (!names_smoothers(overrides)) smooth_by_gauss_seidel(list, 1);
   treat_small_levels(list, dim, overrides);
   if (ranks > 1) {
     list.set("repartition: enable", true);
@@ -91,6 +78,18 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
 
 }  // namespace
 
+/// Forwards down and backwards up: symmetric, an iteration more than symmetric sweeps take, 0.75 of their time.
+void smooth_by_gauss_seidel(Teuchos::ParameterList& list, int sweeps) {
+  for (const auto* way : {"pre", "post"}) {
+    const std::string smoother = std::string("smoother: ") + way;
+    list.set(smoother + " type", "RELAXATION");
+    auto& parameters = list.sublist(smoother + " params");
+    parameters.set("relaxation: type", "Gauss-Seidel");
+    parameters.set("relaxation: sweeps", sweeps);
+  }
+  list.sublist("smoother: post params").set("relaxation: backward mode", true);
+}
+
 struct AmgPreconditioner::Data {
   Teuchos::RCP<MueLu::TpetraOperator<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>> hierarchy;
 };
@@ -98,9 +97,11 @@ struct AmgPreconditioner::Data {
 AmgPreconditioner::AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a,
                                      const Teuchos::RCP<TpetraMultiVector>& coordinates,
                                      const Teuchos::RCP<TpetraMultiVector>& near_null, int dim,
-                                     const Teuchos::ParameterList& overrides)
-    : data_(std::make_unique<Data>()) {
+                                     const Teuchos::ParameterList& overrides, TrafficOf sent_for)
+    : data_(std::make_unique<Data>()), sent_for_(sent_for) {
   auto list = parameters_for(dim, a->getComm()->getSize(), overrides);
+  // MueLu gives a part that finds no rank with rows to rank -1.
+  if (any_of_ranks(*a->getComm(), a->getNodeNumRows() == 0)) list.set("repartition: remap parts", false);
   auto& user = list.sublist("user data");
   user.set("Coordinates", Teuchos::RCP<Coordinates>(coordinates));
   user.set("Nullspace", near_null);
@@ -111,7 +112,7 @@ AmgPreconditioner::AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a,
 AmgPreconditioner::~AmgPreconditioner() = default;
 
 void AmgPreconditioner::apply(const TpetraVector& r, TpetraVector& z) const {
-  const TrafficScope sent_for(TrafficOf::continuum);
+  const TrafficScope sent_for(sent_for_);
   data_->hierarchy->apply(r, z);
 }
 

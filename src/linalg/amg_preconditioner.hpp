@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "linalg/preconditioner.hpp"
+#include "linalg/traffic.hpp"
 
 namespace voussoir {
 
@@ -14,6 +15,9 @@ struct MultigridLevel {
   int ranks = 0;  ///< that hold rows of it
 };
 
+/// MueLu's parameters of a smoother: Gauss-Seidel forwards down and backwards up.
+void smooth_by_gauss_seidel(Teuchos::ParameterList&, int sweeps);
+
 /// One V-cycle of smoothed aggregation.
 class AmgPreconditioner : public Preconditioner {
  public:
@@ -21,8 +25,10 @@ class AmgPreconditioner : public Preconditioner {
   /// @param coordinates  one row per node [m], dim columns
   /// @param near_null    rigid motions at the nodes, 3 (2D) or 6 (3D) columns, on the map of a
   /// @param overrides    MueLu parameters of the user, put over the program's own
+  /// @param sent_for     what messages of a cycle are counted as
   AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a, const Teuchos::RCP<TpetraMultiVector>& coordinates,
-                    const Teuchos::RCP<TpetraMultiVector>& near_null, int dim, const Teuchos::ParameterList& overrides);
+                    const Teuchos::RCP<TpetraMultiVector>& near_null, int dim, const Teuchos::ParameterList& overrides,
+                    TrafficOf sent_for = TrafficOf::continuum);
   ~AmgPreconditioner() override;
   void apply(const TpetraVector& r, TpetraVector& z) const override;
   /// From the finest to the coarsest. Collective.
@@ -31,6 +37,7 @@ class AmgPreconditioner : public Preconditioner {
  private:
   struct Data;
   std::unique_ptr<Data> data_;
+  TrafficOf sent_for_;
 };
 
 }  // namespace voussoir

@@ -18,6 +18,8 @@ inline StepNumbers numbers_of(const StepReport& report) {
   n.patch_solves = newton.local_solves;
   n.factorised = report.cost.factorised;
   n.factorised_whole = report.cost.whole;
+  n.levels_built = report.cost.levels;
+  n.levels_refused = report.cost.levels_refused;
   n.factors_reused = report.cost.reused;
   n.complementarity_residual = newton.complementarity;
   n.largest_penetration = newton.penetration;

@@ -240,6 +240,7 @@ void ScalingStudy::write() const {
 
 Scene wall_of(Scene scene, int courses) {
   scene.mesh.wall.courses = scene.mesh.wall.blocks_per_course = courses;
+  scene.mesh.wall_in_space.courses = scene.mesh.wall_in_space.blocks_per_course = courses;
   return scene;
 }
 

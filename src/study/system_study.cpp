@@ -6,11 +6,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <type_traits>
 
 #include "base/digest.hpp"
+#include "base/order_of_magnitude.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/shared_system.hpp"
 #include "model/plane/plane_model.hpp"
+#include "model/space/space_model.hpp"
 #include "output/result_json.hpp"
 #include "output/study_table.hpp"
 #include "range/checked_blocks.hpp"
@@ -37,14 +41,15 @@ double lot(long long a, long long b) {
 }
 
 /// Blocks of another source, half of them in one more set.
-class StonesByLot : public BlockSource<2> {
+template <int dim>
+class StonesByLot : public BlockSource<dim> {
  public:
-  explicit StonesByLot(const BlockSource<2>& given) : given_(given), sets_(given.block_sets()) {
+  explicit StonesByLot(const BlockSource<dim>& given) : given_(given), sets_(given.block_sets()) {
     sets_.emplace_back(hard_stones);
   }
   BlockId block_count() const override { return given_.block_count(); }
   int node_count(BlockId b) const override { return given_.node_count(b); }
-  Block<2> block(BlockId b) const override {
+  Block<dim> block(BlockId b) const override {
     auto block = given_.block(b);
     if (lot(b, -1) < 0.5) block.sets.push_back(static_cast<int>(sets_.size()) - 1);
     return block;
@@ -54,11 +59,11 @@ class StonesByLot : public BlockSource<2> {
   const std::vector<std::string>& facet_sets() const override { return given_.facet_sets(); }
 
  private:
-  const BlockSource<2>& given_;
+  const BlockSource<dim>& given_;
   std::vector<std::string> sets_;
 };
 
-std::vector<PointStiffness> resistances_by_lot(const PlaneModel& model, const SystemCase& given) {
+std::vector<PointStiffness> resistances_by_lot(const Model& model, const SystemCase& given) {
   std::vector<PointStiffness> stiffness;
   for (int k = 0; k < model.points().size(); ++k) {
     const auto& point = model.points().points()[k];
@@ -73,6 +78,19 @@ std::vector<PointStiffness> resistances_by_lot(const PlaneModel& model, const Sy
 
 constexpr const char* kinds[] = {"outside", "set_up", "krylov", "block_motions", "transfer", "continuum"};
 static_assert(std::size(kinds) == traffic_kinds);
+
+void add_levels(const std::string& name, const std::vector<MultigridLevel>& levels, nlohmann::ordered_json& e) {
+  std::string rows, entries, ranks;
+  for (const auto& level : levels) {
+    const char* space = rows.empty() ? "" : " ";
+    rows += space + std::to_string(level.rows);
+    entries += space + std::to_string(level.entries);
+    ranks += space + std::to_string(level.ranks);
+  }
+  e[name + "_rows"] = rows;
+  e[name + "_entries"] = entries;
+  e[name + "_ranks"] = ranks;
+}
 
 nlohmann::ordered_json entry_of(const SystemRow& r) {
   nlohmann::ordered_json e{{"family", r.given.family},
@@ -92,6 +110,8 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
                            {"solve_s", r.solve_seconds},
                            {"motions_factor_s", r.motions_factor_seconds},
                            {"motions_solve_s", r.motions_solve_seconds},
+                           {"levels_build_s", r.levels_build_seconds},
+                           {"levels_cycle_s", r.levels_cycle_seconds},
                            {"edge_cut", r.partition.cut},
                            {"unknowns_imbalance", r.partition.imbalance},
                            {"points_imbalance", r.points_imbalance},
@@ -99,16 +119,8 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
                            {"mean_neighbours", r.partition.mean_neighbours},
                            {"motions_bytes", r.motions_bytes},
                            {"peak_memory_MB", r.peak_memory_MB}};
-  std::string rows, entries, ranks;
-  for (const auto& level : r.levels) {
-    const char* space = rows.empty() ? "" : " ";
-    rows += space + std::to_string(level.rows);
-    entries += space + std::to_string(level.entries);
-    ranks += space + std::to_string(level.ranks);
-  }
-  e["level_rows"] = rows;
-  e["level_entries"] = entries;
-  e["level_ranks"] = ranks;
+  add_levels("level", r.levels, e);
+  add_levels("motion_level", r.motion_levels, e);
   for (int k = static_cast<int>(TrafficOf::set_up); k < traffic_kinds; ++k)
     for (const bool total : {true, false}) {
       const auto& traffic = (total ? r.total : r.largest)[k];
@@ -121,20 +133,27 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
   return e;
 }
 
-void time_motions(const ContactProblem& problem, const PlaneModel& model, const ContactState& state,
+void time_motions(const ContactProblem& problem, const Model& model, const ContactState& state,
                   const std::vector<PointStiffness>& stiffness, SystemRow& row) {
   const auto& comm = *model.structure().comm();
   const std::vector<char> active(model.structure().local_blocks(), 1);
-  BlockMotions motions(model.structure(), model.points(), state.selected, problem.space(), active);
-  motions.update(stiffness, {});
-  const ProcessorClock factor(comm);
-  motions.update(stiffness, {});
-  row.motions_factor_seconds = factor.seconds();
-  TpetraVector r(problem.map()), z(problem.map());
-  r.putScalar(1);
-  const ProcessorClock solve(comm);
-  for (int k = 0; k < repetitions; ++k) motions.add(r, z);
-  row.motions_solve_seconds = solve.seconds() / repetitions;
+  const auto time = [&](const SharedSystemParameters& numbers, double& build, double& apply) {
+    BlockMotions motions(model.structure(), model.points(), state.selected, problem.space(), active, numbers);
+    motions.update(stiffness, {});
+    const ProcessorClock building(comm);
+    motions.update(stiffness, {});
+    build = building.seconds();
+    TpetraVector r(problem.map()), z(problem.map());
+    r.putScalar(1);
+    const ProcessorClock applying(comm);
+    for (int k = 0; k < repetitions; ++k) motions.add(r, z);
+    apply = applying.seconds() / repetitions;
+  };
+  SharedSystemParameters numbers;
+  time(numbers, row.motions_factor_seconds, row.motions_solve_seconds);
+  numbers.most_on_first = static_cast<long long>(order_of_magnitude) * numbers.levels.coarsest;
+  numbers.levels_on_one_rank = true;
+  if (row.coarse_unknowns > numbers.most_on_first) time(numbers, row.levels_build_seconds, row.levels_cycle_seconds);
 }
 
 /// Makes the stones that lots mark harder than the others.
@@ -147,8 +166,9 @@ void harden(Scene& scene, double contrast) {
 }
 
 /// A model with all points selected, under the loads at the end of all its stages.
+template <int dim>
 struct WholeSystem {
-  WholeSystem(const Scene& scene, const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+  WholeSystem(const Scene& scene, const BlockSource<dim>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
       : model(scene, source, comm), solver(scene.solver), state(AdaptiveStep(model).initial_state()) {
     LoadSteps steps(scene.stages, scene.load_steps);
     while (!steps.finished()) steps.accept();
@@ -171,7 +191,7 @@ struct WholeSystem {
     return b;
   }
 
-  const PlaneModel model;
+  const std::conditional_t<dim == 2, PlaneModel, SpaceModel> model;
   LinearSolver solver;
   ContactState state;
   std::vector<double> load, prescribed;
@@ -179,7 +199,8 @@ struct WholeSystem {
 };
 
 /// Solves the system once: iterations, seconds, traffic, and how far the solution is off.
-void time_solution(WholeSystem& system, const std::vector<PointStiffness>& stiffness, SystemRow& row) {
+template <int dim>
+void time_solution(WholeSystem<dim>& system, const std::vector<PointStiffness>& stiffness, SystemRow& row) {
   auto& problem = *system.problem;
   const auto& comm = *system.model.structure().comm();
   const auto b = system.right_side();
@@ -210,13 +231,21 @@ SystemStudy::SystemStudy(const std::string& folder, const Teuchos::RCP<const Teu
 
 void SystemStudy::add(const SystemCase& given, Scene scene) {
   scene.preconditioner.factored_up_to = 0;  // iterations are what is counted
-  const auto source = checked_blocks<2>(scene, comm_);
-  const StonesByLot stones(*source);
+  if (scene.mesh.dimension() == 2)
+    add_in<2>(given, scene);
+  else
+    add_in<3>(given, scene);
+}
+
+template <int dim>
+void SystemStudy::add_in(const SystemCase& given, Scene& scene) {
+  const auto source = checked_blocks<dim>(scene, comm_);
+  const StonesByLot<dim> stones(*source);
   harden(scene, given.contrast);
   SystemRow row;
   row.given = given;
   const ProcessorClock setup(*comm_);
-  WholeSystem system(scene, stones, comm_);
+  WholeSystem<dim> system(scene, stones, comm_);
   const auto stiffness = resistances_by_lot(system.model, given);
   row.setup_seconds = setup.seconds();
   time_solution(system, stiffness, row);
@@ -227,6 +256,7 @@ void SystemStudy::add(const SystemCase& given, Scene scene) {
   row.candidate_points = system.model.points().total();
   row.entries = static_cast<long long>(problem.system().matrix()->getGlobalNumEntries());
   row.coarse_unknowns = problem.preconditioner().motions();
+  row.motion_levels = problem.preconditioner().motion_levels();
   row.motions_bytes = static_cast<long long>(largest_over_ranks(*comm_, double(problem.cost().motion_bytes)));
   row.partition = partition_quality(system.model);
   row.points_imbalance = imbalance_of_selected(system.model, system.state);

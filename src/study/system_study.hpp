@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "linalg/amg_preconditioner.hpp"
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
-#include "model/plane/plane_model.hpp"
 #include "scene/scene.hpp"
 
 namespace voussoir {
@@ -34,11 +34,13 @@ struct SystemRow {
   int iterations = 0;
   double residual = 0;                          ///< [-] of the solution, relative to the right-hand side
   double setup_seconds = 0, solve_seconds = 0;  ///< of the processor, slowest rank
-  /// Of block motions, which every rank does whole: one factorisation, and one solution.
+  /// Of block motions: one factorisation, and one solution; or one construction of levels, and one cycle.
   double motions_factor_seconds = 0, motions_solve_seconds = 0;
+  /// Of levels of block motions, also where they are factored: one construction, and one cycle.
+  double levels_build_seconds = 0, levels_cycle_seconds = 0;
   PartitionQuality partition;
-  double points_imbalance = 1;  ///< [-] selected points
-  std::vector<MultigridLevel> levels;
+  double points_imbalance = 1;                        ///< [-] selected points
+  std::vector<MultigridLevel> levels, motion_levels;  ///< of the continuum, and of block motions where they have some
   std::array<Traffic, traffic_kinds> total, largest;  ///< over ranks, of this solve
   long long motions_bytes = 0;                        ///< of the rank with most
   double peak_memory_MB = 0;                          ///< of the process so far, likewise
@@ -54,6 +56,8 @@ class SystemStudy {
   const std::vector<SystemRow>& rows() const { return rows_; }
 
  private:
+  template <int dim>
+  void add_in(const SystemCase&, Scene&);
   void say(const SystemRow&) const;
   void write() const;
 

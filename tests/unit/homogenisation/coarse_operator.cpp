@@ -3,6 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "linalg/shared_system.hpp"
 #include "unit/homogenisation/selected_wall.hpp"
 
 namespace {
@@ -53,14 +54,22 @@ struct WholeOperator {
   }
 };
 
-// Motions that the first of several ranks factors.
-constexpr long long on_first = 1000, by_all = 0;
+/// Who solves for block motions, of several ranks.
+enum class Motions { on_first, by_all, by_levels };
+SharedSystemParameters solved(Motions by) {
+  SharedSystemParameters numbers;
+  if (by != Motions::on_first) numbers.most_on_first = 0;
+  if (by == Motions::by_all) numbers.levels.least_eigenvalue = 2;  // no cycle has it
+  numbers.levels.coarsest = 12;
+  numbers.levels.least_of_a_rank = 24;
+  return numbers;
+}
 
 TEUCHOS_UNIT_TEST(BlockMotions, AreThreePerBlockWithASelectedPoint) {
   for (const auto selected : {Selected::some, Selected::all}) {
     const SelectedWall w(selected);
     const auto active = w.active();
-    const BlockMotions motions(w.structure, w.points, w.selected, w.space, active, on_first);
+    const BlockMotions motions(w.structure, w.points, w.selected, w.space, active);
     const auto mine = std::count(active.begin(), active.begin() + w.structure.owned_blocks(), 1);
     TEST_EQUALITY(motions.size(), 3 * sum_over_ranks(*w.structure.comm(), static_cast<long long>(mine)));
   }
@@ -68,10 +77,10 @@ TEUCHOS_UNIT_TEST(BlockMotions, AreThreePerBlockWithASelectedPoint) {
 
 TEUCHOS_UNIT_TEST(BlockMotions, SolveExactlyForMotionsOfEveryBlock) {
   for (const auto selected : {Selected::some, Selected::all})
-    for (const auto most_on_first : {on_first, by_all}) {
+    for (const auto by : {Motions::on_first, Motions::by_all}) {
       const SelectedWall w(selected);
       const System system(w);
-      BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active(), most_on_first);
+      BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active(), solved(by));
       // Twice: factors are made anew for statuses that change.
       motions.update(slipping(w, 1), w.proximal());
       motions.update(w.statuses(), w.proximal());
@@ -88,9 +97,30 @@ TEUCHOS_UNIT_TEST(BlockMotions, SolveExactlyForMotionsOfEveryBlock) {
     }
 }
 
+// What levels leave of the energy of any motions of blocks: less than they promise.
+TEUCHOS_UNIT_TEST(BlockMotions, LevelsLeaveLittleOfTheEnergyOfMotions) {
+  const SelectedWall w(Selected::all);
+  const System system(w);
+  BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active(), solved(Motions::by_levels));
+  const bool alone = everyone()->getSize() == 1;
+  TEST_ASSERT(motions.update(w.statuses(), w.proximal()) == (alone ? SolvedBy::factors : SolvedBy::levels));
+  TEST_EQUALITY(motions.levels().empty(), alone);
+  for (int which = 0; which < 3; ++which) {
+    const auto x = block_motion(w, which);
+    TpetraVector hx(w.space.map()), z(w.space.map());
+    system.h.matrix()->apply(*x, hx);
+    const double energy = x->dot(hx);
+    motions.add(hx, z);
+    TEST_COMPARE(z.dot(hx), <=, (1 + 1e-9) * energy);
+    x->update(-1.0, z, 1.0);
+    system.h.matrix()->apply(*x, hx);
+    TEST_COMPARE(x->dot(hx), <=, 0.75 * 0.75 * energy);
+  }
+}
+
 TEUCHOS_UNIT_TEST(BlockMotions, AddToWhatIsThere) {
   const SelectedWall w(Selected::some);
-  BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active(), on_first);
+  BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active());
   motions.update(w.statuses(), w.proximal());
   const auto r = noise_vector(w.space.map());
   TpetraVector once(w.space.map()), twice(w.space.map());
@@ -156,7 +186,7 @@ TEUCHOS_UNIT_TEST(CoarseOperator, WithoutSymmetryLeavesNothingToBlockMotionsEith
     const auto& system = whole.system;
     auto& m = whole.preconditioner;
     m.couple(system.h, Symmetry::none);
-    BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active(), on_first);
+    BlockMotions motions(w.structure, w.points, w.selected, w.space, w.active());
     motions.update(w.statuses(), w.proximal());
     const auto r = noise_vector(w.space.map());
     TpetraVector z(w.space.map()), left(w.space.map()), seen(w.space.map()), before(w.space.map());

@@ -1,4 +1,4 @@
-// Parts of ranks are added up and solved exactly, whoever factors the sum.
+// Parts of ranks are added up and solved exactly, whoever factors the sum; or by levels, where they converge.
 #include "linalg/shared_system.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -9,14 +9,20 @@
 #include <vector>
 
 #include "linalg/solver_failure.hpp"
-#include "unit/linalg/systems.hpp"
+#include "unit/linalg/body_wall.hpp"
 
 namespace {
 
 using namespace voussoir;
 using namespace voussoir::test;
 
-constexpr long long everything = 1000000, nothing = 0;  // unknowns that the first rank may factor
+/// @param most  unknowns that the first rank may factor
+SharedSystemParameters on_first_up_to(long long most) {
+  SharedSystemParameters numbers;
+  numbers.most_on_first = most;
+  return numbers;
+}
+constexpr long long everything = 1000000, nothing = 0;
 
 /// A matrix that is the sum over "elements": each couples an unknown with some others, and is with the rank that owns
 /// the unknown; so ranks hold parts of rows of others.
@@ -105,7 +111,7 @@ TEUCHOS_UNIT_TEST(SharedSystem, IsTheExactInverseOfTheSumOfParts) {
   for (const long long size : {4LL, 200LL})
     for (const auto on_first : {everything, nothing}) {
       const Elements elements(size);
-      SharedSystem system(elements.unknowns(), everyone(), on_first);
+      SharedSystem system(elements.unknowns(), {}, everyone(), on_first_up_to(on_first));
       TEST_EQUALITY(system.size(), size);
       for (const double scale : {1.0, 5.0}) {  // factored anew, of the same pattern
         system.factor(elements.part(scale));
@@ -136,7 +142,7 @@ TEUCHOS_UNIT_TEST(SharedSystem, IsTheExactInverseOfTheSumOfParts) {
 
 TEUCHOS_UNIT_TEST(SharedSystem, WhatTheFirstRankCannotFactorFailsOnAll) {
   const Elements elements(50);
-  SharedSystem system(elements.unknowns(), everyone(), everything);
+  SharedSystem system(elements.unknowns(), {}, everyone(), on_first_up_to(everything));
   auto part = elements.part(1.0);
   for (double& value : part.value) value = -value;
   TEST_THROW(system.factor(part), SolverFailure);
@@ -144,6 +150,87 @@ TEUCHOS_UNIT_TEST(SharedSystem, WhatTheFirstRankCannotFactorFailsOnAll) {
   std::vector<double> ones(elements.unknowns().number.size(), 1.0), x;
   system.solve(ones, x);
   for (const double value : x) TEST_ASSERT(std::isfinite(value));
+}
+
+/// Solves with what a system has for a solution, by conjugate gradients where that is a cycle.
+/// @returns  iterations
+int solve(const SharedSystem& system, const BodyWall& wall, const TpetraMatrix& a, const TpetraVector& b,
+          TpetraVector& x) {
+  const auto known = wall.unknowns().number.size();
+  TpetraVector r(b, Teuchos::Copy), z(b.getMap()), p(b.getMap()), ap(b.getMap());
+  std::vector<double> mine(known), told;
+  double along = 0;
+  x.putScalar(0);
+  for (int k = 0; k < 100; ++k) {
+    mine.assign(known, 0.0);
+    std::copy_n(local_view(r), r.getLocalLength(), mine.begin());
+    system.solve(mine, told);
+    std::copy_n(told.begin(), z.getLocalLength(), local_view_to_write(z));
+    const double before = along;
+    along = r.dot(z);
+    p.update(1.0, z, k == 0 ? 0.0 : along / before);
+    a.apply(p, ap);
+    const double alpha = along / p.dot(ap);
+    x.update(alpha, p, 1.0);
+    r.update(-alpha, ap, 1.0);
+    if (r.norm2() <= 1e-8 * b.norm2()) return k + 1;
+  }
+  return 1000;
+}
+
+SharedSystemParameters by_levels() {
+  auto numbers = on_first_up_to(nothing);
+  numbers.levels.coarsest = 60;
+  numbers.levels.least_of_a_rank = 100;
+  return numbers;
+}
+
+// As long as nobody is alone: one rank factors.
+TEUCHOS_UNIT_TEST(SharedSystem, LevelsStandForTheSolutionOnManyRanks) {
+  const bool alone = everyone()->getSize() == 1;
+  for (const double open : {0.0, 0.1}) {
+    const BodyWall wall(30, 30, open, 41);
+    const auto a = wall.matrix();
+    SharedSystem system(wall.unknowns(), wall.bodies(), everyone(), by_levels());
+    TEST_ASSERT(system.factor(wall.part(3.0)) == (alone ? SolvedBy::factors : SolvedBy::levels));
+    TEST_ASSERT(system.factor(wall.part()) == (alone ? SolvedBy::factors : SolvedBy::levels));
+    TEST_EQUALITY(system.levels().empty(), alone);
+    TpetraVector b(wall.map()), x(wall.map());
+    a->apply(*noise_vector(wall.map()), b);
+    const int iterations = solve(system, wall, *a, b, x);
+    out << open << ": " << iterations << " iterations\n";
+    TEST_COMPARE(iterations, <=, alone ? 3 : 20);
+    TEST_COMPARE(relative_residual(*a, b, x), <=, 1e-7);
+    TEST_COMPARE(largest_of_ranks(*everyone(), static_cast<double>(system.bytes())), >, 0);
+  }
+}
+
+// Refused where they converge worse than asked for; and all ranks factor.
+TEUCHOS_UNIT_TEST(SharedSystem, FactorsTakeThePlaceOfLevelsThatDoNotConverge) {
+  const bool alone = everyone()->getSize() == 1;
+  // Half of the joints open: stones hang together by few of them.
+  const BodyWall wall(40, 40, 0.5);
+  const auto a = wall.matrix();
+  SharedSystem system(wall.unknowns(), wall.bodies(), everyone(), by_levels());
+  TEST_ASSERT(system.factor(wall.part()) == (alone ? SolvedBy::factors : SolvedBy::factors_for_levels));
+  TEST_ASSERT(system.levels().empty());
+  TpetraVector b(wall.map()), x(wall.map());
+  a->apply(*noise_vector(wall.map()), b);
+  TEST_COMPARE(solve(system, wall, *a, b, x), <=, 3);
+}
+
+// One rank alone has a part that is none: no rank goes another way than the others.
+TEUCHOS_UNIT_TEST(SharedSystem, APartOfOneRankThatIsNoNumberFailsOnAll) {
+  const BodyWall wall(30, 30);
+  SharedSystem system(wall.unknowns(), wall.bodies(), everyone(), by_levels());
+  auto part = wall.part();
+  if (everyone()->getRank() == everyone()->getSize() - 1) part.value.back() = std::nan("");
+  TEST_THROW(system.factor(part), SolverFailure);
+  system.factor(wall.part());  // and serves what follows
+  TpetraVector b(wall.map()), x(wall.map());
+  const auto a = wall.matrix();
+  a->apply(*noise_vector(wall.map()), b);
+  TEST_COMPARE(solve(system, wall, *a, b, x), <=, 20);
 }
 
 }  // namespace
