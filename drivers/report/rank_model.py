@@ -25,7 +25,9 @@ FINEST_OF_MOTIONS = 5
 ROWS_OF_A_GROUP = 8.5    # motions of blocks, or of groups, for one of a group of them
 LEAST_MOTIONS = 600      # a level of them moves to fewer ranks below so many per rank (BodyLevelsParameters)
 COARSEST_MOTIONS = 300
-SET_UP_EXCHANGES, SET_UP_SUMS = 60, 90  # of a level that is built, as counted
+SET_UP_EXCHANGES, SET_UP_SUMS = 36, 91  # of a level of motions that is built, as counted on 2 to 8 ranks
+FIRST_EXCHANGES, FIRST_SUMS = 32, 45    # and once more
+OF_MUELU = 3         # of the exchanges on the finest: the cycles that measure count them as its own
 LANCZOS = 5              # cycles that measure it when it is built
 V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, restriction, prolongation
 SMALL_LEVEL = 2      # from here on there are three sweeps for one, down (the first without an exchange) and up
@@ -138,8 +140,10 @@ def cycle_of_motions(r, width):
     """In one iteration, where levels stand for the solution."""
     if not has_levels(r):
         return 0, 0
-    found = sent_in_cycle(motion_levels(r["coarse_unknowns"], r["ranks"]), exchanges_of_motions, width)
-    return tuple(MOTIONS * sent for sent in found)
+    found = motion_levels(r["coarse_unknowns"], r["ranks"])
+    solved = sent_in_cycle(found, exchanges_of_motions, width)
+    measured_by = sent_in_cycle(found, lambda level: OF_MUELU if level == 0 else V_CYCLE, width)
+    return tuple(MOTIONS * a + LANCZOS / (r["iterations"] + 1) * b for a, b in zip(solved, measured_by))
 
 
 def sent_in_cycle(found, exchanges, width):
@@ -262,12 +266,12 @@ def block_motions(coarse, ranks, machine, widths, applied):
         return (applied * MOTIONS * there_and_back,
                 applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse) + machine.factor * coarse ** 1.5)
     found = motion_levels(coarse, ranks)
-    sent, built, rows_done = 0.0, 0.0, coarse / ranks
+    sent, built, rows_done = 0.0, FIRST_SUMS * machine.sum(ranks, NUMBER), coarse / ranks
     for j, (rows, on) in enumerate(found):
         if on > 1:
             once = machine.exchange(2 * pairs(on) / on, NUMBER * widths.groups * border(on) / on * math.sqrt(rows))
             sent += exchanges_of_motions(j) * once
-            built += SET_UP_EXCHANGES * once + SET_UP_SUMS * machine.sum(on, NUMBER)
+            built += (SET_UP_EXCHANGES + (FIRST_EXCHANGES if j == 0 else 0)) * once + SET_UP_SUMS * machine.sum(on, NUMBER)
         if j > 0:  # which are not divided as far
             rows_done += max(0.0, rows / on - rows / ranks)
         if j + 1 < len(found) and found[j + 1][1] < on:
