@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iomanip>
 
+#include "base/text.hpp"
 #include "joints/contact_points.hpp"
 #include "results/effect_costs.hpp"
 #include "scene/scene.hpp"
@@ -18,6 +19,7 @@ constexpr int solves_bonded = 3, solves_adaptive = 40, solves_all = 45;
 constexpr int attempts_at_load_factor = 14;
 constexpr double round_off = 1e-12;  // of a number of time steps, which is a quotient
 constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
+constexpr double seconds_of_start = 0.4;  // of MPI, of reading and of writing
 
 /// Makes the loads and applies them once in full: bytes they hold and seconds of a load step.
 template <int dim>
@@ -87,12 +89,20 @@ void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::
       << " nodes, " << dim * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
       << steps_text(load_steps, "load", solves);
   say << steps_text(time_steps, "time", solves_in_time);
-  if (as_it_goes) say << "time steps of stages that leave their length to the program: as many as it finds it needs\n";
+  const std::string ranks = std::to_string(comm->getSize()) + (comm->getSize() == 1 ? " rank" : " ranks");
+  const auto seconds_of = [&](double count) {
+    return count * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize();
+  };
   const double all = load_steps * solves + time_steps * solves_in_time;
+  if (as_it_goes)
+    say << "time steps of stages that leave their length to the program: as many as it finds it needs, about "
+        << three_digits(seconds_of(solves_in_time)) << " s each on " << ranks << "\n";
   say << "expected: " << all << " linear solves" << (as_it_goes ? " without those" : "") << ", "
-      << unknowns * bytes_per_unknown / 1e6 << " MB in all, "
-      << all * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize() << " s on " << comm->getSize()
-      << " ranks (within a factor of three)\n";
+      << unknowns * bytes_per_unknown / 1e6 << " MB in all, ";
+  if (as_it_goes)
+    say << "as long as those take: how many there are cannot be told\n";
+  else
+    say << three_digits(seconds_of_start + seconds_of(all)) << " s on " << ranks << " (within a factor of three)\n";
   print_effect_costs(scene, source, structure, points, say);
 }
 
