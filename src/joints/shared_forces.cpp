@@ -116,32 +116,43 @@ void make_orthonormal(Rows& basis) {
 /// What a point bears at a place: its normal force first, then along its tangents.
 using PointForce = std::array<double, 3>;
 
-/// A force that may change.
-struct Direction {
-  std::size_t point, component;  ///< of those that meet; 0 along its normal
-};
-
 /// An orthonormal basis of what forces of points that meet can change by, each over the root of its weight.
 /// @param points   that meet;  @param weight  of each
 /// @param balance  of their nodes: coefficients of the forces, n per point
+/// @param follows  friction of those that slip follows their normal forces
 Rows ways_to_split(const std::vector<int>& points, const std::vector<double>& weight, const Rows& balance,
-                   const std::vector<PointFreedom>& freedom, std::size_t n) {
+                   const std::vector<PointFreedom>& freedom, std::size_t n, bool follows) {
+  // Directions in which a force may change: its components, or all in proportion.
+  struct Direction {
+    std::size_t at;  // of the point
+    PointForce force;
+  };
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& f = freedom[points[i]];
-    if (f.normal) directions.push_back({i, 0});
-    for (std::size_t t = 1; t < n && f.tangential; ++t) directions.push_back({i, t});
+    const bool alone = f.tangential || !follows;
+    if (f.normal) directions.push_back({i, alone ? PointForce{1} : PointForce{1, f.slope[0], f.slope[1]}});
+    for (std::size_t t = 1; t < n && f.tangential; ++t) {
+      directions.push_back({i, {}});
+      directions.back().force[t] = 1;
+    }
   }
   Rows rows;
   for (const auto& row : balance) {
     rows.emplace_back();
-    for (const auto& d : directions) rows.back().push_back(row[n * d.point + d.component]);
+    for (const auto& d : directions) {
+      double sum = 0;
+      for (std::size_t c = 0; c < n; ++c) sum += row[n * d.at + c] * d.force[c];
+      rows.back().push_back(sum);
+    }
   }
   Rows basis;
   for (const auto& z : null_space(rows, static_cast<int>(directions.size()))) {
     std::vector<double> force(n * points.size(), 0.0);
-    for (std::size_t j = 0; j < z.size(); ++j)
-      force[n * directions[j].point + directions[j].component] = z[j] / std::sqrt(weight[directions[j].point]);
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      const double root = std::sqrt(weight[directions[j].at]);
+      for (std::size_t c = 0; c < n; ++c) force[n * directions[j].at + c] += z[j] * directions[j].force[c] / root;
+    }
     basis.push_back(force);
   }
   make_orthonormal(basis);
@@ -288,14 +299,21 @@ SharedForces::SharedForces(const BlockSystem& s, const ContactPoints& points, co
   }
 }
 
-void SharedForces::split(const std::vector<PointFreedom>& freedom, std::vector<double>& lambda) const {
-  for (const auto& place : places_) split(place, freedom, lambda);
+void SharedForces::split(const std::vector<PointFreedom>& freedom, SharedFriction friction,
+                         std::vector<double>& lambda) const {
+  for (const auto& place : places_) split(place, freedom, friction, lambda);
 }
 
-void SharedForces::split(const Place& place, const std::vector<PointFreedom>& freedom,
+void SharedForces::split(const Place& place, const std::vector<PointFreedom>& freedom, SharedFriction friction,
                          std::vector<double>& lambda) const {
   const std::size_t n = components_;
-  const auto basis = ways_to_split(place.points, place.weight, place.balance, freedom, n);
+  auto basis = ways_to_split(place.points, place.weight, place.balance, freedom, n, true);
+  const bool any_slips = std::any_of(place.points.begin(), place.points.end(),
+                                     [&](int k) { return freedom[k].normal && !freedom[k].tangential; });
+  if (any_slips && friction == SharedFriction::held_where_it_hides)
+    if (auto held = ways_to_split(place.points, place.weight, place.balance, freedom, n, false);
+        held.size() > basis.size())
+      basis = std::move(held);
   if (basis.empty()) return;
   std::vector<double> force(n * place.points.size());
   for (std::size_t i = 0; i < place.points.size(); ++i)

@@ -3,13 +3,14 @@
 // with the least sum of force^2 / w, as for tied points (tractions.hpp). It is unique.
 //
 //   minimise  sum |f_k + d_k|^2 / w_k     d in balance at every node that no support holds, and
-//             d_k = 0 where a point is open, along its normal where it slips, free where it sticks
+//             d_k = 0 where a point is open, along its friction where it slips, free where it sticks
 //             f_k + d_k lawful where it sticks, as far as such splits exist
 //
-// Friction of a point that slips is that of the force it had. Where its normal force changes, friction and with it the
-// motion follow in the next linear solve, so the state arrived at is one whose forces no split changes. With friction
-// that followed within the split some forces would be bound to nothing: where a point slips beside one that opens and
-// still sticks along the same line, every share of the two has a motion of its own that the law admits.
+// Where a point slips beside one that opens and still sticks along the same line, friction that follows the pressure
+// leaves no such d, and yet nothing binds the pressure: every share of it has a motion of its own that the law admits.
+// So once an equilibrium is found friction is held where forces could then run round in more ways, and what that
+// leaves out of balance is solved for, until the split changes nothing. Within a solve it follows, as Newton's method
+// wants it.
 //
 // In space friction is bounded by a disc, which half planes that touch it stand for: in the direction of a force that
 // they leave outside there is one more, until none is left.
@@ -34,7 +35,7 @@ class SharedForces {
 
   bool any() const { return !places_.empty(); }
   /// Splits the forces [N, points x components] anew where points of owned nodes meet; the caller updates ghosts.
-  void split(const std::vector<PointFreedom>&, std::vector<double>& lambda) const;
+  void split(const std::vector<PointFreedom>&, SharedFriction, std::vector<double>& lambda) const;
 
  private:
   /// Points that meet, and the balance of their nodes.
@@ -44,7 +45,7 @@ class SharedForces {
     std::vector<std::vector<double>>
         balance;  ///< per node and component: coefficients of the forces, one per component of each point
   };
-  void split(const Place&, const std::vector<PointFreedom>&, std::vector<double>& lambda) const;
+  void split(const Place&, const std::vector<PointFreedom>&, SharedFriction, std::vector<double>& lambda) const;
 
   std::size_t components_;
   std::vector<Place> places_;

@@ -89,9 +89,10 @@ void ContactProblem::find_shared_forces() {
   shares_ = any_of_ranks(*parts_.structure.comm(), shared_forces_->any());
 }
 
-void ContactProblem::split_shared_forces(const std::vector<PointFreedom>& freedom, PointField& lambda) const {
+void ContactProblem::split_shared_forces(const std::vector<PointFreedom>& freedom, SharedFriction friction,
+                                         PointField& lambda) const {
   if (!shares_) return;
-  shared_forces_->split(freedom, lambda);
+  shared_forces_->split(freedom, friction, lambda);
   parts_.points.exchange().update(lambda, dim_);
 }
 

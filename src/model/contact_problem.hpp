@@ -82,7 +82,7 @@ class ContactProblem : public NonlinearProblem {
   LinearSolveResult solve(const std::vector<PointStiffness>&, double proximal_scale,
                           const Teuchos::RCP<TpetraVector>& b, const Teuchos::RCP<TpetraVector>& d,
                           const SolveRequest&) override;
-  void split_shared_forces(const std::vector<PointFreedom>&, PointField& lambda) const override;
+  void split_shared_forces(const std::vector<PointFreedom>&, SharedFriction, PointField& lambda) const override;
   bool shares_forces() const override { return shares_; }
   /// None in space.
   PatchSource* patches() override;

@@ -227,19 +227,26 @@ bool ContactSolver::leave_branch(const Instability& found, double sign, const It
 }
 
 /// Forces that nothing tells apart do not depend on the way to this equilibrium. Where friction has to follow, the
-/// state that it leads to is solved for; where none is found they stay as they were.
+/// state that it leads to is solved for and split again, as long as that brings the two nearer; where no state is found
+/// they stay as they were.
 void ContactSolver::split_forces(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
   if (!problem_.shares_forces()) return;
   PointField gap;
   TpetraVector residual(problem_.map());
-  problem_.evaluate(at.x, residual, gap);
-  const PointField as_found = at.lambda;
-  voussoir::split_forces(problem_, CurrentLaws(problem_, {&at.damage, request.strength}, at.lambda, gap), gap,
-                         request.tolerance * force_scale(problem_, at.lambda), at.lambda);
-  if (measure(at, request.strength, report) <= request.tolerance) return;
-  if (try_active_set(at, {request.tolerance, request.strength}, methods_.solver.patience_from_near, report) !=
-      ActiveSetEnd::arrived)
-    at.lambda = as_found;
+  for (double last = std::numeric_limits<double>::infinity();;) {
+    problem_.evaluate(at.x, residual, gap);
+    const PointField as_found = at.lambda;
+    voussoir::split_forces(problem_, CurrentLaws(problem_, {&at.damage, request.strength}, at.lambda, gap), gap,
+                           request.tolerance * force_scale(problem_, at.lambda), at.lambda);
+    const double apart = measure(at, request.strength, report);
+    if (apart <= request.tolerance) return;
+    const bool nearer = apart <= methods_.active_set.gained * std::exchange(last, apart);
+    if (!nearer || try_active_set(at, {request.tolerance, request.strength}, methods_.solver.patience_from_near,
+                                  report) != ActiveSetEnd::arrived) {
+      at.lambda = as_found;
+      return;
+    }
+  }
 }
 
 void ContactSolver::wear_down(const Iterate& at, const ContactRequest& request, NewtonReport& report) {

@@ -82,7 +82,7 @@ class NonlinearProblem {
                                                 const Teuchos::RCP<TpetraVector>& d, const SolveRequest&) = 0;
   /// Where forces may run round between stones that meet, so that neither equilibrium nor motion tells their split:
   /// makes it the one that is unique (joints/shared_forces.hpp), where springs and the law do not. Collective.
-  virtual void split_shared_forces(const std::vector<PointFreedom>&, PointField& /*lambda*/) const {}
+  virtual void split_shared_forces(const std::vector<PointFreedom>&, SharedFriction, PointField& /*lambda*/) const {}
   /// Whether it does anything on some rank.
   virtual bool shares_forces() const { return false; }
   /// From where stuck stones are cut, or null where they cannot be.

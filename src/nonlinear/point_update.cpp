@@ -60,8 +60,10 @@ void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, cons
     f.normal = are.closed[k];
     f.tangential =
         std::all_of(along, along + tangents, [](double d) { return d == 0; }) && are.resistance[k].resists_slip();
+    for (int t = 0; t < tangents && f.normal && std::isfinite(f.law.friction); ++t)
+      f.slope[t] = f.law.friction * along[t];
   }
-  problem.split_shared_forces(freedom, lambda);
+  problem.split_shared_forces(freedom, SharedFriction::follows, lambda);
 }
 
 void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, const PointField& gap, double left,
@@ -75,9 +77,14 @@ void split_forces(const NonlinearProblem& problem, const CurrentLaws& laws, cons
     f.law = laws[k];
     const auto pushed = [&](int c) { return stiffness_of(problem, k, c, 1.0) * motion_of(problem, k, c, gap, lambda); };
     f.normal = pushed(0) <= left;
-    f.tangential = std::hypot(pushed(1), tangents == 2 ? pushed(2) : 0.0) <= left;
+    std::array<double, 2> shear{};
+    for (int t = 0; t < tangents; ++t) shear[t] = pushed(t + 1);
+    const double size = std::hypot(shear[0], shear[1]);
+    f.tangential = size <= left;
+    for (int t = 0; t < tangents && size > 0 && f.normal && std::isfinite(f.law.friction); ++t)
+      f.slope[t] = -f.law.friction * shear[t] / size;
   }
-  problem.split_shared_forces(freedom, lambda);
+  problem.split_shared_forces(freedom, SharedFriction::held_where_it_hides, lambda);
 }
 
 WornPoints wear(const NonlinearProblem& problem, Strength strength, const PointField& lambda, const PointField& gap) {

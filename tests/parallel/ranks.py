@@ -24,7 +24,7 @@ def last_step(folder):
     with h5py.File(folder / "fields.h5") as file:
         step = file["steps"][sorted(file["steps"])[-1]]
         joints = {name: table[()] for name, table in file["joints"].items()}
-        return {name: table[()] for name, table in step.items()}, joints, file["mesh/rank_of_block"][()]
+        return {name: table[()] for name, table in step.items() if isinstance(table, h5py.Dataset)}, joints, file["mesh/rank_of_block"][()]
 
 
 def node_forces(step, joints, nodes):

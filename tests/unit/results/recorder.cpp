@@ -226,6 +226,8 @@ TEUCHOS_UNIT_TEST(Recorder, EveryNumberOfAReportIsTaken) {
   report.cost.factorised = 10;
   report.cost.whole = 11;
   report.cost.reused = 12;
+  report.cost.levels = 13;
+  report.cost.levels_refused = 14;
   const auto numbers = numbers_of(report);
   TEST_EQUALITY_CONST(numbers.linear_solves, 6);
   each_number(
