@@ -205,7 +205,10 @@ Warnings CoarseJoints<dim>::look(const ContactState& state, const std::string& w
                                      " of its strength at its points, by stress linear along it to " +
                                      percent(joint.edge_use) + " at its edge"
                                : " and has broken";
-    text += ": its strength may be overrated by " + percent(joint.overrating);
+    // Beyond twice the strength the share that is left says more.
+    text += joint.overrating > 1
+                ? ": it may bear as little as " + percent(1 / (1 + joint.overrating)) + " of what its points do"
+                : ": its strength may be overrated by " + percent(joint.overrating);
     if (found.size() > 1) text += ", that of " + std::to_string(found.size() - 1) + " others of the family by less";
     text += "; give it six cells or more";
     all.push_back({"coarse_joint", "scene > joints > " + model_.families()[family].name, when, joint.overrating, text});
