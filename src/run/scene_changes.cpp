@@ -114,9 +114,10 @@ bool is_family(const std::string& key) {
 
 /// What a mesh is shows by its nodes and cells, which are compared; but for how its cells bend.
 bool is_of_structure(const std::string& key) {
-  const std::string section = names_of(key)[0];
+  const auto names = names_of(key);
+  const auto& section = names.front();
   return section == "model" || section == "materials" || section == "joints" || section == "supports" ||
-         key == "mesh > stones > element";
+         (section == "mesh" && (names.back() == "element" || names.back() == "cells"));
 }
 
 std::string was(const std::string& before, const std::string& now) {

@@ -1,7 +1,7 @@
 """What --dry-run says of the number of steps and solves, and of seconds.
 
     prediction.py PROGRAM
-    prediction.py PROGRAM --measure > drivers/studies/predictions.csv    a table of the seconds told and taken
+    prediction.py PROGRAM --measure    prints a table of the seconds told and taken
 """
 
 import os

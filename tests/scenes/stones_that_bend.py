@@ -192,6 +192,12 @@ class InThePlane(program.SceneTest):
             run = self.run_scene(self.wall(self.TRIANGLES, "all"), out=f"on {ranks}", ranks=ranks)
             self.assertLess(abs(run.history[-1]["largest_displacement_m"] / found["quadratic"] - 1), 1e-6, run.said)
 
+    def test_cells_that_bend_otherwise_are_another_structure(self):
+        self.run_scene(self.wall(self.TRIANGLES, "all"), out="run")
+        run = self.run_scene(self.wall("triangle", "all"), "--restart", out="run")
+        self.assertEqual(run.code, 2, run.said)
+        self.assertIn("mesh > wall > cells = triangle, was quadratic triangle", run.words)
+
     def test_large_rotations_are_refused(self):
         run = self.run_scene(self.wall(self.TRIANGLES, "all", model={"rotations": "finite"}), "--validate")
         self.assertEqual(run.code, 2)
