@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sort_unique.hpp"
+#include "mesh/border.hpp"
 #include "mesh/box_tree.hpp"
 #include "stones/cut_edges.hpp"
 #include "stones/drawing.hpp"
@@ -17,10 +18,6 @@ namespace {
 
 using Loop = std::vector<int>;
 using Kind = SnapFault::Kind;
-
-/// Borders that leave a common corner and part by more than this (of the way from it) are meant to: as
-/// mesh/border_check.cpp has it.
-constexpr double parting = 0.15;
 
 /// A stone on one side of an edge.
 struct Side {
@@ -267,7 +264,8 @@ class Snapping {
     const auto &mine = points_by_stone(own), &theirs = points_by_stone(other);
     if (std::binary_search(theirs.begin(), theirs.end(), point)) return true;
     for (const int p : mine)
-      if (std::binary_search(theirs.begin(), theirs.end(), p) && gap > parting * norm(s_.points[p] - s_.points[point]))
+      if (std::binary_search(theirs.begin(), theirs.end(), p) &&
+          gap > nearly_touching_at_vertex * norm(s_.points[p] - s_.points[point]))
         return true;
     return false;
   }

@@ -25,6 +25,11 @@ struct BorderFacet {
 using BorderEdge = BorderFacet<2>;
 using BorderFace = BorderFacet<3>;
 
+/// Borders that leave a common vertex and stay closer than this part of the shorter edge were meant to touch, as chords
+/// of different length along one arc do. Chords of 18 degrees (ten to a semicircle) and of 9 degrees leave it 4.5
+/// degrees apart: 0.08 of the shorter.
+constexpr double nearly_touching_at_vertex = 0.15;
+
 std::array<VertexId, 2> ascending(VertexId, VertexId);
 
 /// Border facets of all blocks, sorted: the sides of a joint follow each other.

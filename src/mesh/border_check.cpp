@@ -15,9 +15,6 @@ namespace {
 /// Borders closer than this part of the shorter edge were meant to touch: rounding coordinates to millimetres moves
 /// edges of a decimetre by one hundredth, while a gap somebody draws is a good part of an element.
 constexpr double nearly_touching = 0.01;
-/// The same for edges that leave a common vertex, which chords of different length along one arc do. Chords of
-/// 18 degrees (ten to a semicircle) and of 9 degrees leave it 4.5 degrees apart: 0.08 of the shorter.
-constexpr double nearly_touching_at_vertex = 0.15;
 /// How far inside a cell a point must be to count, as part of the shortest side of the cell: above what is
 /// left of rounding, below any overlap that matters.
 constexpr double well_inside = 1e-3;
