@@ -28,7 +28,7 @@ Exit codes: 0 done, 2 the input is wrong, 3 no convergence, 4 a resource is miss
 )";
 
 struct Arguments {
-  std::string peers;
+  std::string peers, scene;
   std::string folder = "out/scaling", draw = VOUSSOIR_SOURCE_DIR "/drivers/report/draw_scaling.py";
   std::vector<std::string> families{"walls", "openings", "storeys", "arches", "bridge"}, systems, overrides;
   std::vector<SelectionMode> modes{SelectionMode::adaptive, SelectionMode::all};
@@ -84,11 +84,14 @@ void declare(CommandLine& line, Arguments& a) {
   line.add("--smallest", "N", a.smallest, above(0),
            "leaves out walls of fewer courses, arches of fewer than 2 N voussoirs (default: 1)");
   line.add("--systems", "LIST",
-           words("--systems", {"blocks", "space", "cells", "contrast", "open", "spread"},
+           words("--systems", {"blocks", "space", "scene", "cells", "contrast", "open", "spread"},
                  [&a](const Words& given) { a.systems = given; }),
            "instead of load steps, single systems with every point selected, to 1e-8: Krylov iterations,\n"
-           "messages and bytes, on walls with more blocks, the same in space (space), finer cells, larger\n"
-           "contrast of stones (contrast), more open joints (open), resistances further apart (spread)");
+           "messages and bytes, on walls with more blocks, the same in space (space), a scene as it stands\n"
+           "(scene), finer cells, larger contrast of stones (contrast), more open joints (open), resistances\n"
+           "further apart (spread)");
+  line.add("--scene", "FILE", a.scene,
+           "the scene of --systems=scene, and of the walls of --systems=blocks (default there: xml/wall.xml)");
   line.add(
       "--motions", "LIST", [&](const std::string& text) { a.motions = peaks_of(line, text); },
       "instead, time steps at these peak accelerations [m/s2] of the ground, beside bonded ones: 0.4 s of\n"
@@ -195,22 +198,29 @@ void study_motions(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<in
   say << "\nResults are in " << a.folder << "/motions.csv and motions.json\n";
 }
 
+/// Walls of more and more blocks.
+void add_walls(const Arguments& a, const std::string& family, const Scene& scene, SystemStudy& systems) {
+  for (int n = std::max(8, a.smallest); n <= a.largest; n *= 2) systems.add({family, double(n)}, wall_of(scene, n));
+}
+
 /// One property of a wall of N courses at a time.
 void study_systems(const Arguments& a, const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
+  const auto asked = [&a](const char* family) {
+    return std::find(a.systems.begin(), a.systems.end(), family) != a.systems.end();
+  };
+  if (asked("scene") && a.scene.empty()) refuse("--systems=scene", "takes a scene as it stands; name it in --scene.");
+  const auto named = a.scene.empty() ? scene_of(a, "wall.xml") : read_scene(a.scene, a.overrides);
+  if (asked("blocks") && named.mesh.type != MeshType::wall && named.mesh.type != MeshType::wall_in_space)
+    refuse("--systems=blocks", "grows walls, and the mesh of " + a.scene +
+                                   " is none that a generator makes.\n  --systems=scene takes it as it stands.");
   on_first_rank(*comm, [&] { std::filesystem::create_directories(a.folder); });
   SystemStudy systems(a.folder, comm, say);
-  // Iterations of the preconditioner's parts: the program factors whole what takes more than 20.
-  const auto scene = scene_of(a, "wall.xml", {"preconditioner/factored up to=0"});
-  const auto wall = wall_of(scene, a.largest);
+  const auto wall = wall_of(scene_of(a, "wall.xml"), a.largest);
   const double size = a.largest;
   for (const auto& family : a.systems) {
-    if (family == "blocks")
-      for (int n = std::max(8, a.smallest); n <= a.largest; n *= 2) systems.add({family, double(n)}, wall_of(scene, n));
-    if (family == "space") {
-      const auto in_space = scene_of(a, "wall-in-space.xml");
-      for (int n = std::max(8, a.smallest); n <= a.largest; n *= 2)
-        systems.add({family, double(n)}, wall_of(in_space, n));
-    }
+    if (family == "blocks") add_walls(a, family, named, systems);
+    if (family == "space") add_walls(a, family, scene_of(a, "wall-in-space.xml"), systems);
+    if (family == "scene") systems.add({family}, named);
     if (family == "cells")
       for (const int finer : {1, 2, 4, 8}) systems.add({family, double(finer)}, with_element_size(wall, 1.0 / finer));
     if (family == "contrast")
@@ -245,6 +255,9 @@ void run_program(const std::vector<std::string>& words, const Teuchos::RCP<const
     compare_with_peers(a);
     return;
   }
+  const auto takes_a_scene = [](const std::string& family) { return family == "scene" || family == "blocks"; };
+  if (!a.scene.empty() && std::none_of(a.systems.begin(), a.systems.end(), takes_a_scene))
+    refuse("--scene", "is the scene of --systems=scene and --systems=blocks, and neither is asked for.");
   if (!a.systems.empty()) {
     study_systems(a, comm, say);
     return;

@@ -3,14 +3,15 @@
 
     rank_model.py DIR ... [--latency=2e-6] [--bandwidth=2e9] [--blocks-per-rank=1000] [--blocks=100000] [--memory=4]
 
-Each DIR holds the systems.json of  scaling --systems=blocks  on another number of ranks (1, 2, 4, 8). The formulas stand
-in drivers/ranks.md. Latency [s] and bandwidth [bytes/s of a rank] are those of the network to be predicted, memory is
+Each DIR holds the systems.json of  scaling --systems=blocks  on another number of ranks (1, 2, 4, 8), or of
+scaling --systems=space. The formulas stand in drivers/ranks.md. Latency [s] and bandwidth [bytes/s of a rank] are those of the network to be predicted, memory is
 that of a rank [GB]; times of the processor are those measured in DIR on one rank. Writes DIR[0]/rank_model.csv.
 """
 import csv
 import json
 import math
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 PARTS = ("krylov", "block_motions", "transfer", "continuum")
@@ -22,7 +23,6 @@ HALO_OF_MOTIONS = 2      # exchanges of a solve with block motions: right side a
 MOTIONS_ON_FIRST = 20000  # up to so many they go to the first rank and back (SharedSystemParameters)
 # Of a cycle of levels of block motions: two products with them and a residual on the finest, and on all V_CYCLE.
 FINEST_OF_MOTIONS = 5
-ROWS_OF_A_GROUP = 8.5    # motions of blocks, or of groups, for one of a group of them
 LEAST_MOTIONS = 600      # a level of them moves to fewer ranks below so many per rank (BodyLevelsParameters)
 COARSEST_MOTIONS = 300
 SET_UP_EXCHANGES, SET_UP_SUMS = 36, 91  # of a level of motions that is built, as counted on 2 to 8 ranks
@@ -30,11 +30,22 @@ FIRST_EXCHANGES, FIRST_SUMS = 32, 45    # and once more
 OF_MUELU = 3         # of the exchanges on the finest: the cycles that measure count them as its own
 LANCZOS = 5              # cycles that measure it when it is built
 V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, restriction, prolongation
-SMALL_LEVEL = 2      # from here on there are three sweeps for one, down (the first without an exchange) and up
-MORE_SWEEPS = 4
+MORE_SWEEPS = 4      # where there are three sweeps for one, down (the first without an exchange) and up
 LEAST_ROWS = 2000    # MueLu moves a level to fewer ranks below so many rows per rank
 COARSEST_ROWS = 1000
 NUMBER = 8           # bytes
+
+
+@dataclass(frozen=True)
+class Coarsening:
+    """Rows for one of the next level, of walls."""
+    first: float      # of the continuum: aggregates of nodes
+    further: float    # aggregates of those
+    group: float      # motions of blocks, or of groups, for one of a group of them
+    small_level: int  # of the continuum, from which on there are more sweeps
+
+
+COARSENING = {2: Coarsening(6, 9.5, 8.5, 2), 3: Coarsening(9.3, 7.3, 8.2, 1)}
 
 
 def border(ranks):
@@ -49,11 +60,11 @@ def pairs(ranks):
     return 3 * ranks - 3 - max(2, min(ranks, 4 * math.sqrt(ranks) - 4))
 
 
-def levels(rows, ranks):
-    """Rows and ranks of each level, from the finest: aggregates of 9 nodes, 2 unknowns before and 3 after."""
+def levels(rows, ranks, coarsening):
+    """Rows and ranks of each level, from the finest: in the plane aggregates of 9 nodes, 2 unknowns before and 3 after."""
     result = [(rows, ranks)]
     while result[-1][0] > COARSEST_ROWS:
-        rows = rows / 6 if len(result) == 1 else rows / 9.5
+        rows = rows / (coarsening.first if len(result) == 1 else coarsening.further)
         ranks = max(1, min(ranks, int(rows / LEAST_ROWS)))
         if rows <= COARSEST_ROWS:
             ranks = 1
@@ -61,31 +72,36 @@ def levels(rows, ranks):
     return result
 
 
-def motion_levels(rows, ranks):
+def motion_levels(rows, ranks, coarsening):
     """The same of block motions: groups of blocks, groups of those."""
     result = [(rows, ranks)]
     while result[-1][0] > COARSEST_MOTIONS:
-        rows = rows / ROWS_OF_A_GROUP
+        rows = rows / coarsening.group
         ranks = 1 if rows <= COARSEST_MOTIONS else max(1, min(ranks, int(rows / LEAST_MOTIONS)))
         result.append((rows, ranks))
     return result
+
+
+def coarsening_of(r):
+    return COARSENING[r.get("dimension", 2)]
 
 
 def exchanges_of_motions(level):
     return FINEST_OF_MOTIONS if level == 0 else V_CYCLE
 
 
-def exchanges_of(level):
-    return V_CYCLE + (MORE_SWEEPS if level >= SMALL_LEVEL else 0)
+def exchanges_of(level, coarsening):
+    return V_CYCLE + (MORE_SWEEPS if level >= coarsening.small_level else 0)
 
 
 class Widths:
-    """Unknowns exchanged along a border as long as the wall, per root of all unknowns: fitted on two ranks."""
+    """Unknowns exchanged along a border as long as the wall, per root of all unknowns: fitted on few ranks, best two."""
 
     def __init__(self, rows):
+        # A cycle of levels begins and ends with that of the right side and the solution, which is as wide as of factors.
+        factored, with_levels = [r for r in rows if not has_levels(r)], [r for r in rows if has_levels(r)]
         self.motions = median((per_iteration(r, "block_motions", "total", "bytes") - to_first_and_back(r)[1])
-                              / (motions_halo(r, 1.0)) for r in rows if not has_levels(r))
-        with_levels = [r for r in rows if has_levels(r)]
+                              / motions_halo(r, 1.0) for r in factored) if factored else self.all_of_motions(with_levels)
         self.groups = median((per_iteration(r, "block_motions", "total", "bytes") - motions_halo(r, self.motions)
                               - cycle_of_motions(r, 0)[1]) / (cycle_of_motions(r, 1)[1] - cycle_of_motions(r, 0)[1])
                              for r in with_levels) if with_levels else self.motions
@@ -95,8 +111,14 @@ class Widths:
                             / (v_cycle(r, 1)[1] - v_cycle(r, 0)[1]) for r in rows)
 
     @staticmethod
+    def all_of_motions(rows):
+        """Where none are factored: one width for what goes to neighbours before, in and after a cycle."""
+        return median((per_iteration(r, "block_motions", "total", "bytes") - cycle_of_motions(r, 0)[1])
+                      / (motions_halo(r, 1.0) + cycle_of_motions(r, 1)[1] - cycle_of_motions(r, 0)[1]) for r in rows)
+
+    @staticmethod
     def width(r, part, times, unknowns):
-        return per_iteration(r, part, "total", "bytes") / times / NUMBER / border(2) / math.sqrt(unknowns)
+        return per_iteration(r, part, "total", "bytes") / times / NUMBER / border(r["ranks"]) / math.sqrt(unknowns)
 
 
 def median(values):
@@ -133,14 +155,15 @@ def motions_halo(r, width):
 
 
 def v_cycle(r, width):
-    return sent_in_cycle(levels(continuum_rows(r), r["ranks"]), exchanges_of, width)
+    coarsening = coarsening_of(r)
+    return sent_in_cycle(levels(continuum_rows(r), r["ranks"], coarsening), lambda level: exchanges_of(level, coarsening), width)
 
 
 def cycle_of_motions(r, width):
     """In one iteration, where levels stand for the solution."""
     if not has_levels(r):
         return 0, 0
-    found = motion_levels(r["coarse_unknowns"], r["ranks"])
+    found = motion_levels(r["coarse_unknowns"], r["ranks"], coarsening_of(r))
     solved = sent_in_cycle(found, exchanges_of_motions, width)
     measured_by = sent_in_cycle(found, lambda level: OF_MUELU if level == 0 else V_CYCLE, width)
     return tuple(MOTIONS * a + LANCZOS / (r["iterations"] + 1) * b for a, b in zip(solved, measured_by))
@@ -236,10 +259,11 @@ def seconds(blocks, ranks, machine, widths, iterations):
 
     halo = exchanges(PRODUCTS, widths.product) + exchanges(TRANSFERS, widths.transfer)
     share = continuum_rows(alone) / alone["unknowns"]
-    multigrid, found = 0.0, levels(unknowns * share, ranks)
+    coarsening = coarsening_of(alone)
+    multigrid, found = 0.0, levels(unknowns * share, ranks, coarsening)
     for j, (rows, on) in enumerate(found):
         if on > 1:
-            multigrid += exchanges_of(j) * machine.exchange(2 * pairs(on) / on,
+            multigrid += exchanges_of(j, coarsening) * machine.exchange(2 * pairs(on) / on,
                                                             NUMBER * widths.level * border(on) / on * math.sqrt(rows))
         if j > 0:  # coarse levels are not divided as far; a row costs an eighth of one of H with its blocks
             multigrid += machine.iteration / 8 * max(0.0, rows / on - rows / ranks)
@@ -265,7 +289,7 @@ def block_motions(coarse, ranks, machine, widths, applied):
         there_and_back = 2 * machine.exchange(ranks - 1, NUMBER * coarse * (1 - 1 / ranks)) if ranks > 1 else 0.0
         return (applied * MOTIONS * there_and_back,
                 applied * MOTIONS * machine.coarse_solve * coarse * math.log2(coarse) + machine.factor * coarse ** 1.5)
-    found = motion_levels(coarse, ranks)
+    found = motion_levels(coarse, ranks, coarsening_of(machine.alone))
     sent, built, rows_done = 0.0, FIRST_SUMS * machine.sum(ranks, NUMBER), coarse / ranks
     for j, (rows, on) in enumerate(found):
         if on > 1:
@@ -350,7 +374,10 @@ def main(words):
     if not folders:
         sys.exit(__doc__)
     rows = [r for folder in folders for r in json.loads((folder / "systems.json").read_text(encoding="utf-8"))
-            if r["family"] == "blocks"]
+            if r["family"] in ("blocks", "space")]
+    if len({r.get("dimension", 2) for r in rows}) > 1:
+        sys.exit("rank_model.py: the folders hold walls of the plane and in space, which are not one family.\n"
+                 "  Give folders of --systems=blocks, or of --systems=space.")
     two = [r for r in rows if r["ranks"] == 2 and r["level_rows"]]
     if not two or not any(r["ranks"] == 1 for r in rows):
         sys.exit("rank_model.py: the folders must hold runs on 1 and on 2 ranks, of walls of at least 16 courses.\n"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "linalg/reduce.hpp"
+#include "linalg/seconds_in_mpi.hpp"
 
 namespace voussoir {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 TrafficByKind counts;
 TrafficOf now = TrafficOf::else_where;
 bool counted = false;
+double inside_mpi = 0;  // s of the processor
 
 Traffic over_ranks(const Traffic& mine, const Teuchos::Comm<int>& comm, Teuchos::EReductionType how) {
   const std::array<long long, 4> here{mine.messages, mine.bytes, mine.collectives, mine.collective_bytes};
@@ -72,6 +74,10 @@ Traffic traffic_of_solves(const TrafficByKind& mine, const Teuchos::Comm<int>& c
 TrafficScope::TrafficScope(TrafficOf what) : before_(now) { now = what; }
 
 TrafficScope::~TrafficScope() { now = before_; }
+
+double seconds_in_mpi() { return inside_mpi; }
+
+void add_seconds_in_mpi(double seconds) { inside_mpi += seconds; }
 
 Traffic& traffic_of_now() { return counts[static_cast<int>(now)]; }
 

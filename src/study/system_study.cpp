@@ -98,6 +98,7 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
                            {"contrast", r.given.contrast},
                            {"open", r.given.open},
                            {"spread", r.given.spread},
+                           {"dimension", r.dimension},
                            {"ranks", r.ranks},
                            {"blocks", r.blocks},
                            {"unknowns", r.unknowns},
@@ -107,7 +108,9 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
                            {"iterations", r.iterations},
                            {"residual", r.residual},
                            {"setup_s", r.setup_seconds},
-                           {"solve_s", r.solve_seconds},
+                           {"solve_s", r.solve.processor},
+                           {"solve_clock_s", r.solve.clock},
+                           {"solve_work_s", r.solve.work},
                            {"motions_factor_s", r.motions_factor_seconds},
                            {"motions_solve_s", r.motions_solve_seconds},
                            {"levels_build_s", r.levels_build_seconds},
@@ -115,9 +118,11 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
                            {"edge_cut", r.partition.cut},
                            {"unknowns_imbalance", r.partition.imbalance},
                            {"points_imbalance", r.points_imbalance},
+                           {"seconds_imbalance", r.solve.mean_work > 0 ? r.solve.work / r.solve.mean_work : 1.0},
                            {"neighbours", r.partition.neighbours},
                            {"mean_neighbours", r.partition.mean_neighbours},
                            {"motions_bytes", r.motions_bytes},
+                           {"bare_memory_MB", r.bare_memory_MB},
                            {"peak_memory_MB", r.peak_memory_MB}};
   add_levels("level", r.levels, e);
   add_levels("motion_level", r.motion_levels, e);
@@ -205,11 +210,11 @@ void time_solution(WholeSystem<dim>& system, const std::vector<PointStiffness>& 
   const auto& comm = *system.model.structure().comm();
   const auto b = system.right_side();
   const auto d = Teuchos::rcp(new TpetraVector(problem.map()));
+  const ClockOfRanks clock(comm);
   const auto before = traffic_so_far();
-  const ProcessorClock clock(comm);
   row.iterations = problem.solve(stiffness, 1.0, b, d, {tolerance}).iterations;  // the residual below says how far
   const auto since = traffic_since(before);
-  row.solve_seconds = clock.seconds();
+  row.solve = clock.seconds();
   for (int k = 0; k < traffic_kinds; ++k) {
     row.total[k] = total_traffic(since[k], comm);
     row.largest[k] = largest_traffic(since[k], comm);
@@ -220,11 +225,17 @@ void time_solution(WholeSystem<dim>& system, const std::vector<PointStiffness>& 
   row.residual = product->norm2() / b->norm2();
 }
 
+/// Of the rank with most, so far.
+double largest_memory_MB(const Teuchos::Comm<int>& comm) {
+  const auto memory = peak_memory_per_rank(comm);
+  return *std::max_element(memory.begin(), memory.end());
+}
+
 }  // namespace
 
 SystemStudy::SystemStudy(const std::string& folder, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                          std::ostream& say)
-    : folder_(folder), comm_(comm), say_(say) {
+    : folder_(folder), comm_(comm), say_(say), bare_memory_MB_(largest_memory_MB(*comm)) {
   say_ << "family    size  contrast  open  spread  ranks    blocks   unknowns  iterations  set-up  solve [s]  "
           "messages  kB  collectives (an iteration, busiest rank)\n";
 }
@@ -250,6 +261,7 @@ void SystemStudy::add_in(const SystemCase& given, Scene& scene) {
   row.setup_seconds = setup.seconds();
   time_solution(system, stiffness, row);
   const auto& problem = *system.problem;
+  row.dimension = dim;
   row.ranks = comm_->getSize();
   row.blocks = source->block_count();
   row.unknowns = static_cast<long long>(problem.map()->getGlobalNumElements());
@@ -260,10 +272,10 @@ void SystemStudy::add_in(const SystemCase& given, Scene& scene) {
   row.motions_bytes = static_cast<long long>(largest_over_ranks(*comm_, double(problem.cost().motion_bytes)));
   row.partition = partition_quality(system.model);
   row.points_imbalance = imbalance_of_selected(system.model, system.state);
-  time_motions(problem, system.model, system.state, stiffness, row);
   row.levels = system.model.continuum().levels();
-  const auto memory = peak_memory_per_rank(*comm_);
-  row.peak_memory_MB = *std::max_element(memory.begin(), memory.end());
+  row.bare_memory_MB = bare_memory_MB_;
+  row.peak_memory_MB = largest_memory_MB(*comm_);
+  if (row.ranks == 1) time_motions(problem, system.model, system.state, stiffness, row);
   rows_.push_back(row);
   say(row);
   write();
@@ -277,7 +289,7 @@ void SystemStudy::say(const SystemRow& r) const {
   line << std::setprecision(3) << std::left << std::setw(8) << r.given.family << std::right << std::setw(6)
        << r.given.size << std::setw(10) << r.given.contrast << std::setw(6) << r.given.open << std::setw(8)
        << r.given.spread << std::setw(7) << r.ranks << std::setw(10) << r.blocks << std::setw(11) << r.unknowns
-       << std::setw(12) << r.iterations << std::setw(8) << r.setup_seconds << std::setw(11) << r.solve_seconds
+       << std::setw(12) << r.iterations << std::setw(8) << r.setup_seconds << std::setw(11) << r.solve.processor
        << std::setw(10) << static_cast<double>(sum.messages) / n << std::setw(6)
        << static_cast<double>(sum.bytes) / n / 1e3 << std::setw(8) << static_cast<double>(sum.collectives) / n
        << (r.residual < 2 * tolerance ? "" : "  not converged");

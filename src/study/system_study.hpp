@@ -16,6 +16,7 @@
 #include "linalg/traffic.hpp"
 #include "mesh/partition_quality.hpp"
 #include "scene/scene.hpp"
+#include "study/processor_clock.hpp"
 
 namespace voussoir {
 
@@ -29,21 +30,23 @@ struct SystemCase {
 
 struct SystemRow {
   SystemCase given;
-  int ranks = 1;
+  int dimension = 2, ranks = 1;
   long long blocks = 0, unknowns = 0, candidate_points = 0, entries = 0, coarse_unknowns = 0;
   int iterations = 0;
-  double residual = 0;                          ///< [-] of the solution, relative to the right-hand side
-  double setup_seconds = 0, solve_seconds = 0;  ///< of the processor, slowest rank
-  /// Of block motions: one factorisation, and one solution; or one construction of levels, and one cycle.
+  double residual = 0;       ///< [-] of the solution, relative to the right-hand side
+  double setup_seconds = 0;  ///< of the processor, slowest rank
+  SecondsOfRanks solve;
+  /// Of block motions, on one rank: one factorisation, and one solution.
   double motions_factor_seconds = 0, motions_solve_seconds = 0;
-  /// Of levels of block motions, also where they are factored: one construction, and one cycle.
+  /// Of levels of block motions, which several ranks may have in their place: one construction, and one cycle.
   double levels_build_seconds = 0, levels_cycle_seconds = 0;
   PartitionQuality partition;
   double points_imbalance = 1;                        ///< [-] selected points
   std::vector<MultigridLevel> levels, motion_levels;  ///< of the continuum, and of block motions where they have some
   std::array<Traffic, traffic_kinds> total, largest;  ///< over ranks, of this solve
   long long motions_bytes = 0;                        ///< of the rank with most
-  double peak_memory_MB = 0;                          ///< of the process so far, likewise
+  double bare_memory_MB = 0;                          ///< of the process before its first system, likewise
+  double peak_memory_MB = 0;                          ///< of the process up to the end of the solve, likewise
 };
 
 class SystemStudy {
@@ -64,6 +67,7 @@ class SystemStudy {
   std::string folder_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   std::ostream& say_;
+  double bare_memory_MB_;
   std::vector<SystemRow> rows_;
 };
 

@@ -4,7 +4,7 @@ import re
 
 import house
 
-COMMANDS = ("drivers/run", "drivers/sweep", "tests/run", "build/release/drivers/voussoir")
+COMMANDS = ("drivers/run", "drivers/sweep", "drivers/scaling", "tests/run", "build/release/drivers/voussoir")
 COMMAND = re.compile(r"(?<![\w./-])(?:" + "|".join(map(re.escape, COMMANDS)) + r")(?![\w/-])")
 OPTION = re.compile(r"(?<!\S)--[a-z][a-z-]*")
 
@@ -50,7 +50,9 @@ def known_options():
     voussoir = set(OPTION.findall(house.read("drivers/voussoir.cpp").replace('"', " ").replace("=", " ")))
     run = set(OPTION.findall(house.read("drivers/run").replace("=", " ").replace("|", " ")))
     sweep = set(OPTION.findall(house.read("python/voussoir/sweep_command.py").replace('"', " ")))
-    return {"build/release/drivers/voussoir": voussoir, "drivers/run": run | voussoir, "drivers/sweep": sweep}
+    scaling = set(OPTION.findall(house.read("drivers/scaling").replace('"', " ").replace("=", " ").replace(",", " ")))
+    return {"build/release/drivers/voussoir": voussoir, "drivers/run": run | voussoir, "drivers/sweep": sweep,
+            "drivers/scaling": scaling}
 
 
 if __name__ == "__main__":
