@@ -85,6 +85,8 @@ void declare(CommandLine& line, Arguments& a) {
         a.at_most = *seconds;
       },
       "end in so much time (90s, 5min, 2h) with what is known by then, ready to go on");
+  line.add("--fclib", "FILE.hdf5", a.run.fclib,
+           "write contact problems that were hard in the format of the FCLib collection: FILE-0001.hdf5, ...");
   line.add_flag("--print-parameters", "json", a.parameters,
                 "print every parameter with unit, default and range, as a scene or for programs");
   line.add_flag("--print-internals", a.internals,
@@ -103,6 +105,11 @@ void check(const Arguments& a) {
     throw InputError(
         "voussoir: --limit-analysis\n  has nothing to go on from: it asks what the scene draws.\n  "
         "Leave --restart out.");
+  if (a.run.limit_analysis && !a.run.fclib.empty())
+    throw InputError(
+        "voussoir: --limit-analysis and --fclib\n  contradict each other: limit analysis solves linear programmes and "
+        "no "
+        "contact problem.\n  Leave one of them out.");
   if (a.run.restart && !a.run.restart_from.empty())
     throw InputError(
         "voussoir: --restart and --restart-from\n  contradict each other: one goes on in the folder of the "

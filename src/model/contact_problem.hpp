@@ -52,6 +52,7 @@ class ContactProblem : public NonlinearProblem {
   /// 1 where a point is selected, as it was made for.
   const std::vector<char>& selection() const { return selection_; }
 
+  const Parts& parts() const { return parts_; }
   const MergedSpace& space() const { return *space_; }
   /// Unknowns from a displacement, held ones at their prescribed values.
   Teuchos::RCP<TpetraVector> unknowns(const std::vector<double>& displacement) const;

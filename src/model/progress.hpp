@@ -9,9 +9,22 @@
 #include <list>
 #include <utility>
 
+#include "linalg/types.hpp"
 #include "nonlinear/newton_report.hpp"
+#include "nonlinear/point_field.hpp"
 
 namespace voussoir {
+
+class ContactProblem;
+
+/// A contact problem that was hard (newton_report.hpp), and how its solver has left it.
+struct HardProblem {
+  ContactProblem& problem;
+  const TpetraVector& x;     ///< [m] its unknowns
+  const PointField& lambda;  ///< [N] forces of points
+  const NewtonReport& report;
+  int linear_solves;  ///< that it took
+};
 
 class Progress {
  public:
@@ -22,6 +35,8 @@ class Progress {
   std::function<void(const NewtonProgress&)> print;
   /// The error estimate is NaN where it was not computed.
   std::function<void(int round, long long selected, double error_estimate)> print_round;
+  /// Whoever keeps contact problems that were hard; mostly nobody. Collective.
+  std::function<void(const HardProblem&)> keep;
 
   /// Asked after every linear solve whether the step goes on, as long as this lives.
   class Question {

@@ -155,6 +155,7 @@ void ContactSolver::go_the_ways(const Iterate& at, ContactRequest request, Newto
       return report.fail("pseudo-time is switched off, and nothing else has closed the contact conditions");
     const int left = std::max(1, parameters_.largest_iterations - report.newton_iterations);
     const bool last = !has_path || left <= most;
+    report.hard = true;
     in_pseudo_time(at, request, last ? left : most, report);
     if (report.stopped || report.outcome != NewtonOutcome::not_converged || report.no_way_on || last) return;
     request.known_gap = nullptr;
@@ -303,6 +304,7 @@ NewtonReport ContactSolver::solve(const Iterate& at, const ContactRequest& reque
       fast_ = {};
     } else if (!report.stopped) {
       if (fast) fast_.offered = end == ActiveSetEnd::circled;
+      report.hard = methods_.solver.active_sets && !parameters_.time_follows;
       if (problem_.softening() && request.strength == StrengthIs::falling)
         wear_down(at, request, report);
       else

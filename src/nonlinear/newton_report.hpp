@@ -48,6 +48,9 @@ struct NewtonReport {
   std::string failure;         ///< what the last of the failed linear solves said
   bool no_way_on = false;      ///< it stopped because a library refused a system
   bool stopped = false;        ///< no more linear solves are wanted: every method ends where it is
+  /// The way that comes first did not close the contact conditions, or was left out since it has failed of late. Of
+  /// this solve alone.
+  bool hard = false;
 
   /// One more linear solve.
   void count(const LinearSolveResult& solve) {

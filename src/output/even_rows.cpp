@@ -112,6 +112,29 @@ std::vector<T> EvenRows::scatter(const std::vector<T>& even_values, int columns)
   return mine;
 }
 
+long long sum_before(long long mine, MPI_Comm comm) {
+  long long up_to_here = 0;
+  MPI_Scan(&mine, &up_to_here, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  return up_to_here - mine;
+}
+
+std::vector<long long> numbered_without_gaps(const std::vector<long long>& ids, long long rows, MPI_Comm comm,
+                                             long long& count) {
+  const EvenRows even(ids, rows, comm);
+  const auto named = even.gather(std::vector<int>(ids.size(), 1), 1);
+  std::vector<long long> number(named.size());
+  long long next = sum_before(std::count(named.begin(), named.end(), 1), comm);
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    number[k] = next;
+    next += named[k];
+  }
+  int ranks = 1;
+  MPI_Comm_size(comm, &ranks);
+  count = next;
+  MPI_Bcast(&count, 1, MPI_LONG_LONG, ranks - 1, comm);
+  return even.scatter(number, 1);
+}
+
 template std::vector<double> EvenRows::gather(const std::vector<double>&, int) const;
 template std::vector<int> EvenRows::gather(const std::vector<int>&, int) const;
 template std::vector<long long> EvenRows::gather(const std::vector<long long>&, int) const;

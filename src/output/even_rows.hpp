@@ -37,4 +37,14 @@ class EvenRows {
   std::vector<long long> named_;                ///< these rows, by rank
 };
 
+/// Numbers 0, 1, 2, ... of those rows that some rank names, in their order and without gaps. Collective.
+/// @param ids   rows of this rank, as above; every row has one owner at most
+/// @param count  how many there are on all ranks
+/// @return of the rows of this rank, ascending
+std::vector<long long> numbered_without_gaps(const std::vector<long long>& ids, long long rows, MPI_Comm comm,
+                                             long long& count);
+
+/// Sum of the numbers of the ranks before this one. Collective.
+long long sum_before(long long mine, MPI_Comm comm);
+
 }  // namespace voussoir

@@ -14,6 +14,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/mpi_handle.hpp"
 #include "output/even_rows.hpp"
 #include "output/safe_file.hpp"
 
@@ -81,17 +82,12 @@ const Teuchos::MpiComm<int>* with_mpi(const Teuchos::Comm<int>& comm) {
   return dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
 }
 
-MPI_Comm raw(const Teuchos::Comm<int>& comm) {
-  const auto* mpi = with_mpi(comm);
-  return mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
-}
-
 }  // namespace
 
 class Hdf5File::Impl {
  public:
   Impl(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> teuchos_comm, Mode open_mode)
-      : name(std::move(path)), mode(open_mode), comm(std::move(teuchos_comm)), mpi(raw(*comm)) {
+      : name(std::move(path)), mode(open_mode), comm(std::move(teuchos_comm)), mpi(mpi_handle(*comm)) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not pages on the screen
     on_first_rank(*comm, [this] { try_to_open(); });
     Handle access = access_to_file();

@@ -300,6 +300,16 @@ Attempting Run::attempting() {
   return {model_, appraisal_, step_, construction_, steps_, state_, load_, *recorder_, *narrator_, range_};
 }
 
+std::string Run::now() const {
+  if (steps_.finished()) return at_factor("load factor", load_factor_->search().next().value_or(0));
+  return steps_.dynamic() ? at_time(steps_.stage(), steps_.time(steps_.target()))
+                          : at_factor(steps_.stage(), steps_.target());
+}
+
+void Run::keep_hard_problems(HardProblems& kept) {
+  progress_.keep = [this, &kept](const HardProblem& hard) { narrator_->say(kept.keep(hard, now())); };
+}
+
 bool Run::writes() const { return steps_.finished() || (recorder_->summary().steps + 1) % output_.every == 0; }
 
 bool Run::in_range(const StepEnd& end, const ContactState& before) {

@@ -17,6 +17,7 @@
 #include "results/narrator.hpp"
 #include "results/recorder.hpp"
 #include "run/appraisal.hpp"
+#include "run/hard_problems.hpp"
 #include "run/load_factor_analysis.hpp"
 #include "run/saved_run.hpp"
 #include "run/settling_in_time.hpp"
@@ -49,6 +50,8 @@ class Run {
 
   /// What joints and supports carry in the last equilibrium; nothing of a run that ends in time, or found none.
   void write_joints(const std::string& folder);
+  /// Writes contact problems that are hard, from here on; must live as long as this.
+  void keep_hard_problems(HardProblems&);
   /// What nobody wants to go on with is removed.
   void end();
   /// How evenly ranks share what is there now.
@@ -95,6 +98,9 @@ class Run {
   Attempting attempting();
 
   bool writes() const;
+
+  /// What is being computed, such as "stage 'push', load factor 1".
+  std::string now() const;
 
   /// False when a step that was solved is beyond what the model can tell; then the run ends in the state before it.
   bool in_range(const StepEnd& end, const ContactState& before);

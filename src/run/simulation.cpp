@@ -37,8 +37,16 @@ void say_sizes(const Model& model, std::ostream& say) {
   for (const auto& remark : model.loads_at_work().remarks()) say << remark << "\n";
 }
 
+std::unique_ptr<HardProblems> hard_problems_of(const Scene& scene, const RunOptions& options, const Comm& comm) {
+  if (options.fclib.empty()) return nullptr;
+  return std::make_unique<HardProblems>(options.fclib, scene, options.restart, comm);
+}
+
 /// All steps, then what is told at the end, and of a run that was stopped what is known by then.
-RunSummary run_to_the_end(Run& run, const Scene& scene, const Model& model, const std::string& folder) {
+/// @param hard  where contact problems that were hard are kept; null where they are not
+RunSummary run_to_the_end(Run& run, const Scene& scene, const Model& model, const std::string& folder,
+                          HardProblems* hard, std::ostream& say) {
+  if (hard) run.keep_hard_problems(*hard);
   const bool stopped = run.all_steps().outcome == Outcome::interrupted;
   run.write_joints(folder);
   auto summary = run.result();
@@ -49,6 +57,7 @@ RunSummary run_to_the_end(Run& run, const Scene& scene, const Model& model, cons
   summary.peak_memory = peak_memory_per_rank(comm);
   write_result_json(folder + "/" + (stopped ? interrupted_file : result_file), summary, comm);
   if (!stopped) run.end();
+  if (hard) say << hard->told() << "\n";
   return summary;
 }
 
@@ -60,6 +69,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   const auto blocks = blocks_of(scene, comm, options.trust);
   for (const auto& line : blocks->report()) say << "  " << line << "\n";
   if (const auto seen = only_looked_at(scene, options, *blocks, comm, say)) return *seen;
+  const auto hard = hard_problems_of(scene, options, comm);
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
   std::optional<BranchedFolder> branched;
   if (!options.restart_from.empty()) branched.emplace(options.restart_from, options.folder, *comm);
@@ -81,7 +91,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   }
   for (const auto& warning : input_warnings(scene, model)) run.warn(warning);
   if (goes_on) write_scene_file(scene, options.folder, *comm);
-  return run_to_the_end(run, scene, model, options.folder);
+  return run_to_the_end(run, scene, model, options.folder, hard.get(), say);
 }
 
 }  // namespace voussoir

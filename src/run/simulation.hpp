@@ -20,6 +20,7 @@ struct RunOptions {
   bool validate = false;        ///< check the scene and its mesh, then stop
   bool dry_run = false;         ///< also count unknowns and predict the cost, then stop
   bool limit_analysis = false;  ///< ask rigid limit analysis alone
+  std::string fclib;            ///< where contact problems that were hard go, as files of FCLib; empty: nowhere
   bool verbose = false;         ///< a line for every linear solve
   Trust trust = Trust::no;      ///< whether a .geo may run programs, and read and write files
 };

@@ -184,7 +184,9 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
   const auto x = problem.unknowns(state_.displacement);
   {
     Phase phase("contact");
-    report_.newton.add(newton.solve({*x, state_.lambda, damage_}, {next_.wanted, strength_, known_gap}));
+    const auto solved = newton.solve({*x, state_.lambda, damage_}, {next_.wanted, strength_, known_gap});
+    report_.newton.add(solved);
+    keep_if_hard(problem, *x, solved);
   }
   report_.cost.add(problem.cost());
   problem.displacement(*x, state_.displacement);
@@ -199,6 +201,18 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
   ties_seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;
+}
+
+/// A problem that was hard is kept where it is solved or given up: not as a rough solution, nor where it was stopped.
+void SelectionLoop::keep_if_hard(ContactProblem& problem, const TpetraVector& x, const NewtonReport& solved) {
+  if (!progress_.keep) return;
+  if (std::exchange(hardness_.selected, selected()) != hardness_.selected) hardness_ = {hardness_.selected};
+  hardness_.hard = hardness_.hard || solved.hard;
+  hardness_.solves += solved.newton_iterations;
+  const bool rough = solved.outcome == NewtonOutcome::converged && next_.wanted > tolerance_;
+  if (!hardness_.hard || rough || solved.outcome == NewtonOutcome::stopped) return;
+  progress_.keep({problem, x, state_.lambda, solved, hardness_.solves});
+  hardness_ = {};
 }
 
 /// The forces of tied points. In time ties hold what has moved where it is: their forces go on from what they were.

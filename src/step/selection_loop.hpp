@@ -87,6 +87,7 @@ class SelectionLoop {
   void keep_damage(const ContactProblem&);
   bool look();
   bool find_equilibrium(const PointField* known_gap);
+  void keep_if_hard(ContactProblem&, const TpetraVector& x, const NewtonReport&);
   void recover_ties();
   bool resolve_all();
   void find_violations();
@@ -130,6 +131,12 @@ class SelectionLoop {
   TiesSeen ties_seen_;
   StepReport report_;
   std::vector<double> mechanism_;
+  /// What the solver came to with one selection, where somebody keeps what is hard.
+  struct Hardness {
+    long long selected = -1;
+    bool hard = false;
+    int solves = 0;
+  } hardness_;
 };
 
 }  // namespace voussoir
