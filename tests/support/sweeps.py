@@ -77,8 +77,8 @@ class SweepTest(program.SceneTest):
     def command(self, scene, *options, out="sweep"):
         return [*COMMAND, str(scene), "--out", str(self.folder / out), *options]
 
-    def sweep(self, scene, *options, out="sweep", **more):
-        return subprocess.run(self.command(scene, *options, out=out), capture_output=True, text=True, check=False, timeout=300,
+    def sweep(self, scene, *options, out="sweep", seconds=300, **more):
+        return subprocess.run(self.command(scene, *options, out=out), capture_output=True, text=True, check=False, timeout=seconds,
                               env=environment(**more))
 
     def begin(self, scene, *options, out="sweep"):
