@@ -6,8 +6,9 @@
     scene["mesh"] = stones.write("wall.geo", element_size=0.1)
 
 In the plane that is a file of gmsh in which neighbours share the line between them: corners nearer than `snap` become
-one, and an edge on which a corner of another stone lies is divided there. In space it is an OBJ in which every object is
-a stone; the program finds the joints. Whether stones overlap, or gape more than was snapped, is judged by the program.
+one, and an edge on which a corner of another stone lies is divided there; or a CSV of the corners as they are, which
+the program fits together with the same `snap` and meshes by quadrilaterals where stones are. In space it is an OBJ in which
+every object is a stone; the program finds the joints. Whether stones overlap, or gape more than was snapped, is judged by the program.
 """
 
 import pathlib
@@ -36,7 +37,7 @@ class Stones:
         """@param snap  [m] corners nearer to each other than this are one"""
         self.snap = float(snap)
         self.outlines, self.boxes, self.names, self.sets, self.edge_sets = [], [], [], {}, {}
-        self.moved = 0.0  # [m] the farthest that a corner or an edge was moved; known once the drawing is written
+        self.moved = 0.0  # [m] the farthest that a corner or an edge was moved; known once a .geo is written
 
     def _add(self, name, sets):
         name = name or f"stone {len(self.names)}"
@@ -83,17 +84,21 @@ class Stones:
     def write(self, path, element_size=0, **options):
         """Writes the drawing; the section `mesh` of a scene, which names it.
 
+        @param path  .geo or .csv of stones in the plane, .obj in space. A CSV has one set a stone, and of edges those that
+                     every drawing has: base, top, left, right, faces
         @param options  further keys of `mesh > gmsh` or `mesh > stones`, such as cells="quadrilateral"
         """
         path = pathlib.Path(path).resolve()
         plane = bool(self.outlines)
         if not self.names:
             raise InputError(f"{path}: stones\n  are missing: none has been added.")
-        if plane != (path.suffix == ".geo") or (not plane and path.suffix != ".obj"):
-            raise InputError(f"{path}\n  must end in .geo for stones in the plane, in .obj for stones in space.")
-        write_atomically(path, self._geo() if plane else self._obj())
-        kind = "gmsh" if plane else "stones"
-        return {"type": kind, kind: {"file": str(path), **({"element size": float(element_size)} if element_size else {}),
+        write = {".geo": self._geo, ".csv": self._csv} if plane else {".obj": self._obj}
+        if path.suffix not in write:
+            raise InputError(f"{path}\n  must end in .geo or .csv for stones in the plane, in .obj for stones in space.")
+        write_atomically(path, write[path.suffix]())
+        kind = "gmsh" if path.suffix == ".geo" else "stones"
+        snapped = {"snap": self.snap} if path.suffix == ".csv" else {}
+        return {"type": kind, kind: {"file": str(path), **({"element size": float(element_size)} if element_size else {}), **snapped,
                                      **{key.replace("_", " "): value for key, value in options.items()}}}
 
     # In the plane.
@@ -144,6 +149,25 @@ class Stones:
                 raise InputError(f"edges {name}\n  are none: no edge has both its ends where they are asked for.")
             text.append(f'Physical Curve("{name}") = {{{", ".join(map(str, chosen))}}};')
         return "\n".join(text) + "\n"
+
+    def _csv(self):
+        if self.edge_sets:
+            raise InputError(f"edges {next(iter(self.edge_sets))}\n  have no place in a .csv.\n  Use base, top, left, right or faces, "
+                             "which every drawing has, or write a .geo.")
+        set_of = {}
+        for which, names in self.sets.items():
+            for name in names:
+                if name in set_of:
+                    raise InputError(f"stone {name}\n  is in the sets {set_of[name]} and {which}, and a .csv has one a stone.\n  "
+                                     "Give it one, or write a .geo.")
+                set_of[name] = which
+        for word in (*self.names, *self.sets):
+            if set(word) & set(',;\t"\n\r') or word != word.strip():
+                raise InputError(f"{word!r}\n  cannot be a name in a .csv: it has a comma, a quote or a blank at its end.\n  Rename it.")
+        rows = [f"{name},{x!r},{y!r},{set_of.get(name, '')}" for name, outline in zip(self.names, self.outlines)
+                for x, y in outline.tolist()]
+        self.moved = 0.0  # the program tells what it moves
+        return "\n".join(["stone,x,y,set", *rows]) + "\n"
 
     # In space.
 

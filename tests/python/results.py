@@ -135,6 +135,33 @@ class Drawings(sweeps.SweepTest):
         self.assertAlmostEqual(sum(lintel) / (WEIGHT * 1.6 * 0.3), 1, delta=0.002)
         self.assertAlmostEqual(lintel[0] / lintel[1], 1, delta=0.02)
 
+    def test_corners_as_they_are_are_fitted_together_by_the_program(self):
+        drawn = stones.Stones(snap=0.003)
+        drawn.rectangle(0, 0, 2, 0.2, "slab", "lower")
+        drawn.polygon([(0.2, 0.2), (0.7, 0.201), (0.7, 0.7), (0.2, 0.7)], "left", "jambs")
+        drawn.polygon([(1.301, 0.2), (1.8, 0.2), (1.8, 0.7), (1.3, 0.699)], "right", "jambs")
+        drawn.polygon([(0.2, 0.7), (1.8, 0.7), (1.8, 1), (0.2, 1)], "lintel")
+        scene = posed(drawn.write(self.folder / "door.csv", element_size=0.1), {"on": "base", "blocks": "lower"})
+        self.assertIn("snap 0.003 m", scene.validate())
+        result = scene.run(out=self.folder / "out")
+        self.assertEqual(result.outcome, "equilibrium")
+        self.assertEqual(len(result.joints.pairs), 4)
+        self.assertEqual(result.mesh.sets["jambs"].tolist(), [1, 2])
+        lintel = [force[1] for (i, j), force in zip(result.joints.pairs.tolist(), result.steps[-1].joint_forces) if j == 3]
+        self.assertAlmostEqual(sum(lintel) / (WEIGHT * 1.6 * 0.3), 1, delta=0.002)
+
+    def test_what_a_table_of_corners_cannot_hold_is_refused(self):
+        two = stones.Stones()
+        two.rectangle(0, 0, 1, 1, "a", ["one", "other"])
+        held = stones.Stones()
+        held.rectangle(0, 0, 1, 1, "a")
+        held.edges("ground", lambda x, y: y < 0.01)
+        named = stones.Stones()
+        named.rectangle(0, 0, 1, 1, "a, b")
+        for drawn, words in ((two, "in the sets one and other"), (held, "edges ground"), (named, "cannot be a name")):
+            with self.assertRaisesRegex(voussoir.InputError, words):
+                drawn.write(self.folder / "a.csv")
+
     def test_what_is_no_stone_is_refused(self):
         drawn = stones.Stones()
         drawn.rectangle(0, 0, 1, 1, "a")
