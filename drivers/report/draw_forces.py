@@ -3,7 +3,8 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-from draw_common import GREY, RED, STONE, dot_entry, draw_lines, drawing, in_both_widths, legend, limits, line_entry, outline_width, save
+from draw_common import (GREY, PAPER, RED, STONE, dot_entry, draw_lines, drawing, in_both_widths, legend, limits, line_entry, outline_width,
+                         save)
 from geometry import force_text, round_number
 from chains import joint_points
 from statics import chain_resultants, resultant, thrust_line
@@ -38,7 +39,10 @@ def draw_stress(mesh, joints, edges, step, chains, folder):
     height = min(place.height, 4.0 / figure.get_size_inches()[1])
     bar = figure.colorbar(axes.collections[0], extend="max",
                           cax=figure.add_axes([place.x1 + 0.015, place.y0 + (place.height - height) / 2, 0.014, height]))
-    bar.set_label("compression [MPa]")
+    if PAPER.is_narrow:
+        bar.ax.set_title("MPa", fontsize=9)  # the caption says of what
+    else:
+        bar.set_label("compression [MPa]")
     bar.outline.set_visible(False)
     largest = draw_resultants(figure, axes, joints, step, chains)
     return save(figure, folder, "stress"), top, largest

@@ -122,8 +122,10 @@ def size_text(force):
 class Words:
     """Labels that make way for those that were there before."""
 
-    def __init__(self, figure, axes):
+    def __init__(self, figure, axes, stones):
+        """@param stones  [n, 2] m, places that words leave free where there is room beside them"""
         self.figure, self.axes = figure, axes
+        self.stones = axes.transData.transform(stones)
         bar = axes.get_window_extent(figure.canvas.get_renderer())  # the scale bar stands at its lower left corner
         self.taken = [Bbox.from_extents(bar.x0, bar.y0 - 14, bar.x0 + 0.35 * bar.width, bar.y0 + 8)]
 
@@ -140,13 +142,18 @@ class Words:
         if over:  # on the paper first, and not on its own arrow
             x, y = label.get_position()
             label.set_position((x + over, y + (14 if shift[1] == 0 else 0)))
-        for _ in range(MOST_MOVES):
-            box = label.get_window_extent(renderer)
-            if not any(box.overlaps(other) for other in self.taken):
-                break
-            x, y = label.get_position()
-            label.set_position((x, y + 4 * step))
+        x, y = label.get_position()
+        for off_stones in (True, False):
+            for k in range(MOST_MOVES):
+                label.set_position((x, y + 4 * step * k))
+                box = label.get_window_extent(renderer)
+                if not any(box.overlaps(other) for other in self.taken) and not (off_stones and self.on_stones(box)):
+                    self.taken.append(box)
+                    return
         self.taken.append(box)
+
+    def on_stones(self, box):
+        return bool(np.any(np.all((self.stones > box.min) & (self.stones < box.max), axis=1)))
 
     def make_room(self):
         """Lets the paper grow by what stands beyond its upper and lower edge."""
@@ -219,7 +226,7 @@ def draw_loads(mesh, edges, loads, reactions, folder):
     fill_cells(axes, x, mesh, STONE_PALE)
     draw_lines(axes, x[edges], STONE_EDGE, 0.6 * outline_width(mesh.blocks))
     draw_supports(axes, mesh, x, edges)
-    words, entries = Words(figure, axes), support_entries(mesh, edges)
+    words, entries = Words(figure, axes, x), support_entries(mesh, edges)
     for k, load in enumerate(placed):
         draw_load(axes, words, load, x, edges, COLOURS[k % len(COLOURS)], whole)
     largest = max((np.linalg.norm(force) for _, force, _ in reactions), default=0.0)
@@ -254,7 +261,7 @@ def draw_loads_in_space(mesh, edges, loads, axes_seen, folder):
     fill_cells(axes, x, mesh, STONE_PALE)
     draw_lines(axes, x[edges], STONE_EDGE, outline_width(mesh.blocks))
     draw_supports(axes, mesh, x, edges)
-    words = Words(figure, axes)
+    words = Words(figure, axes, np.empty((0, 2)))
     for k, load in enumerate(placed):
         size, nodes = np.linalg.norm(load.force, axis=1), load.node
         at_points = load.kind in POINTS

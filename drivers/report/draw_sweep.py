@@ -2,7 +2,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from draw_common import BLUE, GREY, INK, ORANGE, RED, visible
+from draw_common import BLUE, GREY, INK, ORANGE, PAPER, RED, in_both_widths, visible
 from draw_time import STYLES
 from read_results import number
 
@@ -80,7 +80,7 @@ def draw_curves(rows, inputs, paths, shown):
         groups.setdefault(tuple(row[path] for path in others), []).append(row)
     if len(groups) > MOST_CURVES:
         return None
-    figure, axes = plt.subplots(figsize=(8, 4.5), layout="constrained")
+    figure, axes = plt.subplots(figsize=(PAPER.width, 3.8) if PAPER.is_narrow else (8, 4.5), layout="constrained")
     axis = Axis(paths[0], inputs[paths[0]])
     for (values, group), style in zip(groups.items(), STYLES):
         curve(axes, group, axis, shown, style, visible(", ".join(f"{path.split('/')[-1]} {value}" for path, value in zip(others, values))))
@@ -104,7 +104,8 @@ def draw_map(rows, inputs, paths, shown):
         place = up.index(row[paths[1]]), across.index(row[paths[0]])
         table[place] = factor * value_of(row, column)
         outcome[place] = row["outcome"]
-    figure, axes = plt.subplots(figsize=(max(6, 1.2 + 1.1 * len(across)), max(3.5, 1.2 + 0.6 * len(up))), layout="constrained")
+    wide = max(PAPER.width if PAPER.is_narrow else 6, 1.2 + 1.1 * len(across))
+    figure, axes = plt.subplots(figsize=(wide, max(3.5, 1.2 + 0.6 * len(up))), layout="constrained")
     image = axes.imshow(np.ma.masked_invalid(table), origin="lower", aspect="auto", cmap="cividis")
     low, high = np.nanmin(table), np.nanmax(table)
     small = len(across) > 12 or len(up) > 20
@@ -130,10 +131,13 @@ def extremes(rows, shown):
     column, words, factor, unit = shown
     known = [row for row in rows if number(row.get(column)) is not None]
     least, most = (choose(known, key=lambda row: value_of(row, column)) for choose in (min, max))
-    of = lambda row: f"{factor * value_of(row, column):.4g}{' ' + unit if unit else ''} ({row['run']})"
+    open_end = lambda row: column == "factor_stands" and number(row.get("factor_falls")) is None  # the search ended there
+    of = lambda row: (f"{'at least ' if open_end(row) else ''}{factor * value_of(row, column):.4g}{' ' + unit if unit else ''} "
+                      f"({row['run']})")
     return f"{words[0].upper()}{words[1:]}: least {of(least)}, most {of(most)}."
 
 
+@in_both_widths
 def draw_sweep(rows, inputs, together, folder):
     """Writes sweep.svg; its path and its caption, or None and why there is none."""
     paths, shown = varied(inputs), shown_quantity(rows)
@@ -153,7 +157,7 @@ def draw_sweep(rows, inputs, together, folder):
                  else " Crosses: runs that fell." if not shown[0].startswith("factor") else "")
     if figure is None:
         return None, f"More than {MOST_CURVES} curves cannot be told apart; the table has all rows."
-    path = folder / "sweep.svg"
+    path = folder / f"sweep{PAPER.suffix}.svg"
     figure.savefig(path, facecolor="white", metadata={"Date": None})
     plt.close(figure)
     return path, f"{kind}. {extremes(rows, shown)}{marks}"

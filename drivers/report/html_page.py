@@ -115,9 +115,11 @@ class Page:
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
 
     def drawing(self, path, caption):
-        """An SVG as data URI, as wide as the page lets it be."""
-        data = base64.b64encode(path.read_bytes()).decode("ascii")
-        self.parts.append(f'<figure><img alt="{escape(caption)}" src="data:image/svg+xml;base64,{data}">'
+        """An SVG as data URI, as wide as the page lets it be, and the one that was drawn for a narrow screen."""
+        uri = lambda file: f"data:image/svg+xml;base64,{base64.b64encode(file.read_bytes()).decode('ascii')}"
+        narrow = path.with_name(f"{path.stem}-narrow.svg")
+        source = f'<source media="(max-width: {NARROW_SCREEN}px)" srcset="{uri(narrow)}">' if narrow.exists() else ""
+        self.parts.append(f'<figure><picture>{source}<img alt="{escape(caption)}" src="{uri(path)}"></picture>'
                           f"<figcaption>{escape(caption)}</figcaption></figure>")
 
     def motion(self, data, script, frames, caption):

@@ -220,7 +220,7 @@ def add_time(page, results, folder):
     if energy:
         path, share, in_time = energy
         page.picture(path, "Energy book: external work is stored as elastic and kinetic energy or lost in friction, fracture and damping. "
-                     f"Right: what the book cannot explain{' of time steps' if in_time else ''}, at most {share:.2g} of the largest energy.")
+                     f"The second picture is what the book cannot explain{' of time steps' if in_time else ''}, at most {share:.2g} of the largest energy.")
 
 
 def add_tables(page, results, found):

@@ -31,10 +31,11 @@ def text_of(row, column, factor):
 
 
 def in_words(column):
-    """A column of sweep.csv with its unit: "largest displacement [m]", "thrust x [N] of ground"."""
+    """A column of sweep.csv with its unit, and the factor to it: "largest displacement [mm]", "thrust x [kN] of ground"."""
     name, of, whose = column.partition(" of ")
     stem, _, unit = name.rpartition("_")
-    return (f"{stem.replace('_', ' ')} [{unit}]" if unit in ("m", "N") else name.replace("_", " ")) + of + whose
+    shown, factor = {"m": ("mm", 1e3), "N": ("kN", 1e-3)}.get(unit, ("", 1))
+    return (f"{stem.replace('_', ' ')} [{shown}]" if shown else name.replace("_", " ")) + of + whose, factor
 
 
 def further_columns(rows):
@@ -61,7 +62,7 @@ def add_table(page, rows, inputs):
         page.table(["run", "outcome", "words"], [[row["run"], row["outcome"].replace("_", " "), row["message"]] for row in silent], range(3))
 
 
-def add_envelope(page, folder):
+def add_envelope(page, folder, rows):
     path = folder / "envelope.json"
     if not path.exists():
         return
@@ -71,8 +72,15 @@ def add_envelope(page, folder):
     for stands in found["stands"]:
         below = "no run below it stands" if stands["stands_up_to"] is None else f"all runs stand up to {stands['stands_up_to']:.6g}"
         page.words(f"{stands['input']}: {below}; one falls at {stands['falls_at']:.6g}.")
-    page.table(["quantity", "", "value", "run"], [[in_words(worst["column"]), worst["which"], f"{worst['value']:.4g}", worst["run"]]
-                                                  for worst in found["worst"]], (0, 1, 3))
+    page.table(["quantity", "", "value", "run"], list(dict.fromkeys(envelope_row(worst, rows) for worst in found["worst"])), (0, 1, 3))
+
+
+def envelope_row(worst, rows):
+    """Which run is worst in a quantity; of one that is the same in all that is said instead."""
+    words, factor = in_words(worst["column"])
+    values = {text_of(row, worst["column"], factor) for row in rows} - {""}
+    same = len(values) == 1 and len(rows) > 1
+    return words, "" if same else worst["which"], f"{factor * worst['value']:.4g}", "the same in all" if same else worst["run"]
 
 
 def main(folder):
@@ -98,7 +106,7 @@ def main(folder):
         page.drawing(path, caption)
     else:
         page.words(caption)
-    add_envelope(page, folder)
+    add_envelope(page, folder, rows)
     add_table(page, rows, list(inputs))
     page.write(folder / "sweep.html")
 

@@ -308,6 +308,11 @@ def thrust_table(page, thrusts):
                "or its backing, has none: they hold its line where it is, and it is not safe by itself.")
 
 
+def unit_of_force(largest):
+    """The unit that forces of a table are told in, and how many N it is."""
+    return ("kN", 1e3) if largest >= 1e3 else ("N", 1.0)
+
+
 def reaction_table(page, results):
     """Force of each support on the structure."""
     reactions = (results.result.get("statics") or {}).get("reactions")
@@ -315,16 +320,17 @@ def reaction_table(page, results):
         return
     page.part("Support reactions")
     largest = max((abs(number(r.get(key)) or 0) for r in reactions.values() for key in ("x_N", "y_N", "z_N")), default=0)
+    unit, size = unit_of_force(largest)
     # Round-off of a large force is none of a small one.
-    force = lambda value: short(0 if abs(number(value) or 0) < 1e-9 * largest else value, 5)
-    told = lambda r, keys: [force(r.get(key)) if key.endswith("_N") else short(round(number(r.get(key)), 6) if number(r.get(key)) is not None else None, 5)
-                            for key in keys]
+    force = lambda value: "" if number(value) is None else short(0 if abs(number(value)) < 1e-9 * largest else number(value) / size, 4)
+    place = lambda value: "" if number(value) is None else short(round(number(value), 3), 5)  # to a millimetre
+    told = lambda r, keys: [force(r.get(key)) if key.endswith("_N") else place(r.get(key)) for key in keys]
     if any("z_N" in r for r in reactions.values()):
-        page.table(["support", "x [N]", "y [N]", "vertical [N]", "through x [m]", "y [m]", "z [m]"],
+        page.table(["support", f"x [{unit}]", f"y [{unit}]", f"vertical [{unit}]", "through x [m]", "y [m]", "z [m]"],
                    [[name] + told(r, ("x_N", "y_N", "z_N", "through_x_m", "through_y_m", "through_z_m"))
                     for name, r in reactions.items()], words=(0,))
         return
-    page.table(["support", "horizontal, its thrust [N]", "vertical [N]", "through x [m]", "y [m]"],
+    page.table(["support", f"horizontal, its thrust [{unit}]", f"vertical [{unit}]", "through x [m]", "y [m]"],
                [[name] + told(r, ("x_N", "y_N", "through_x_m", "through_y_m")) for name, r in reactions.items()], words=(0,))
 
 
