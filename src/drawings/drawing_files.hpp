@@ -11,9 +11,10 @@ namespace voussoir {
 ///
 /// CSV      a row for each corner: stone, x, y, and where wanted set and hole (a number from 1 for corners of a hole)
 /// DXF      closed LWPOLYLINE and POLYLINE, bulges in chords, and CIRCLE; the layer is a set; on a layer called `holes`
-///          they are holes of the stone around them
+///          they are holes of the stone around them; where a block is inserted its outlines are drawn, its name is a
+///          set
 /// SVG      path, polygon, closed polyline, rect, circle, ellipse, with transforms; id is the name, words of class and
-///          layers of Inkscape are sets; what lies in an outline of the same path is a hole
+///          layers of Inkscape are sets; what lies in an outline of the same path is a hole; a `use` draws once more
 /// GEOJSON  Polygon and MultiPolygon; of properties `name` (or id) is the name, `set` or `layer` a set
 ///
 /// Throws InputError, naming file, line and place, for what is no such file and for outlines that are not closed.

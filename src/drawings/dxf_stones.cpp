@@ -1,5 +1,5 @@
 // Drawings of CAD. A DXF is pairs of lines: what a value is, and the value. Read are closed polylines and circles of
-// the model, on layers that are shown.
+// the model, on layers that are shown, and those of blocks where these are inserted.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +10,8 @@
 #include "base/text.hpp"
 #include "drawings/curves.hpp"
 #include "drawings/drawing_files.hpp"
+#include "drawings/dxf_text.hpp"
+#include "drawings/transform.hpp"
 #include "stones/stone_text.hpp"
 
 namespace voussoir {
@@ -29,29 +31,52 @@ enum Code {
   flags = 70
 };
 constexpr int header_variable = 9, extrusion_z = 230;
+/// Of an INSERT beside its name and place.
+constexpr int x_scale = 41, y_scale = 42, turn = 50, columns = 70, rows = 71, column_width = 44, row_height = 45;
 
-constexpr int closed = 1, net = 16, faces = 64, spline_frame = 16;  // of flags
+constexpr int closed = 1, net = 16, faces = 64, spline_frame = 16, external = 4;  // of flags
+
+/// Blocks within blocks: no program writes more.
+constexpr int deepest_block = 20;
+/// [-] copies of blocks; more are no drawing of stones that could be computed.
+constexpr long long most_copies = 100000;
 
 /// [m] of $INSUNITS, the units of AutoCAD: inch, foot, mm, cm, m.
 const std::map<int, double> units{{1, 0.0254}, {2, 0.3048}, {4, 1e-3}, {5, 1e-2}, {6, 1.0}};
 
-struct Pair {
-  int code = 0;
-  std::string value;
-  int line = 0;  ///< of the value
+/// What is drawn, and of a polyline in space its corners.
+struct Entity {
+  std::vector<DxfPair> pairs;
+  std::vector<std::vector<DxfPair>> vertices{};
+  const std::string& what() const { return pairs.front().value; }
+};
+
+struct DrawnBlock {
+  Vector<2> base{};
+  bool elsewhere = false;  ///< in another file
+  std::vector<Entity> entities;
+};
+
+/// Where a block puts what it holds; of the drawing itself where it is drawn.
+struct Placed {
+  Transform transform;
+  std::string layer{};                ///< of what is on layer 0 of the block
+  std::vector<std::string> blocks{};  ///< around it
+  std::string inserted{};             ///< for messages
 };
 
 class DxfStones {
  public:
-  DxfStones(const std::string& file, const std::string& contents) : file_(file) { read_pairs(contents); }
+  DxfStones(const std::string& file, const std::string& contents) : file_(file), text_(file, contents) {}
 
   DrawnFile read() {
-    while (at_ < pairs_.size()) {
-      const Pair begin = pairs_[at_++];
-      if (begin.code != kind || begin.value != "SECTION" || at_ >= pairs_.size()) continue;
-      const std::string section = pairs_[at_++].value;
+    while (at_ < text_.pairs().size()) {
+      const DxfPair begin = text_.pairs()[at_++];
+      if (begin.code != kind || begin.value != "SECTION" || at_ >= text_.pairs().size()) continue;
+      const std::string section = text_.pairs()[at_++].value;
       if (section == "HEADER") read_header();
       if (section == "TABLES") read_layers();
+      if (section == "BLOCKS") read_blocks();
       if (section == "ENTITIES") read_entities();
     }
     for (const auto& [what, count] : unused_) drawn_.unused.push_back(std::to_string(count) + " " + what);
@@ -60,38 +85,17 @@ class DxfStones {
   }
 
  private:
-  void read_pairs(const std::string& contents) {
-    if (contents.compare(0, 22, "AutoCAD Binary DXF\r\n\x1a") == 0 ||
-        contents.compare(0, 18, "AutoCAD Binary DXF") == 0)
-      refuse_stones(file_, "is a binary DXF", "Save it as an ASCII DXF");
-    std::vector<std::string> lines;
-    for (auto& text : split(contents, "\n")) lines.push_back(trimmed(text));
-    while (!lines.empty() && lines.back().empty()) lines.pop_back();
-    for (std::size_t k = 0; k + 1 < lines.size(); k += 2) {
-      const auto code = whole_number_in(lines[k]);
-      if (!code)
-        refuse_stones(file_,
-                      "line " + std::to_string(k + 1) + " has " + in_quotes(as_utf8(lines[k])) +
-                          " where the code of a group is wanted",
-                      "It is damaged, or no DXF: save it as an ASCII DXF");
-      pairs_.push_back({*code, as_utf8(lines[k + 1]), static_cast<int>(k) + 2});
-    }
-    const bool ends = std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.value == "ENTITIES"; });
-    if (!ends) refuse_stones(file_, "has no section ENTITIES", "It is cut, or no DXF: save it as an ASCII DXF");
-    if (pairs_.back().value != "EOF")
-      refuse_stones(file_, "ends at line " + std::to_string(lines.size()) + " without EOF",
-                    "It was cut when it was copied, or is damaged: save it anew");
-  }
-
   /// Whether the section goes on.
   bool in_section() const {
-    return at_ < pairs_.size() && !(pairs_[at_].code == kind && pairs_[at_].value == "ENDSEC");
+    return at_ < text_.pairs().size() && !(text_.pairs()[at_].code == kind && text_.pairs()[at_].value == "ENDSEC");
   }
 
   void read_header() {
     for (; in_section(); ++at_)
-      if (pairs_[at_].code == header_variable && pairs_[at_].value == "$INSUNITS" && at_ + 1 < pairs_.size())
-        if (const auto found = units.find(whole_number_in(pairs_[at_ + 1].value).value_or(0)); found != units.end())
+      if (text_.pairs()[at_].code == header_variable && text_.pairs()[at_].value == "$INSUNITS" &&
+          at_ + 1 < text_.pairs().size())
+        if (const auto found = units.find(whole_number_in(text_.pairs()[at_ + 1].value).value_or(0));
+            found != units.end())
           drawn_.unit = found->second;
   }
 
@@ -111,59 +115,131 @@ class DxfStones {
   }
 
   /// The pairs from one that begins an entity to the next such.
-  std::vector<Pair> next_entity() {
-    std::vector<Pair> entity{pairs_[at_++]};
-    while (at_ < pairs_.size() && pairs_[at_].code != kind) entity.push_back(pairs_[at_++]);
+  std::vector<DxfPair> next_entity() {
+    std::vector<DxfPair> entity{text_.pairs()[at_++]};
+    while (at_ < text_.pairs().size() && text_.pairs()[at_].code != kind) entity.push_back(text_.pairs()[at_++]);
+    return entity;
+  }
+
+  Entity read_entity() {
+    Entity entity{next_entity()};
+    if (entity.what() == "POLYLINE")
+      while (in_section() && text_.pairs()[at_].value == "VERTEX") entity.vertices.push_back(next_entity());
     return entity;
   }
 
   void read_entities() {
+    while (in_section()) add(read_entity(), {});
+  }
+
+  void read_blocks() {
+    DrawnBlock* block = nullptr;
     while (in_section()) {
-      auto entity = next_entity();
-      const std::string what = entity.front().value;
-      std::vector<std::vector<Pair>> vertices;
-      if (what == "POLYLINE")
-        while (in_section() && pairs_[at_].value == "VERTEX") vertices.push_back(next_entity());
-      if (what == "SEQEND" || !is_shown(entity)) continue;
-      if (what == "LWPOLYLINE" || what == "POLYLINE")
-        add_polyline(entity, vertices);
-      else if (what == "CIRCLE")
-        add_circle(entity);
-      else
-        ++unused_[what];
+      auto entity = read_entity();
+      if (entity.what() == "BLOCK") {
+        block = &blocks_[lower(value_of(entity.pairs, name))];
+        for (const auto& p : entity.pairs) {
+          if (p.code == x) block->base[0] = number(p);
+          if (p.code == y) block->base[1] = number(p);
+          if (p.code == flags) block->elsewhere = (whole(p) & external) != 0;
+        }
+      } else if (entity.what() == "ENDBLK") {
+        block = nullptr;
+      } else if (block) {
+        block->entities.push_back(std::move(entity));
+      }
     }
   }
 
-  bool is_shown(const std::vector<Pair>& entity) {
-    if (std::any_of(entity.begin(), entity.end(), [&](const Pair& p) { return p.code == in_paper && whole(p) == 1; }))
+  void add(const Entity& entity, const Placed& placed) {
+    const auto& what = entity.what();
+    if (what == "SEQEND" || !is_shown(entity.pairs, placed)) return;
+    if (what == "LWPOLYLINE" || what == "POLYLINE")
+      add_polyline(entity.pairs, entity.vertices, placed);
+    else if (what == "CIRCLE")
+      add_circle(entity.pairs, placed);
+    else if (what == "INSERT")
+      insert(entity.pairs, placed);
+    else
+      ++unused_[what];
+  }
+
+  /// The entities of a block as often as it is inserted: in rows and columns, scaled, turned and moved.
+  void insert(const std::vector<DxfPair>& entity, const Placed& placed) {
+    const auto called = value_of(entity, name);
+    const auto found = blocks_.find(lower(called));
+    const auto the_block = "inserts the block " + in_quotes(called);
+    if (found == blocks_.end())
+      refuse(entity.front(), the_block + ", which the file does not hold", "Save it anew, or delete it");
+    const auto& block = found->second;
+    if (block.elsewhere)
+      refuse(entity.front(), the_block + ", which is in another file", "Bind it to the drawing (in CAD by XREF, Bind)");
+    if (placed.blocks.size() >= deepest_block)
+      refuse(entity.front(), the_block + " in blocks more than 20 deep", "Explode what holds itself");
+    Vector<2> at{}, scale{1, 1}, apart{};
+    double angle = 0, side = 1;
+    int across = 1, up = 1;
+    for (const auto& p : entity) {
+      if (p.code == x) at[0] = number(p);
+      if (p.code == y) at[1] = number(p);
+      if (p.code == x_scale) scale[0] = number(p);
+      if (p.code == y_scale) scale[1] = number(p);
+      if (p.code == turn) angle = number(p);
+      if (p.code == columns) across = std::max(1, whole(p));
+      if (p.code == rows) up = std::max(1, whole(p));
+      if (p.code == column_width) apart[0] = number(p);
+      if (p.code == row_height) apart[1] = number(p);
+      if (p.code == extrusion_z && number(p) < 0) side = -1;  // seen from behind: x runs to the left
+    }
+    if (static_cast<long long>(across) * up > most_copies ||
+        (copies_ += static_cast<long long>(across) * up) > most_copies)
+      refuse(entity.front(), the_block + " more than 100000 times", "Give the stones alone");
+    Placed inside{{},
+                  layer_of(entity, placed),
+                  placed.blocks,
+                  " in the block " + in_quotes(called) + " of line " + std::to_string(entity.front().line)};
+    inside.blocks.push_back(called);
+    const auto outer = placed.transform.after(Transform::scaled(side, 1))
+                           .after(Transform::moved(at[0], at[1]).after(Transform::turned(angle)));
+    const auto inner = Transform::scaled(scale[0], scale[1]).after(Transform::moved(-block.base[0], -block.base[1]));
+    for (int row = 0; row < up; ++row)
+      for (int column = 0; column < across; ++column) {
+        inside.transform = outer.after(Transform::moved(column * apart[0], row * apart[1])).after(inner);
+        for (const auto& one : block.entities) add(one, inside);
+      }
+  }
+
+  bool is_shown(const std::vector<DxfPair>& entity, const Placed& placed) {
+    if (std::any_of(entity.begin(), entity.end(),
+                    [&](const DxfPair& p) { return p.code == in_paper && whole(p) == 1; }))
       return false;
-    if (hidden_.count(layer_of(entity)) == 0) return true;
-    ++unused_["of the hidden layer " + in_quotes(layer_of(entity))];
+    const auto on = layer_of(entity, placed);
+    if (hidden_.count(on) == 0) return true;
+    ++unused_["of the hidden layer " + in_quotes(on)];
     return false;
   }
 
-  static std::string layer_of(const std::vector<Pair>& entity) {
+  static std::string lower(std::string word) {
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return word;
+  }
+
+  static std::string value_of(const std::vector<DxfPair>& entity, int code) {
     for (const auto& p : entity)
-      if (p.code == layer) return p.value;
+      if (p.code == code) return p.value;
     return "";
   }
 
-  [[noreturn]] void refuse(const Pair& at, const std::string& why, const std::string& advice) const {
-    refuse_stones(file_, "line " + std::to_string(at.line) + " " + why, advice);
+  /// What a block holds on layer 0 is on that on which it is inserted.
+  static std::string layer_of(const std::vector<DxfPair>& entity, const Placed& placed) {
+    const auto own = value_of(entity, layer);
+    return (own.empty() || own == "0") && !placed.layer.empty() ? placed.layer : own;
   }
-
-  double number(const Pair& p) const {
-    const auto value = number_in(p.value);
-    if (!value || !std::isfinite(*value))
-      refuse(p, "has " + in_quotes(p.value) + " where a number is wanted", "It is damaged: save it anew");
-    return *value;
+  [[noreturn]] void refuse(const DxfPair& at, const std::string& why, const std::string& advice) const {
+    text_.refuse(at, why, advice);
   }
-  int whole(const Pair& p) const {
-    const auto value = whole_number_in(p.value);
-    if (!value)
-      refuse(p, "has " + in_quotes(p.value) + " where a whole number is wanted", "It is damaged: save it anew");
-    return *value;
-  }
+  double number(const DxfPair& p) const { return text_.number(p); }
+  int whole(const DxfPair& p) const { return text_.whole(p); }
 
   /// The corners of a polyline, each with the bulge of the edge behind it.
   struct Outline {
@@ -172,14 +248,15 @@ class DxfStones {
     int flags = 0;
     bool mirrored = false;  ///< seen from behind: x runs to the left
 
-    void take(const DxfStones& file, const Pair& p) {
+    void take(const DxfStones& file, const DxfPair& p) {
       if (p.code == x) corners.push_back({file.number(p), 0}), bulges.push_back(0);
       if (p.code == y && !corners.empty()) corners.back()[1] = file.number(p);
       if (p.code == bulge && !bulges.empty()) bulges.back() = file.number(p);
     }
   };
 
-  void add_polyline(const std::vector<Pair>& entity, const std::vector<std::vector<Pair>>& vertices) {
+  void add_polyline(const std::vector<DxfPair>& entity, const std::vector<std::vector<DxfPair>>& vertices,
+                    const Placed& placed) {
     Outline outline;
     for (const auto& p : entity) {
       if (p.code == flags) outline.flags = whole(p);
@@ -191,15 +268,16 @@ class DxfStones {
       return;
     }
     for (const auto& vertex : vertices) {
-      const bool frame = std::any_of(vertex.begin(), vertex.end(),
-                                     [&](const Pair& p) { return p.code == flags && (whole(p) & spline_frame) != 0; });
+      const bool frame = std::any_of(vertex.begin(), vertex.end(), [&](const DxfPair& p) {
+        return p.code == flags && (whole(p) & spline_frame) != 0;
+      });
       for (const auto& p : vertex)
         if (!frame) outline.take(*this, p);
     }
-    add_stone(entity, loop_of(entity, outline));
+    add_stone(entity, loop_of(entity, outline, placed), placed);
   }
 
-  DrawnLoop loop_of(const std::vector<Pair>& entity, const Outline& outline) const {
+  DrawnLoop loop_of(const std::vector<DxfPair>& entity, const Outline& outline, const Placed& placed) const {
     DrawnLoop loop;
     const auto& corners = outline.corners;
     if (corners.size() < 2)
@@ -210,7 +288,7 @@ class DxfStones {
     constexpr double same = 1e-9;  // of its size: the last point is the first one, written again
     if ((outline.flags & closed) == 0 && apart > same * size)
       refuse(entity.front(),
-             "begins a polyline on layer " + in_quotes(layer_of(entity)) + " that is not closed: its ends at " +
+             "begins a polyline on layer " + in_quotes(layer_of(entity, placed)) + " that is not closed: its ends at " +
                  place_of_drawing(corners[0]) + " and " + place_of_drawing(corners.back()) + " are " +
                  six_digits(apart) + " apart",
              "Close it, or put it on a layer that is off or frozen where it is no stone");
@@ -226,7 +304,7 @@ class DxfStones {
     return loop;
   }
 
-  void add_circle(const std::vector<Pair>& entity) {
+  void add_circle(const std::vector<DxfPair>& entity, const Placed& placed) {
     Vector<2> centre{};
     double size = 0;
     for (const auto& p : entity) {
@@ -235,20 +313,22 @@ class DxfStones {
       if (p.code == radius) size = number(p);
     }
     DrawnLoop loop;
-    const double turn = 2 * std::acos(-1.0);
-    add_arc(loop, centre, size, 0, turn, centre + Vector<2>{size, 0});
-    add_stone(entity, std::move(loop));
+    add_arc(loop, centre, size, 0, 2 * std::acos(-1.0), centre + Vector<2>{size, 0});
+    add_stone(entity, std::move(loop), placed);
   }
 
-  void add_stone(const std::vector<Pair>& entity, DrawnLoop loop) {
+  void add_stone(const std::vector<DxfPair>& entity, DrawnLoop loop, const Placed& placed) {
     OutlinedStone stone;
-    const std::string on = layer_of(entity);
-    stone.origin = std::filesystem::path(file_).filename().string() + ", line " + std::to_string(entity.front().line);
+    const auto on = layer_of(entity, placed);
+    stone.origin = std::filesystem::path(file_).filename().string() + ", line " + std::to_string(entity.front().line) +
+                   placed.inserted;
     if (!on.empty() && on != "0") stone.sets = {on};  // 0 is where CAD puts what has no layer
+    for (const auto& block : placed.blocks)
+      if (block[0] != '*' && std::count(stone.sets.begin(), stone.sets.end(), block) == 0) stone.sets.push_back(block);
+    if (!placed.blocks.empty())
+      for (auto& corner : loop.corners) corner = placed.transform(corner);
     stone.loops.push_back(std::move(loop));
-    std::string word = on;
-    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    (word == "holes" ? holes_ : drawn_.stones).push_back(std::move(stone));
+    (lower(on) == "holes" ? holes_ : drawn_.stones).push_back(std::move(stone));
   }
 
   /// Outlines of the layer "holes" go to the smallest stone around them.
@@ -269,9 +349,11 @@ class DxfStones {
   }
 
   std::string file_;
-  std::vector<Pair> pairs_;
+  const DxfText text_;
   std::size_t at_ = 0;
-  std::set<std::string> hidden_;  ///< layers
+  std::set<std::string> hidden_;              ///< layers
+  std::map<std::string, DrawnBlock> blocks_;  ///< by name in small letters
+  long long copies_ = 0;
   std::map<std::string, int> unused_;
   std::vector<OutlinedStone> holes_;
   DrawnFile drawn_;

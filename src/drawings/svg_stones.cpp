@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "drawings/drawing_files.hpp"
 #include "drawings/svg_path.hpp"
+#include "drawings/transform.hpp"
 #include "stones/stone_text.hpp"
 
 namespace voussoir {
@@ -17,36 +18,17 @@ namespace {
 
 /// Groups within groups: no program writes more, and far less than the stack bears.
 constexpr int deepest = 100;
-
-/// x goes to (a x + c y + e, b x + d y + f).
-struct Transform {
-  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
-  Vector<2> operator()(const Vector<2>& x) const { return {a * x[0] + c * x[1] + e, b * x[0] + d * x[1] + f}; }
-  /// The one that does `first`, then this.
-  Transform after(const Transform& first) const {
-    const Vector<2> shift = (*this)({first.e, first.f});
-    return {a * first.a + c * first.b,
-            b * first.a + d * first.b,
-            a * first.c + c * first.d,
-            b * first.c + d * first.d,
-            shift[0],
-            shift[1]};
-  }
-};
-
-Transform turned(double degrees) {
-  const double angle = degrees * std::acos(-1.0) / 180;
-  return {std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
-}
+/// Of what is used again; more are no drawing of stones that could be computed.
+constexpr int most_copies = 100000;
 
 Transform transform_of(const std::string& word, const std::vector<double>& n) {
   const auto at = [&](std::size_t k, double otherwise) { return k < n.size() ? n[k] : otherwise; };
   if (word == "matrix" && n.size() == 6) return {n[0], n[1], n[2], n[3], n[4], n[5]};
-  if (word == "translate" && !n.empty()) return {1, 0, 0, 1, n[0], at(1, 0)};
-  if (word == "scale" && !n.empty()) return {n[0], 0, 0, at(1, n[0]), 0, 0};
+  if (word == "translate" && !n.empty()) return Transform::moved(n[0], at(1, 0));
+  if (word == "scale" && !n.empty()) return Transform::scaled(n[0], at(1, n[0]));
   if (word == "rotate" && !n.empty()) {
-    const Transform to{1, 0, 0, 1, at(1, 0), at(2, 0)}, back{1, 0, 0, 1, -at(1, 0), -at(2, 0)};
-    return to.after(turned(n[0]).after(back));
+    const auto to = Transform::moved(at(1, 0), at(2, 0)), back = Transform::moved(-at(1, 0), -at(2, 0));
+    return to.after(Transform::turned(n[0]).after(back));
   }
   if (word == "skewX" && n.size() == 1) return {1, 0, std::tan(n[0] * std::acos(-1.0) / 180), 1, 0, 0};
   if (word == "skewY" && n.size() == 1) return {1, std::tan(n[0] * std::acos(-1.0) / 180), 0, 1, 0, 0};
@@ -76,6 +58,9 @@ struct Around {
   Transform transform;
   std::vector<std::string> sets;
   int depth = 0;
+  std::string used_as{};    ///< name of what a `use` draws, of those around it too; empty where one has none
+  bool used = false;        ///< within a `use`
+  bool used_whole = false;  ///< which draws one shape
 };
 
 class SvgStones {
@@ -92,6 +77,7 @@ class SvgStones {
     if (std::strcmp(local(root.name()), "svg") != 0)
       refuse_stones(file_, "has the root element " + in_quotes(as_utf8(root.name())) + ", which is no svg",
                     "Save the drawing as plain SVG");
+    note_ids(root);
     visit(root, {});
     for (const auto& [what, count] : unused_) drawn_.unused.push_back(std::to_string(count) + " " + what);
     return std::move(drawn_);
@@ -121,6 +107,8 @@ class SvgStones {
       if (what == "svg" || what == "g" || what == "a" || what == "switch") {
         for (const auto& child : element.children())
           if (child.type() == pugi::node_element) visit(child, around);
+      } else if (what == "use") {
+        use(element, around);
       } else if (is_shape(what)) {
         add_stone(element, around, loops_of(what, element));
       } else if (!is_description(what)) {
@@ -130,6 +118,35 @@ class SvgStones {
       refuse(element, fault.why,
              "Close outlines by Z, hide what is no stone (display: none), and save the drawing as plain SVG");
     }
+  }
+
+  void note_ids(const pugi::xml_node& element) {
+    if (const std::string id = element.attribute("id").value(); !id.empty()) by_id_.emplace(id, element);
+    for (const auto& child : element.children())
+      if (child.type() == pugi::node_element) note_ids(child);
+  }
+
+  /// What is drawn elsewhere once more: moved, with the classes of both. A symbol is a group that is drawn here alone.
+  void use(const pugi::xml_node& element, Around around) {
+    std::string link = element.attribute("href").value();
+    if (link.empty()) link = element.attribute("xlink:href").value();
+    const auto found = link.size() > 1 && link[0] == '#' ? by_id_.find(link.substr(1)) : by_id_.end();
+    if (found == by_id_.end())
+      throw SvgFault{"uses " + in_quotes(as_utf8(link)) + ", which is nothing of this drawing"};
+    if (++copies_ > most_copies) throw SvgFault{"is the copy of more than 100000 that are drawn"};
+    const auto& drawn = found->second;
+    const std::string what = local(drawn.name());
+    if ((what == "symbol" || what == "svg") && drawn.attribute("viewBox"))
+      throw SvgFault{"uses a " + what + " with a viewBox, whose scale depends on the page"};
+    around.transform = around.transform.after(Transform::moved(length(element, "x"), length(element, "y")));
+    const std::string name = as_utf8(element.attribute("id").value());
+    const bool named = !name.empty() && (!around.used || !around.used_as.empty());
+    around.used_as = !named ? "" : around.used_as.empty() ? name : around.used_as + " " + name;
+    around.used = true;
+    around.used_whole = is_shape(what);
+    if (what != "symbol") return visit(drawn, around);
+    for (const auto& child : drawn.children())
+      if (child.type() == pugi::node_element) visit(child, around);
   }
 
   static bool hides(const pugi::xml_node& element) {
@@ -144,7 +161,7 @@ class SvgStones {
     return false;
   }
   static bool is_description(const std::string& what) {
-    for (const char* word : {"defs", "title", "desc", "metadata", "namedview", "style", "script"})
+    for (const char* word : {"defs", "symbol", "title", "desc", "metadata", "namedview", "style", "script"})
       if (what == word) return true;
     return false;
   }
@@ -199,9 +216,18 @@ class SvgStones {
                             length(e, circle ? "r" : "ry"))};
   }
 
+  /// The id; of what a `use` draws once more the id of that, behind which stands its own where a group was drawn: a
+  /// stone has a name of its own. None where that would not be one.
+  static std::string name_of(const pugi::xml_node& element, const Around& around) {
+    const std::string own = as_utf8(element.attribute("id").value());
+    if (!around.used) return own;
+    if (around.used_as.empty() || around.used_whole) return around.used_as;
+    return own.empty() ? "" : around.used_as + " " + own;
+  }
+
   void add_stone(const pugi::xml_node& element, const Around& around, std::vector<SvgLoop> loops) {
     OutlinedStone named;
-    named.name = as_utf8(element.attribute("id").value());
+    named.name = name_of(element, around);
     named.origin =
         std::filesystem::path(file_).filename().string() + ", line " + std::to_string(line_at(element.offset_debug()));
     named.sets = around.sets;
@@ -232,6 +258,8 @@ class SvgStones {
   std::string file_;
   const std::string& contents_;
   std::map<std::string, int> unused_;
+  std::map<std::string, pugi::xml_node> by_id_;
+  int copies_ = 0;
   DrawnFile drawn_;
 };
 

@@ -164,6 +164,16 @@ class CompasReader {
   std::vector<StoneSurface> stones_;
 };
 
+/// A drawing in the plane (RFC 7946), which has another ending.
+bool is_geojson(const json& root) {
+  if (!root.is_object() || !root.contains("type")) return false;
+  for (const auto& [type, member] : {std::pair("FeatureCollection", "features"), std::pair("Feature", "geometry"),
+                                     std::pair("GeometryCollection", "geometries"), std::pair("Polygon", "coordinates"),
+                                     std::pair("MultiPolygon", "coordinates")})
+    if (root["type"] == type && root.contains(member)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<StoneSurface> read_compas(const std::string& file, const std::string& contents) {
@@ -175,6 +185,10 @@ std::vector<StoneSurface> read_compas(const std::string& file, const std::string
     refuse_stones(file, "is no JSON: " + said.substr(said.find("] ") == std::string::npos ? 0 : said.find("] ") + 2),
                   "It was cut when it was copied, or is damaged: save it anew by compas.json_dump");
   }
+  if (is_geojson(root))
+    refuse_stones(file,
+                  "is GeoJSON, a drawing in the plane, where the ending .json stands for stones of COMPAS in space",
+                  "Give it the ending .geojson");
   return CompasReader(file).read(root);
 }
 

@@ -104,6 +104,47 @@ class DrawnStones(program.SceneTest):
         run = self.run_scene(scene(stones("wall.dxf"), supports={"on": "faces", "blocks": "feet"}), out="refused")
         self.assertIn('did you mean "foot"?', run.words)
 
+    def test_blocks_of_cad_and_uses_of_svg_are_drawn_as_often_as_they_are_used(self):
+        """The wall of the generator, every stone of which is one brick: in rows, scaled, turned, mirrored, in pairs."""
+        generated = {"type": "wall", "wall": WALL}
+        run, factor = self.solved(generated, "generated"), self.limit(generated, "limit")
+        insert, half = drawings.insert, {"c41": 0.5}
+        cad = drawings.dxf_of_blocks(
+            {"Brick": ((1, 2), [drawings.outline(drawings.box(1, 2, LENGTH, HEIGHT))]),
+             "PAIR": ((0, 0), [insert("BRICK", 0, 0), insert("brick", LENGTH, 0)])},
+            [insert("Brick", 0, 0, layer="foot", c70=4, c44=LENGTH),
+             insert("Brick", 0, 0.25, **half), insert("Brick", 0.25, 0.25, c70=3, c71=1, c44=LENGTH), insert("Brick", 1.75, 0.25, **half),
+             insert("pair", 0, 0.5), insert("pair", 1, 0.5),
+             insert("Brick", 0, 0.75, **half), insert("Brick", -0.75, 0.75, c230=-1), insert("Brick", 1.25, 0.75, c41=-1),
+             insert("Brick", 1.75, 0.75, c41=0.5, c42=2, c50=90), insert("Brick", 2, 1, c41=0.5, c50=180)])
+        page = """<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"><defs>
+          <path id="brick" d="M0 0h.5v-.25h-.5z"/><g id="pair"><use id="l" href="#brick"/><use id="r" href="#brick" x=".5"/></g></defs>
+          <symbol id="half"><rect id="it" y="-.25" width=".25" height=".25"/></symbol><g class="foot">
+          <use href="#brick"/><use href="#brick" x=".5"/><use xlink:href="#brick" x="1"/><use href="#brick" x="1.5"/></g>
+          <use id="h" href="#half" y="-.25"/><use href="#brick" x=".25" y="-.25"/><use href="#brick" x=".75" y="-.25"/>
+          <use href="#brick" x="1.25" y="-.25"/><use href="#half" x="1.75" y="-.25"/>
+          <use id="a" href="#pair" y="-.5"/><use id="b" href="#pair" transform="translate(1 -.5)"/>
+          <use href="#half" y="-.75"/><use href="#brick" transform="translate(.75 -.75) scale(-1 1)"/>
+          <use href="#brick" transform="translate(1.25 -.75) rotate(-90) scale(.5 2)"/>
+          <use href="#brick" x="1.25" y="-.75"/><use href="#half" x="1.75" y="-.75"/></svg>"""
+        for name, text in (("wall.dxf", cad), ("wall.svg", page)):
+            with self.subTest(name):
+                self.draw(name, text)
+                mesh = stones(name)
+                drawn = self.solved(mesh, f"run {name}")
+                self.assertEqual(drawn.result["blocks"], run.result["blocks"])
+                for key in ("x_N", "y_N"):
+                    self.assertLess(abs(drawn.result["statics"]["reactions"]["ground"][key] -
+                                        run.result["statics"]["reactions"]["ground"][key]), 1e-9 * WEIGHT)
+                self.assertLess(abs(self.limit(mesh, f"{name} limit") / factor - 1), 1e-9)
+                held = self.solved(mesh, f"{name} held", supports={"on": "faces", "blocks": "foot"})
+                self.assertLess(abs(held.result["statics"]["reactions"]["ground"]["y_N"] - WEIGHT), 1e-6 * WEIGHT)
+        for name in ("h it", "a l", "b r"):  # names of what is used within what is used
+            run = self.run_scene(scene(stones("wall.svg"), supports={"on": "faces", "blocks": name}), "--validate", out="named")
+            self.assertEqual(run.code, 0, run.said)
+        run = self.run_scene(scene(stones("wall.dxf"), supports={"on": "faces", "blocks": "Brick"}), "--validate", out="named")
+        self.assertEqual(run.code, 0, run.said)
+
     def test_two_ranks_and_a_restart_find_the_same(self):
         self.draw("survey.svg", drawings.svg(drawings.bond(COURSES, COUNT, LENGTH, HEIGHT, 3e-3, seed=5)))
         text = scene(stones("survey.svg"))
@@ -160,6 +201,18 @@ class DrawnStones(program.SceneTest):
             "open.svg": ('<svg><path id="k" d="M0 0h1v1"/></svg>', ('the path "k" is not closed', "(0, 0) and (1, 1)")),
             "none.svg": ("<svg><text>a</text></svg>", ("Holds no stone", "1 text")),
             "line.geojson": ('{"type": "Feature", "geometry": {"type": "LineString", "coordinates": []}}', ("Feature 1 is a LineString",)),
+            "inserted.dxf": (drawings.dxf_of_blocks({}, [drawings.insert("door", 0, 0)]),
+                             ('inserts the block "door", which the file does not hold',)),
+            "elsewhere.dxf": (drawings.dxf_of_blocks({"door": ((0, 0), [])}, [drawings.insert("door", 0, 0)]).replace("70\n0", "70\n4"),
+                              ("which is in another file", "Bind it")),
+            "itself.dxf": (drawings.dxf_of_blocks({"a": ((0, 0), [drawings.insert("a", 1, 0)])}, [drawings.insert("a", 0, 0)]),
+                           ("in blocks more than 20 deep",)),
+            "many.dxf": (drawings.dxf_of_blocks({"a": ((0, 0), [])}, [drawings.insert("a", 0, 0, c70=1000, c71=1000)]),
+                         ("more than 100000 times",)),
+            "used.svg": ('<svg><use href="#k"/></svg>', ('uses "#k", which is nothing of this drawing',)),
+            "view.svg": ('<svg><symbol id="k" viewBox="0 0 1 1"/><use href="#k"/></svg>', ("a symbol with a viewBox",)),
+            "round.svg": ('<svg><g id="k"><use href="#k"/></g></svg>', ("Nests groups more than 100 deep",)),
+            "plan.json": (drawings.geojson(good), ("Is GeoJSON, a drawing in the plane", "Give it the ending .geojson")),
             "bad.geojson": ('{"type": ', ("Is no JSON",)),
             "wall.dwg": ("x", ("by its ending", "a .dwg is saved as .dxf")),
         }

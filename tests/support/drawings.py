@@ -47,6 +47,27 @@ def dxf(stones, sets=None, scale=1.0, up=1, closed=True):
     return text + "0\nENDSEC\n0\nEOF\n"
 
 
+def dxf_of_blocks(blocks, inserts):
+    """Blocks of CAD {name: (base, entities)} and what is inserted: groups of codes and values, such as insert()."""
+    pairs = lambda *groups: "".join(f"{code}\n{value}\n" for code, value in groups)
+    text = pairs((0, "SECTION"), (2, "BLOCKS"))
+    for name, (base, entities) in blocks.items():
+        text += pairs((0, "BLOCK"), (8, 0), (2, name), (70, 0), (10, base[0]), (20, base[1])) + "".join(pairs(*e) for e in entities)
+        text += pairs((0, "ENDBLK"))
+    text += pairs((0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")) + "".join(pairs(*e) for e in inserts)
+    return text + pairs((0, "ENDSEC"), (0, "EOF"))
+
+
+def outline(corners, layer="0"):
+    """A closed polyline as groups."""
+    return [(0, "LWPOLYLINE"), (8, layer), (90, len(corners)), (70, 1), *(group for x, y in corners for group in ((10, x), (20, y)))]
+
+
+def insert(name, x, y, layer="0", **codes):
+    """An INSERT as groups; further codes as c41=0.5."""
+    return [(0, "INSERT"), (8, layer), (2, name), (10, x), (20, y), *((int(key[1:]), value) for key, value in codes.items())]
+
+
 def svg(stones, sets=None, scale=1.0):
     """As drawn on a page: y runs down, half of the stones within a group that is moved."""
     text = ['<?xml version="1.0"?>', '<svg xmlns="http://www.w3.org/2000/svg" width="100mm">']
