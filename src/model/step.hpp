@@ -34,8 +34,9 @@ struct StepReport {
   double error_estimate = 0;  ///< [-] relative, energy norm
   double tied_share = 0;  ///< [-] largest share of a loose stone's load that ties bear, where it could not be released
   int tied_block = -1;    ///< that stone; -1 where no stone is left loose
-  std::array<int, 2> unstable_joint{-1, -1};  ///< stones of the joint that softens fastest where newton.unstable
-  long long largest_clusters = 0;             ///< nodes that were unknowns in the last round
+  std::array<int, 2> unstable_joint{-1, -1};      ///< stones of the joint that softens fastest where newton.unstable
+  std::array<int, 2> undetermined_joint{-1, -1};  ///< stones of the joint where newton.undetermined is told of
+  long long largest_clusters = 0;                 ///< nodes that were unknowns in the last round
   SystemCost cost;
   bool passed_in_time = false;  ///< statics led nowhere: let go with inertia, the structure came to rest there
 
@@ -49,6 +50,7 @@ struct StepReport {
     tied_share = again.tied_share;
     tied_block = again.tied_block;
     unstable_joint = again.unstable_joint;
+    undetermined_joint = again.undetermined_joint;
     largest_clusters = again.largest_clusters;
     cost.add(again.cost);
   }

@@ -1,6 +1,7 @@
 #include "nonlinear/contact_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -229,7 +230,7 @@ bool ContactSolver::leave_branch(const Instability& found, double sign, const It
 
 /// Forces that nothing tells apart do not depend on the way to this equilibrium. Where friction has to follow, the
 /// state that it leads to is solved for and split again, as long as that brings the two nearer; where no state is found
-/// they stay as they were.
+/// they stay as they were, and the report says by how much they could be others.
 void ContactSolver::split_forces(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
   if (!problem_.shares_forces()) return;
   PointField gap;
@@ -242,12 +243,32 @@ void ContactSolver::split_forces(const Iterate& at, const ContactRequest& reques
     const double apart = measure(at, request.strength, report);
     if (apart <= request.tolerance) return;
     const bool nearer = apart <= methods_.active_set.gained * std::exchange(last, apart);
+    const PointField split = at.lambda;
     if (!nearer || try_active_set(at, {request.tolerance, request.strength}, methods_.solver.patience_from_near,
                                   report) != ActiveSetEnd::arrived) {
+      if (!report.stopped) tell_undetermined(as_found, split, report);
       at.lambda = as_found;
       return;
     }
   }
+}
+
+/// By how much two sets of forces differ that the same motion admits, and where most. Collective.
+void ContactSolver::tell_undetermined(const PointField& found, const PointField& split, NewtonReport& report) const {
+  const auto apart = [&, n = problem_.components()](int k) {
+    double size = 0;
+    for (int c = 0; c < n; ++c) size = std::max(size, std::abs(split[n * k + c] - found[n * k + c]));
+    return size;
+  };
+  double largest = 0;
+  for (int k = 0; k < problem_.owned_points(); ++k) largest = std::max(largest, apart(k));
+  largest = largest_over_ranks(problem_, largest);
+  double first = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < problem_.owned_points(); ++k)
+    if (largest > 0 && apart(k) == largest) first = std::min(first, static_cast<double>(problem_.number_of(k)));
+  first = -largest_over_ranks(problem_, -first);
+  report.undetermined = largest / force_scale(problem_, found);
+  report.undetermined_at = largest > 0 ? static_cast<long long>(first) : -1;
 }
 
 void ContactSolver::wear_down(const Iterate& at, const ContactRequest& request, NewtonReport& report) {

@@ -44,10 +44,12 @@ struct NewtonReport {
   double lost_on_the_way = 0;  ///< [-] largest damage of a point beyond what the state found gives it
   double unstable = 0;         ///< [-] by how much the state gives way on its own (stability.hpp); 0 where it does not
   long long unstable_at = -1;  ///< number of the point that softens fastest there
-  std::string reason;          ///< why it stopped, when it did not converge
-  std::string failure;         ///< what the last of the failed linear solves said
-  bool no_way_on = false;      ///< it stopped because a library refused a system
-  bool stopped = false;        ///< no more linear solves are wanted: every method ends where it is
+  double undetermined = 0;     ///< [-] by how much forces that stones share could be others, relative to the largest
+  long long undetermined_at = -1;  ///< number of the point where that is most
+  std::string reason;              ///< why it stopped, when it did not converge
+  std::string failure;             ///< what the last of the failed linear solves said
+  bool no_way_on = false;          ///< it stopped because a library refused a system
+  bool stopped = false;            ///< no more linear solves are wanted: every method ends where it is
   /// The way that comes first did not close the contact conditions, or was left out since it has failed of late. Of
   /// this solve alone.
   bool hard = false;
@@ -91,6 +93,8 @@ struct NewtonReport {
     lost_on_the_way = other.lost_on_the_way;
     unstable = other.unstable;
     unstable_at = other.unstable_at;
+    undetermined = other.undetermined;
+    undetermined_at = other.undetermined_at;
     reason = other.reason;
     no_way_on = other.no_way_on;
   }

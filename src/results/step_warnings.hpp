@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,21 @@ inline Warnings round_off(double left, double asked, const std::string& when) {
                "displacement, which neither more solves nor shorter steps make less; ask for a tolerance above it"}};
 }
 
+/// Forces where stones meet that no motion tells apart, and that could not be split in the one way that is told else.
+/// @param apart   by how much the forces found differ from that split, relative to the largest
+/// @param asked   tolerance of the scene: nearer ones are the same
+/// @param stones  of the joint where they differ most
+inline Warnings forces_undetermined(double apart, double asked, const std::array<int, 2>& stones,
+                                    const std::string& when) {
+  if (!(apart > asked)) return {};
+  return {{"forces_undetermined", "joint " + std::to_string(stones[0]) + " - " + std::to_string(stones[1]), when, apart,
+           "where three stones or more meet, forces can run round between them without moving any: those told here are "
+           "one set of several that balance, and another, " +
+               six_digits(apart) +
+               " of the largest force apart from it, may be told by another number of ranks or another way of loading; "
+               "how stones have moved and what supports bear does not hang on which, where they slip next may"}};
+}
+
 /// @param when  stage and load factor or time
 inline Warnings warnings_of(const StepReport& report, const ModelSettings& settings, const std::string& when) {
   auto all = held_by_ties(report.tied_share, report.tied_block, when);
@@ -56,6 +72,9 @@ inline Warnings warnings_of(const StepReport& report, const ModelSettings& setti
         std::to_string(report.unstable_joint[0]) + " - " + std::to_string(report.unstable_joint[1]);
     for (auto& warning : unstable(report.newton.unstable, stones, when)) all.push_back(std::move(warning));
   }
+  for (auto& warning :
+       forces_undetermined(report.newton.undetermined, settings.newton.tolerance, report.undetermined_joint, when))
+    all.push_back(std::move(warning));
   for (auto& warning : round_off(report.newton.round_off, settings.newton.tolerance, when))
     all.push_back(std::move(warning));
   if (!jumped(report, settings.internals.step)) return all;

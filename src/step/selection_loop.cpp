@@ -196,8 +196,9 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
     return false;
   }
   if (!looks) keep_damage(problem);
-  if (report_.newton.unstable > 0)
-    report_.unstable_joint = stones_of_point(model_.points(), *model_.structure().comm(), report_.newton.unstable_at);
+  const auto stones_at = [&](PointId id) { return stones_of_point(model_.points(), *model_.structure().comm(), id); };
+  if (report_.newton.unstable > 0) report_.unstable_joint = stones_at(report_.newton.unstable_at);
+  if (report_.newton.undetermined > 0) report_.undetermined_joint = stones_at(report_.newton.undetermined_at);
   ties_seen_.cluster = problem.space().cluster();
   recover_ties();
   return true;

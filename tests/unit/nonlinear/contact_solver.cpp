@@ -120,4 +120,34 @@ TEUCHOS_UNIT_TEST(ContactSolver, WithoutPointsASpringHoldsAndWhatNothingHoldsFal
   }
 }
 
+/// The slider, of whose weight as much as is given is told to run round with other stones.
+class SharedSlider : public Patch {
+ public:
+  explicit SharedSlider(double runs_round) : Patch(parts_of_slider(friction)), runs_round_(runs_round) {}
+  bool shares_forces() const override { return true; }
+  void split_shared_forces(const std::vector<PointFreedom>&, SharedFriction how, PointField& lambda) const override {
+    if (how == SharedFriction::held_where_it_hides) lambda[0] -= runs_round_;
+  }
+
+ private:
+  double runs_round_;  // [N]
+};
+
+// A split that no equilibrium keeps is not taken, and the report says by how much and where it differs.
+TEUCHOS_UNIT_TEST(ContactSolver, TellsForcesThatCannotBeSplitInOneWay) {
+  for (const double runs_round : {0.0, 5.0}) {
+    SharedSlider problem(runs_round);
+    TpetraVector x(problem.map());
+    PointField lambda = {weight, 0};
+    Damage no_damage;
+    FastWay fast;
+    const auto report = ContactSolver(problem, {}, {}, fast).solve({x, lambda, no_damage}, {1e-9});
+    TEST_ASSERT(report.outcome == NewtonOutcome::converged);
+    TEST_FLOATING_EQUALITY(lambda[0], weight, 1e-9);
+    TEST_FLOATING_EQUALITY(local_view(x)[0], at_rest, 1e-6);
+    TEST_COMPARE(std::abs(report.undetermined - runs_round / weight), <, 1e-9);
+    TEST_EQUALITY(report.undetermined_at, runs_round > 0 ? 0 : -1);
+  }
+}
+
 }  // namespace

@@ -61,4 +61,14 @@ TEUCHOS_UNIT_TEST(LostInJump, IsToldWhereItIsSeenInTheEnergies) {
   TEST_ASSERT(lost_in_jump(0, {}, "pull").empty());
 }
 
+TEUCHOS_UNIT_TEST(ForcesUndetermined, AreToldWhereTheyDifferByMoreThanTheToleranceOfTheScene) {
+  TEST_ASSERT(forces_undetermined(0, 1e-6, {-1, -1}, "push").empty());
+  TEST_ASSERT(forces_undetermined(1e-6, 1e-6, {3, 4}, "push").empty());
+  const auto told = forces_undetermined(0.05, 1e-6, {3, 4}, "push");
+  TEST_EQUALITY(told.size(), 1);
+  TEST_EQUALITY(told[0].what, "forces_undetermined");
+  TEST_EQUALITY(told[0].where, "joint 3 - 4");
+  TEST_EQUALITY(told[0].how_much, 0.05);
+}
+
 }  // namespace
