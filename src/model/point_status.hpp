@@ -1,5 +1,5 @@
-// What the law makes of every point at the end of a step: open, stick or slip. The only place where a state is judged
-// so.
+// What the law makes of every point at the end of a step: open, stick or slip, and where slips count from. The only
+// place where a state is judged so.
 #pragma once
 
 #include <vector>
@@ -17,5 +17,11 @@ namespace voussoir {
 /// @return  a PointStatus per point, of those that ties hold too
 std::vector<char> point_statuses(const Model&, const ContactState& state, const PointField& gap,
                                  const PointField& slip_before);
+
+/// Where slips count from in the step that follows [m]: what has slipped is where its stones are, what has not stays
+/// where it was. The place of its stones would be off by what a solve leaves of gaps, and where three stones meet slips
+/// would contradict gaps, which are to vanish: forces would then run round between these stones that nothing asks for.
+/// @return  empty where nothing rubs
+PointField slip_origins(const Model&, const ContactState& state, const PointField& gap, const PointField& slip_before);
 
 }  // namespace voussoir

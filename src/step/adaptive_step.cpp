@@ -58,7 +58,6 @@ StepReport AdaptiveStep::find_equilibrium(ContactState& state, const StepInput& 
 }
 
 StepResult AdaptiveStep::take(const ContactState& before, const StepInput& input) {
-  const int dim = model_.components();
   expect_state(model_, before);
   expect_input(model_, input);
   StepResult result{before, {}};
@@ -68,9 +67,7 @@ StepResult AdaptiveStep::take(const ContactState& before, const StepInput& input
   if (!report.converged()) return result;
   const auto gap = stone_gaps(state);
   state.status = point_statuses(model_, state, gap, before.slip_origin);
-  if (state.slip_origin.empty()) return result;
-  for (int k = 0; k < model_.points().size(); ++k)
-    for (int c = 1; c < dim; ++c) state.slip_origin[dim * k + c] = gap[dim * k + c];
+  state.slip_origin = slip_origins(model_, state, gap, before.slip_origin);
   return result;
 }
 

@@ -103,6 +103,30 @@ TEUCHOS_UNIT_TEST(Recorder, StatusesAreThoseOfForcesAndGaps) {
   TEST_EQUALITY(r.recorder->so_far().written, 1);  // no fields were asked for
 }
 
+// What sticks is where it was, though stones are off by what a solve left; what slips is where they are.
+TEUCHOS_UNIT_TEST(SlipOrigins, FollowWhatSlipsAlone) {
+  Recorded r(fresh_folder("origins"));
+  r.step(0);
+  auto& state = r.wall.state();
+  const auto& model = r.wall.model();
+  const auto points = std::size_t(model.points().size());
+  const double slip = 1e-3, left = 1e-15;  // [m]
+  const PointField before(2 * points, 0.0);
+  PointField gap(2 * points, 0.0);
+  state.selected.assign(points, 1);
+  for (std::size_t k = 0; k < points; ++k) {
+    state.lambda[2 * k] = 100;
+    state.lambda[2 * k + 1] = k % 2 ? -60 : 10;
+    gap[2 * k + 1] = k % 2 ? slip : left;
+  }
+  const auto after = slip_origins(model, state, gap, before);
+  for (std::size_t k = 0; k < points; ++k) TEST_EQUALITY(after[2 * k + 1], k % 2 ? slip : 0.0);
+  // A tie holds its point where it is.
+  state.selected.assign(points, 0);
+  TEST_COMPARE_ARRAYS(slip_origins(model, state, gap, before), gap);
+  TEST_ASSERT(slip_origins(model, state, gap, {}).empty());
+}
+
 TEUCHOS_UNIT_TEST(Recorder, AnEarlierRunGoesOnBehindTheStepsItRecorded) {
   const std::string folder = fresh_folder("goes-on");
   Record after_one;
