@@ -34,7 +34,6 @@ class PatchCutter : public PatchSource {
   bool group(bool all_that_parted, double most) override;
   std::vector<CutPatch> cut(const TpetraVector& x, const PointField& lambda, const PatchRequest&) override;
   void put_back(const std::vector<SolvedPatch>& mine, TpetraVector& x, PointField& lambda) override;
-  bool keep_stuck(const std::vector<int>& numbers) override;
 
  private:
   using Unknown = PatchMessages::Unknown;

@@ -124,14 +124,6 @@ void PatchCutter::choose_owners() {
     }
 }
 
-bool PatchCutter::keep_stuck(const std::vector<int>& numbers) {
-  const auto patches = all_gather(numbers, *parts_.structure.comm(), numbers_alone);
-  stuck_.clear();
-  for (std::size_t b = 0; b < block_.size(); ++b)
-    if (std::find(patches.begin(), patches.end(), patch_[b]) != patches.end()) stuck_.push_back(block_[b]);
-  return !stuck_.empty();
-}
-
 int PatchCutter::patch_of_block(BlockId b) const {
   const auto found = std::lower_bound(block_.begin(), block_.end(), b);
   return found != block_.end() && *found == b ? patch_[found - block_.begin()] : -1;

@@ -175,7 +175,7 @@ void ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, const Tpetr
   const int solves = bring_to_rest(*source, *problem_.map()->getComm(), x, lambda,
                                    {std::max(search.tolerance, patches_.block_threshold * known) * scale_,
                                     std::max(patches_.trigger * search.tolerance, patches_.aim * known), scale_,
-                                    known * scale_, numbers_.lost * known * scale_, resistance_, start},
+                                    numbers_.lost * known * scale_, resistance_, start},
                                    methods_);
   if (solves == 0) {
     lambda = lambda_before;

@@ -21,7 +21,8 @@ void ActiveSetParameters::declare(ParameterSection& section) {
       "solves that gain too little after which it circles. Reason: A(61) takes 21, 31 with 3; the trough of the "
       "ablation 209, 256 with 24");
   section.add("gained", gained, "-", inside(0.0, 1.0),
-              std::string("share of the best residual below which a solve has gained. ") + no_reason);
+              "share of the best residual below which a solve has gained. Reason: a step halved would gain as much; a "
+              "third of it moves no count by a tenth");
   section.add("many krylov", many_krylov, "-", between(1, 1e6),
               "Krylov iterations of a solve at rest, at most; one that has taken them and not gained means stones that "
               "nothing holds: another way is taken. Reason: a preconditioned system of stones that bear takes 3 to 30");

@@ -90,7 +90,7 @@ bool ContactSolver::may_be_fast() {
     return false;
   }
   fast_.wait = fast_.next_wait;  // unless they arrive
-  fast_.next_wait = std::min(2 * fast_.next_wait + 1, methods_.solver.longest_wait);
+  fast_.next_wait = std::min(2 * fast_.next_wait + 1, FastWay::longest);
   return true;
 }
 
@@ -117,7 +117,7 @@ PathEnd ContactSolver::along_the_path(const Iterate& at, const ContactRequest& r
   if (shortcut)
     interior.shortcut = [&](TpetraVector& near_x, PointField& near_lambda) {
       return try_active_set({near_x, near_lambda, at.damage}, {request.tolerance, request.strength},
-                            methods_.solver.patience_from_near, report) == ActiveSetEnd::arrived;
+                            methods_.active_set.patience, report) == ActiveSetEnd::arrived;
     };
   const int steps = std::min(methods_.solver.largest_path, parameters_.largest_iterations - report.newton_iterations);
   const SavedPosition before(problem_, at.x);
@@ -244,8 +244,8 @@ void ContactSolver::split_forces(const Iterate& at, const ContactRequest& reques
     if (apart <= request.tolerance) return;
     const bool nearer = apart <= methods_.active_set.gained * std::exchange(last, apart);
     const PointField split = at.lambda;
-    if (!nearer || try_active_set(at, {request.tolerance, request.strength}, methods_.solver.patience_from_near,
-                                  report) != ActiveSetEnd::arrived) {
+    if (!nearer || try_active_set(at, {request.tolerance, request.strength}, methods_.active_set.patience, report) !=
+                       ActiveSetEnd::arrived) {
       if (!report.stopped) tell_undetermined(as_found, split, report);
       at.lambda = as_found;
       return;
@@ -290,7 +290,7 @@ void ContactSolver::wear_down(const Iterate& at, const ContactRequest& request, 
     if (after.by_far) continue;  // what it bore goes elsewhere first
     rough.tolerance = std::max(tolerance, rough.tolerance / 10);
     if (measure(at, StrengthIs::falling, report) <= tolerance ||
-        try_active_set(at, {tolerance}, numbers.patience_from_near, report) == ActiveSetEnd::arrived) {
+        try_active_set(at, {tolerance}, methods_.active_set.patience, report) == ActiveSetEnd::arrived) {
       report.outcome = NewtonOutcome::converged;
       return;
     }

@@ -7,16 +7,12 @@ namespace voussoir {
 void ContactSolverParameters::declare(ParameterSection& section) {
   section.add("active sets", active_sets, "active sets are tried first");
   section.add("shortcut", shortcut, "active sets are tried again near the end of the path");
-  section.add("back off", back_off,
-              "active sets that failed are left out of the load steps that follow, for longer after every failure. "
-              "Reason: where they fail they tend to fail again");
-  section.add("longest wait", longest_wait, "-", between(0, 1000),
-              std::string("solves that active sets are left out of at most. ") + no_reason);
+  section.add(
+      "back off", back_off,
+      "active sets that failed are left out of the load steps that follow, of twice as many after every failure. "
+      "Reason: where they fail they tend to fail again");
   section.add("fast solves", fast_solves, "-", between(1, 1e6),
               "linear solves of active sets. Reason: those that arrive take up to 20");
-  section.add("patience from near", patience_from_near, "-", between(1, 1e6),
-              "solves without a gain after which they give up there. Reason: the path goes on and offers a better "
-              "state");
   section.add("largest path", largest_path, "-", between(1, 1e6),
               "steps of the path. Reason: those that arrive take up to 130, those of patches of large walls up to 142");
 }

@@ -14,17 +14,15 @@ class ParameterSection;
 struct ContactSolverParameters {
   bool active_sets = true;  ///< active sets are tried first
   bool shortcut = true;     ///< active sets are tried again near the end of the path
-  /// active sets that failed are left out of the load steps that follow, for longer after every failure
+  /// active sets that failed are left out of the load steps that follow, of twice as many after every failure
   bool back_off = true;
-  int longest_wait = 7;        ///< solves that active sets are left out of at most
-  int fast_solves = 30;        ///< linear solves of active sets
-  int patience_from_near = 3;  ///< solves without a gain after which they give up near the end of the path
-  int largest_path = 200;      ///< steps of the path, also in patches
+  int fast_solves = 30;    ///< linear solves of active sets
+  int largest_path = 200;  ///< steps of the path, also in patches
   /// of the linear solve of a structure without contact points, where one solve is the answer: round-off
   static constexpr double finest_accuracy = 1e-12;
   /// of an equilibrium with strength that is held, from which points wear: statuses may be known, and what follows
   /// wears on
-  static constexpr double held_accuracy = InteriorPathParameters{}.near;
+  static constexpr double held_accuracy = InteriorPathParameters::near;
   /// linear solves in pseudo-time before another path is tried, clearly more than active sets go round in: a structure
   /// that stones in flight have left is near a solution, from where the path is short
   static constexpr int closing_solves = static_cast<int>(order_of_magnitude) * ActiveSetParameters{}.patience;

@@ -5,7 +5,9 @@
 namespace voussoir {
 
 struct FastWay {
-  int wait = 0;       ///< solves that go without it: none, 1, 3, up to a bound that is a setting
+  /// solves that go without it: none, 1, 3, 7, ...: as many as it has failed in vain, so that it never costs more than
+  /// twice what it would if one knew where it fails
+  int wait = 0;
   int next_wait = 0;  ///< after its next failure
   int offered = 0;    ///< 1 where it is tried again near the end of the path: it circled
   template <class Archive>
@@ -14,7 +16,7 @@ struct FastWay {
     archive.within("fast_way.last_wait", next_wait, 0, longest);
     archive.within("fast_way.offered", offered, 0, 1);
   }
-  static constexpr int longest = 1000;  ///< that a wait can be, whatever the settings of the run are
+  static constexpr int longest = 1000;  ///< that a wait can be
 };
 
 }  // namespace voussoir

@@ -11,8 +11,6 @@ void InteriorPathParameters::declare(ParameterSection& section) {
   section.add("to boundary", to_boundary, "-", inside(0.0, 1.0),
               "share of the step to the boundary that is taken, at most a full step. Reason: slacks stay positive: "
               "Wright (1997)");
-  section.add("largest share", largest_share, "-", inside(0.0, 1.0),
-              "most that it leaves. Reason: short steps, too, have to come nearer");
   section.add("solve accuracy", solve_accuracy, "-", inside(0.0, 1.0),
               "of linear solves. Reason: 1e-3 takes as many solves and 1.6 times the Krylov iterations on the "
               "bridge; with 3e-2 the deformed bridge does not arrive");
@@ -21,9 +19,6 @@ void InteriorPathParameters::declare(ParameterSection& section) {
               "Reason: steps that cross a fold are short, and friction that follows by less needs some to show");
   section.add("halting", halting, "-", inside(0.0, 1.0),
               "step that is next to none. Reason: what bounds such steps shrinks with them");
-  section.add("near", near, "-", above(0.0),
-              "residual at which statuses may be known: active sets are offered the state. Reason: the trough of the "
-              "ablation takes 209 solves, 233 with 3e-3, 227 with a third of it");
 }
 
 }  // namespace voussoir

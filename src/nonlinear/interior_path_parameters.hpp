@@ -15,11 +15,9 @@ struct InteriorPathParameters {
   bool used = true;              ///< the interior path follows where active sets fail, in patches too
   bool folds = true;             ///< friction follows the pressure by less where the path folds
   double to_boundary = 0.99;     ///< share of the step to the boundary that is taken, at most a full step
-  double largest_share = 0.7;    ///< most that a step leaves of the barrier
   double solve_accuracy = 1e-2;  ///< of linear solves
   int patience = 15;             ///< steps that gain too little, or are next to none, after which it leads no further
   double halting = 1e-6;         ///< step that is next to none
-  double near = 1e-3;            ///< residual at which statuses may be known: active sets are offered the state
   /// coefficient of friction beyond which it counts as this: larger numbers spoil the conditioning
   static constexpr double locking_friction = LimitAnalysisParameters::endless_friction;
   /// distance from the bounds at which the path begins, relative to the largest force: W(16), A(61), A(121) take 138
@@ -34,6 +32,8 @@ struct InteriorPathParameters {
   /// least that a step leaves of the barrier, which aims at (1 - length of the last step)^2: Wright (1997); to a
   /// hundredth slacks get uneven
   static constexpr double least_share = 1 / order_of_magnitude;
+  /// most that a step leaves of it: a short one, too, has to come nearer by as much as active sets call a gain
+  static constexpr double largest_share = ActiveSetParameters{}.gained;
   /// share of the squared contact residual below which the barrier does not fall: it waits for residuals of a tenth
   static constexpr double waiting = 1 / (order_of_magnitude * order_of_magnitude);
   /// share of the proximal weights: holds loose stones, and is a hundredth of what bounds a collapse
@@ -44,6 +44,8 @@ struct InteriorPathParameters {
   static constexpr double balanced = 1 / order_of_magnitude;
   /// step below which the path folds, though equilibrium is near
   static constexpr double folded = 1 / order_of_magnitude;
+  /// residual at which statuses may be known: active sets are offered the state
+  static constexpr double near = 1 / (order_of_magnitude * order_of_magnitude * order_of_magnitude);
   /// by which residuals must fall before active sets are offered the state again
   static constexpr double nearer = 1 / order_of_magnitude;
   void declare(ParameterSection&);

@@ -12,15 +12,15 @@ namespace voussoir {
 class ParameterSection;
 
 struct PatchParameters {
-  bool used = true;       ///< stones that keep a load step from closing are brought to rest alone
-  double trigger = 0.05;  ///< share of the best residual above which a solve has left stuck stones
-  int more_rings = 3;     ///< rings of neighbours that a patch which passes on too much may gain
+  bool used = true;  ///< stones that keep a load step from closing are brought to rest alone
   /// of all unknowns that patches may have together; half of it, that all that has parted may have to be one patch:
   /// beyond, their direct solutions cost more than they save, as those of the preconditioner
   double largest_share = CoarseOperatorParameters{}.largest_region;
   /// share of the residual beyond which a stone is stuck, and share of its tolerance that a patch aims at: with the
   /// right statuses a solve leaves a hundredth
   static constexpr double block_threshold = 1 / (order_of_magnitude * order_of_magnitude);
+  /// share of the best residual above which a solve has left stuck stones: with the right ones it leaves a hundredth
+  static constexpr double trigger = 1 / order_of_magnitude;
   /// share of the residual that a patch is solved to: the stones around it are farther from rest
   static constexpr double aim = block_threshold / order_of_magnitude;
   /// linear solves of active sets in a patch, and steps of the path: those of walls of 512 courses that arrive take up

@@ -12,14 +12,12 @@ namespace {
 /// What became of the patches of all ranks.
 struct Round {
   int solves = 0;
-  bool at_rest = true;          ///< every patch came to rest
-  std::vector<int> too_narrow;  ///< patches of this rank that passed on too much
+  bool at_rest = true;  ///< every patch came to rest
 };
 
 /// Solves the patches there are.
-/// @param bearable  [N] a patch that passes on more is left as it was
 Round solve_round(PatchSource& source, const Teuchos::Comm<int>& comm, TpetraVector& x, PointField& lambda,
-                  const PatchRequest& request, double bearable, const MethodParameters& methods) {
+                  const PatchRequest& request, const MethodParameters& methods) {
   Round round;
   NewtonReport report;
   std::vector<SolvedPatch> solved;
@@ -30,9 +28,7 @@ Round solve_round(PatchSource& source, const Teuchos::Comm<int>& comm, TpetraVec
     Patch patch(std::move(cut.parts), methods);
     if (too_large || !patch.solve(request.tolerance, report))
       ++failed;
-    else if (patch.passed_on() > bearable)
-      round.too_narrow.push_back(cut.number);
-    else
+    else if (patch.passed_on() <= request.most)
       solved.push_back({cut.number, patch.displacement(), patch.solved_points(), patch.solved_border()});
   }
   source.put_back(solved, x, lambda);
@@ -50,18 +46,14 @@ int bring_to_rest(PatchSource& source, const Teuchos::Comm<int>& comm, TpetraVec
   int solves = 0;
   if (source.parts_together()) {
     if (source.group(true, numbers.largest_share / 2)) {
-      const auto round = solve_round(source, comm, x, lambda, request, request.most, methods);
+      const auto round = solve_round(source, comm, x, lambda, request, methods);
       solves += round.solves;
       if (round.at_rest) return solves;
     }
     source.part_no_more_together();
   }
-  for (int ring = 0; source.group(false, numbers.largest_share); ++ring) {
-    const bool last = ring == numbers.more_rings;
-    const auto round = solve_round(source, comm, x, lambda, request, last ? request.most : request.bearable, methods);
-    solves += round.solves;
-    if (last || !source.keep_stuck(round.too_narrow)) break;
-  }
+  if (source.group(false, numbers.largest_share))
+    solves += solve_round(source, comm, x, lambda, request, methods).solves;
   return solves;
 }
 

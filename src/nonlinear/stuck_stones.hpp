@@ -2,7 +2,7 @@
 //
 // A structure hands out patches as values: the stones that are stuck, with their neighbours. Each is solved here by the
 // rank that was given it, and those who own its unknowns and points take back what came out. A patch that leaves more
-// to its surroundings than they should bear is left as it was and tried with more neighbours. Where little of a
+// to its surroundings than they should bear is left as it was. Where little of a
 // structure has parted, all of that is one patch.
 #pragma once
 
@@ -20,8 +20,7 @@ struct PatchRequest {
   double threshold = 0;  ///< [N] blocks out of balance or against the law by more are brought to rest
   double tolerance = 0;  ///< relative to the largest force
   double scale = 0;      ///< [N] that force
-  double bearable = 0;   ///< [N] patches that pass more on to their surroundings are tried with more neighbours
-  double most = 0;       ///< [N] and, if that does not help, left as they were when it is more than this
+  double most = 0;       ///< [N] patches that pass more on to their surroundings are left as they were
   const std::vector<PointStiffness>& resistance;  ///< of the last linear solve
   const TpetraVector& start;  ///< where stones of patches begin: before that solve, which they may have fled from
 };
@@ -55,8 +54,6 @@ class PatchSource {
   virtual std::vector<CutPatch> cut(const TpetraVector& x, const PointField& lambda, const PatchRequest&) = 0;
   /// Moves x and lambda by what came to rest.
   virtual void put_back(const std::vector<SolvedPatch>& mine, TpetraVector& x, PointField& lambda) = 0;
-  /// What is stuck from now on: the blocks of some groups, named by any rank. Are there any?
-  virtual bool keep_stuck(const std::vector<int>& numbers) = 0;
 };
 
 /// Brings stuck stones to rest, and moves x and lambda. Returns linear solves of patches over all ranks, 0 where

@@ -73,7 +73,7 @@ struct WallAtRest {
     auto& source = *problem->patches();
     source.part_no_more_together();
     return bring_to_rest(source, *problem->map()->getComm(), *x, lambda,
-                         {1e-4 * scale, 1e-8, scale, scale, 10 * scale, sticking, start},
+                         {1e-4 * scale, 1e-8, scale, 10 * scale, sticking, start},
                          wall.scene().internals.methods);
   }
 };
@@ -144,7 +144,7 @@ TEUCHOS_UNIT_TEST(StuckStones, APatchGoesToTheRankThatOwnsMostOfItsBlocksAlone) 
     w.lift(stone, 1e-7);
     TEST_ASSERT(source.find_stuck(*w.x, w.lambda, 1e-4 * scale));
     TEST_ASSERT(source.group(false, 1.0));
-    const auto cut = source.cut(*w.x, w.lambda, {1e-4 * scale, 1e-8, scale, scale, 10 * scale, w.sticking, at_rest});
+    const auto cut = source.cut(*w.x, w.lambda, {1e-4 * scale, 1e-8, scale, 10 * scale, w.sticking, at_rest});
     w.lift(stone, -1e-7);
     TEST_EQUALITY(total_over_ranks(comm, static_cast<int>(cut.size())), 1);
     const int owner = owner_of_most(w, stone);
