@@ -73,8 +73,7 @@ struct WallAtRest {
     auto& source = *problem->patches();
     source.part_no_more_together();
     return bring_to_rest(source, *problem->map()->getComm(), *x, lambda,
-                         {1e-4 * scale, 1e-8, scale, 10 * scale, sticking, start},
-                         wall.scene().internals.methods);
+                         {1e-4 * scale, 1e-8, scale, 10 * scale, sticking, start}, wall.scene().internals.methods);
   }
 };
 
