@@ -5,8 +5,8 @@
 namespace voussoir {
 
 struct FastWay {
-  /// solves that go without it: none, 1, 3, 7, ...: as many as it has failed in vain, so that it never costs more than
-  /// twice what it would if one knew where it fails
+  /// solves that go without it: none, 1, 3, 7, ..., twice as many after every failure, so that failures grow as the
+  /// logarithm of the solves
   int wait = 0;
   int next_wait = 0;  ///< after its next failure
   int offered = 0;    ///< 1 where it is tried again near the end of the path: it circled
