@@ -4,6 +4,7 @@
 
 #include "drawings/plane_mesh.hpp"
 #include "linalg/agree.hpp"
+#include "mesh/curved_edges.hpp"
 
 namespace voussoir {
 
@@ -15,13 +16,15 @@ std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, con
     list = std::move(meshes.list);
     list.picture = picture_of(stones);
     list.report = std::move(stones.report);
-    list.report.push_back(std::to_string(meshes.of_quadrilaterals) + " stones of quadrilaterals, " +
-                          std::to_string(list.blocks.size() - static_cast<std::size_t>(meshes.of_quadrilaterals)) +
-                          " of triangles: " + std::to_string(meshes.nodes) + " nodes, " + std::to_string(meshes.cells) +
-                          " cells");
+    list.report.push_back(
+        std::to_string(meshes.of_quadrilaterals) + " stones of quadrilaterals, " +
+        std::to_string(list.blocks.size() - static_cast<std::size_t>(meshes.of_quadrilaterals)) +
+        (p.cells == StoneCells::quadratic_triangles ? " of quadratic triangles: " : " of triangles: ") +
+        std::to_string(meshes.nodes) + " nodes, " + std::to_string(meshes.cells) + " cells");
   });
   broadcast_blocks(comm, list);
-  return make_source(std::move(list));
+  auto source = make_source(std::move(list));
+  return p.cells == StoneCells::quadratic_triangles ? with_curved_edges(std::move(source)) : std::move(source);
 }
 
 }  // namespace voussoir

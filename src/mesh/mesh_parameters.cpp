@@ -42,7 +42,8 @@ void GmshParameters::declare(ParameterSection& section) {
 bool MeshParameters::has_quadratic_triangles() const {
   return (type == MeshType::gmsh && gmsh.cells == CellType::quadratic_triangle) ||
          (type == MeshType::wall && wall.cells == CellType::quadratic_triangle) ||
-         (type == MeshType::arch && arch.cells == CellType::quadratic_triangle);
+         (type == MeshType::arch && arch.cells == CellType::quadratic_triangle) ||
+         (type == MeshType::stones && stones.cells == StoneCells::quadratic_triangles);
 }
 
 const MasonryParameters* MeshParameters::masonry() const {

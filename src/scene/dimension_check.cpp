@@ -23,11 +23,13 @@ void check_plane(Scene& scene, InputProblems& problems) {
     if (support.components.find('z') != std::string::npos)
       problems.add("scene > supports > " + name + " > components",
                    " = " + in_quotes(support.components) + why + "Give all, xy, x or y.");
+  const bool drawn = scene.mesh.type == MeshType::stones;
   if (scene.model.rotations == Rotations::finite && scene.mesh.has_quadratic_triangles())
-    problems.add(
-        "scene > model > rotations",
-        " = \"finite\"\n  does not go with cells = \"quadratic triangle\": how their edges bend is found once, "
-        "and does not turn with a stone.\n  Give cells = \"quadrilateral\" or \"triangle\", or small rotations.");
+    problems.add("scene > model > rotations",
+                 std::string(" = \"finite\"\n  does not go with cells = \"quadratic triangle") + (drawn ? "s" : "") +
+                     "\": how their edges bend is found once, and does not turn with a stone.\n  Give cells = " +
+                     (drawn ? "\"by shape\" or \"triangles\"" : "\"quadrilateral\" or \"triangle\"") +
+                     ", or small rotations.");
   if (scene.model.hexahedra != ModelParameters{}.hexahedra)
     scene.warnings.push_back("model > hexahedra has no effect: the mesh is plane.");
 }

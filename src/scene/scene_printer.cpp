@@ -30,16 +30,28 @@ Defaults changed_internals(const Scene& scene) {
 
 std::string counted(int n, const std::string& thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
+/// Behind a comma; nothing of what goes without saying.
+std::string words_of(StoneCells cells) {
+  switch (cells) {
+    case StoneCells::by_shape:
+      return "";
+    case StoneCells::tetrahedra:
+      return ", tetrahedra";
+    case StoneCells::triangles:
+      return ", triangles";
+    case StoneCells::quadratic_triangles:
+      return ", quadratic triangles";
+  }
+  return "";
+}
+
 std::string mesh_text(const MeshParameters& mesh) {
   if (const auto* masonry = mesh.masonry()) return masonry->words();
   if (mesh.type == MeshType::stones) {
     const StonesParameters& s = mesh.stones;
     std::string text = "stones of " + s.file + ", unit " + number_text(s.unit) + " m" +
                        (s.element_size > 0 ? ", element size " + number_text(s.element_size) + " m" : "") +
-                       (s.cells == StoneCells::tetrahedra  ? ", tetrahedra"
-                        : s.cells == StoneCells::triangles ? ", triangles"
-                                                           : "") +
-                       (s.snap > 0 ? ", snap " + number_text(s.snap) + " m" : "");
+                       words_of(s.cells) + (s.snap > 0 ? ", snap " + number_text(s.snap) + " m" : "");
     for (const auto& [name, value] : s.geometry) text += ", " + name + " = " + number_text(value);
     return text;
   }

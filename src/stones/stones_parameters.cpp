@@ -35,13 +35,16 @@ void check_kind(ParameterSection& section, const StonesParameters& p) {
     refuse_where(p.joint_tolerance > 0, "joint tolerance", number_text(p.joint_tolerance) + " [m]", "Give snap.");
     refuse_where(p.weld > 0, "weld", number_text(p.weld) + " [m]", "Give snap.");
     refuse_where(p.up == UpAxis::z, "up", "\"z\"", "Give usual, y, x or -y.");
-    refuse_where(p.cells == StoneCells::tetrahedra, "cells", "\"tetrahedra\"", "Give by shape or triangles.");
+    refuse_where(p.cells == StoneCells::tetrahedra, "cells", "\"tetrahedra\"",
+                 "Give by shape, triangles or quadratic triangles.");
     refuse_where(p.element != StoneElement::quadratic, "element", "\"linear\"", "Leave it out.");
     refuse_where(!p.geometry.empty(), "geometry", "", "Leave it out.");
   } else {
     refuse_where(p.snap > 0, "snap", number_text(p.snap) + " [m]", "Give joint tolerance and weld.");
     refuse_where(p.up == UpAxis::minus_y, "up", "\"-y\"", "Give usual, x, y or z.");
     refuse_where(p.cells == StoneCells::triangles, "cells", "\"triangles\"", "Give by shape or tetrahedra.");
+    refuse_where(p.cells == StoneCells::quadratic_triangles, "cells", "\"quadratic triangles\"",
+                 "Give by shape or tetrahedra.");
   }
 }
 
@@ -54,9 +57,8 @@ void StonesParameters::declare(ParameterSection& section) {
       "a BlockModel), .stl, .ply, or a folder of such files, one for each stone; or solids: .step, or .geo and .msh of "
       "gmsh, every volume of which is a stone. A scene of the plane has a drawing: .csv (a row for each corner: stone, "
       "x, y, and where wanted set and hole), .dxf (closed polylines, circles; the layer is a set), .svg (closed paths "
-      "and "
-      "shapes; id is the name, class a set), .geojson (polygons; name, set). A relative path is sought "
-      "beside the scene, then in its parent folder and the folder meshes/ of that",
+      "and shapes; id is the name, class a set), .geojson (polygons; name, set). A relative path is sought beside the "
+      "scene, then in its parent folder and the folder meshes/ of that",
       Presence::required, "Give the path of a file of stones, such as meshes/vault.obj.");
   section.add("unit", unit, "m", above(0.0).usually(1e-3, 1), "length that the file calls 1",
               "a length; a file of stones need not say its unit", "Give 0.001 for a file in millimetres.");
@@ -92,11 +94,13 @@ void StonesParameters::declare(ParameterSection& section) {
       "cells", cells,
       {{"by shape", StoneCells::by_shape},
        {"tetrahedra", StoneCells::tetrahedra},
-       {"triangles", StoneCells::triangles}},
+       {"triangles", StoneCells::triangles},
+       {"quadratic triangles", StoneCells::quadratic_triangles}},
       "by shape: hexahedra where a stone and all it touches, directly or through others, "
       "are boxes that joints cut along "
       "lattice lines, else tetrahedra. Volumes of gmsh whose meshes match node to node keep "
-      "their cells. Of a drawing: quadrilaterals where a stone has four sides, else triangles");
+      "their cells. Of a drawing: quadrilaterals where a stone has four sides, else triangles; or triangles alone, "
+      "quadratic ones of which bend along their edges, but for edges on joints and supports");
   section.add_choice<StoneElement>(
       "element", element, {{"quadratic", StoneElement::quadratic}, {"linear", StoneElement::linear}},
       "tetrahedra: quadratic ones bend along their edges, but for edges on joints and supports, and are condensed to "

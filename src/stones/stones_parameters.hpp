@@ -13,8 +13,8 @@ class ParameterSection;
 enum class UpAxis { usual, x, y, z, minus_y };
 
 /// Hexahedra where stones are boxes and joints allow it, tetrahedra elsewhere; or tetrahedra alone. In the plane
-/// quadrilaterals where stones are, triangles elsewhere; or triangles alone.
-enum class StoneCells { by_shape, tetrahedra, triangles };
+/// quadrilaterals where stones are, triangles elsewhere; or triangles alone, linear ones or such that bend.
+enum class StoneCells { by_shape, tetrahedra, triangles, quadratic_triangles };
 
 /// Tetrahedra that are quadratic between joints and linear on them, or linear ones.
 enum class StoneElement { quadratic, linear };

@@ -145,6 +145,26 @@ class DrawnStones(program.SceneTest):
         run = self.run_scene(scene(stones("wall.dxf"), supports={"on": "faces", "blocks": "Brick"}), "--validate", out="named")
         self.assertEqual(run.code, 0, run.said)
 
+    def test_triangles_that_bend_are_nearer_to_fine_cells(self):
+        """An arm on a stone that is held, bonded: linear triangles are too stiff where it bends."""
+        beam = {"wall": drawings.box(-0.4, 0, 0.4, 0.4), "arm": drawings.box(0, 0, 0.8, 0.4)}
+        self.draw("beam.csv", drawings.csv(beam))
+        found = {}
+        for name, cells, size in (("fine", "by shape", 0.02), ("bends", "quadratic triangles", 0.2), ("linear", "triangles", 0.2)):
+            mesh = stones("beam.csv", **{"cells": cells, "element size": size})
+            run = self.solved(mesh, name, supports={"on": "left"}, selection={"mode": "bonded"})
+            found[name] = run.history[0]["largest_displacement_m"]
+        self.assertLess(abs(found["bends"] / found["fine"] - 1), 0.02, found)
+        self.assertLess(found["linear"] / found["fine"], 0.85, found)
+        mesh = stones("beam.csv", cells="quadratic triangles")
+        self.assertIn("0 stones of quadrilaterals, 2 of quadratic triangles", self.run_scene(scene(mesh), "--validate", out="seen").words)
+        run = self.run_scene(scene(mesh, model={"rotations": "finite"}), "--validate", out="turned")
+        self.assertEqual(run.code, 2)
+        self.assertIn('does not go with cells = "quadratic triangles"', run.words)
+        run = self.run_scene(scene({"type": "stones", "stones": {"file": "a.obj", "cells": "quadratic triangles"}}), "--validate", out="space")
+        self.assertEqual(run.code, 2)
+        self.assertIn("is of drawings in the plane", run.words)
+
     def test_two_ranks_and_a_restart_find_the_same(self):
         self.draw("survey.svg", drawings.svg(drawings.bond(COURSES, COUNT, LENGTH, HEIGHT, 3e-3, seed=5)))
         text = scene(stones("survey.svg"))
