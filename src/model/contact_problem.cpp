@@ -96,15 +96,18 @@ void ContactProblem::split_shared_forces(const std::vector<PointFreedom>& freedo
   parts_.points.exchange().update(lambda, dim_);
 }
 
-/// The largest load, and the stiffest point.
+/// The largest load, the stiffest point, and the largest force that a point bore.
 void ContactProblem::set_scales() {
   const auto& s = parts_.structure;
-  std::array<double, 2> largest{};
+  std::array<double, 3> largest{};
   for (int i = 0; i < dim_ * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
   for (double k : parts_.local_stiffness) largest[1] = std::max(largest[1], k);
+  for (std::size_t i = 0; asked_->borne && i < asked_->borne->size(); i += dim_)
+    largest[2] = std::max(largest[2], std::abs((*asked_->borne)[i]));
   const auto all = largest_of_each(*s.comm(), largest);
   force_scale_ = all[0];
   stiffest_ = all[1];
+  borne_ = all[2];
 }
 
 /// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.

@@ -41,6 +41,9 @@ class ContactProblem : public NonlinearProblem {
     const std::vector<double>& load;             ///< nodal forces [N, components x local node copies]
     const std::vector<double>& prescribed;       ///< displacement of held components [m], the same shape
     const SofteningPoints* softening = nullptr;  ///< null where no joint can lose strength
+    /// [N] what points bore at the start of the step. Where no load acts residuals are measured against that too: of
+    /// a structure that is let go by its supports nothing but round-off is left in the end.
+    const PointField* borne = nullptr;
   };
 
   /// Unknowns, matrix and preconditioner of a selection. Collective.
@@ -95,7 +98,7 @@ class ContactProblem : public NonlinearProblem {
   /// and what then deforms them is left.
   double round_off() const override;
   /// Without loads: the forces that prescribed displacements cause.
-  double force_scale() const override { return force_scale_ > 0 ? force_scale_ : internal_scale_; }
+  double force_scale() const override { return force_scale_ > 0 ? force_scale_ : std::max(internal_scale_, borne_); }
   double length_scale() const override { return parts_.structure.size(); }
 
  private:
@@ -123,7 +126,7 @@ class ContactProblem : public NonlinearProblem {
   // empty before.
   Teuchos::RCP<TpetraVector> carried_;
   std::vector<double> rigid_, rigid_gap_, deformed_;
-  double force_scale_ = 0, internal_scale_ = 0, stiffest_ = 0;
+  double force_scale_ = 0, internal_scale_ = 0, borne_ = 0, stiffest_ = 0;
   std::vector<double> row_sum_;  ///< [N/m] of each block, the largest sum of absolute values in a row of its matrix
   double absolute_terms_ = 0;    ///< [N] largest sum of absolute values of what makes a force within a block
   std::unique_ptr<SharedForces> shared_forces_;  ///< none where no joint softens

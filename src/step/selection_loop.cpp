@@ -174,8 +174,8 @@ NewtonParameters SelectionLoop::way_of_solving() const {
 /// @param known_gap  [m] of the state, where that is an equilibrium under other loads; else null
 bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
   const int dim = model_.components();
-  auto& problem =
-      tools_.problem(state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening()});
+  auto& problem = tools_.problem(
+      state_.selected, {law_, state_.slip_origin, input_.load, input_.prescribed, softening(), &before_.lambda});
   ContactSolver newton(problem, way_of_solving(), model_.settings().internals.methods, state_.fast_way);
   newton.watch = [this](const NewtonProgress& solve) { return progress_.solved(solve); };
   const bool looks = next_.wanted > tolerance_ && !in_time() && strength_ == StrengthIs::held;
