@@ -96,7 +96,12 @@ void ContactProblem::split_shared_forces(const std::vector<PointFreedom>& freedo
   parts_.points.exchange().update(lambda, dim_);
 }
 
-/// The largest load, the stiffest point, and the largest force that a point bore.
+/// Share of the forces borne at the start of a step below which those of its end are not told apart: they come of the
+/// former by subtraction, which leaves round-off of these, and a tolerance of 1e-8 of this share is ten thousand times
+/// that.
+constexpr double remembered = 1e-4;
+
+/// The largest load, the stiffest point, and what is remembered of the largest force that a point bore.
 void ContactProblem::set_scales() {
   const auto& s = parts_.structure;
   std::array<double, 3> largest{};
@@ -107,7 +112,7 @@ void ContactProblem::set_scales() {
   const auto all = largest_of_each(*s.comm(), largest);
   force_scale_ = all[0];
   stiffest_ = all[1];
-  borne_ = all[2];
+  borne_ = remembered * all[2];
 }
 
 /// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.

@@ -41,8 +41,8 @@ class ContactProblem : public NonlinearProblem {
     const std::vector<double>& load;             ///< nodal forces [N, components x local node copies]
     const std::vector<double>& prescribed;       ///< displacement of held components [m], the same shape
     const SofteningPoints* softening = nullptr;  ///< null where no joint can lose strength
-    /// [N] what points bore at the start of the step. Where no load acts residuals are measured against that too: of
-    /// a structure that is let go by its supports nothing but round-off is left in the end.
+    /// [N] what points bore at the start of the step. Residuals are measured against a small share of that at least: of
+    /// a structure that is let go nothing but round-off is left in the end.
     const PointField* borne = nullptr;
   };
 
@@ -97,8 +97,9 @@ class ContactProblem : public NonlinearProblem {
   /// In time displacements are those of the step. At rest what they move stones by as wholes is carried where it tells,
   /// and what then deforms them is left.
   double round_off() const override;
-  /// Without loads: the forces that prescribed displacements cause.
-  double force_scale() const override { return force_scale_ > 0 ? force_scale_ : std::max(internal_scale_, borne_); }
+  /// The largest load, or without loads the forces that prescribed displacements cause; next to nothing beside what was
+  /// borne counts as such a share of that.
+  double force_scale() const override { return std::max(force_scale_ > 0 ? force_scale_ : internal_scale_, borne_); }
   double length_scale() const override { return parts_.structure.size(); }
 
  private:

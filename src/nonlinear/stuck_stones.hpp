@@ -2,8 +2,8 @@
 //
 // A structure hands out patches as values: the stones that are stuck, with their neighbours. Each is solved here by the
 // rank that was given it, and those who own its unknowns and points take back what came out. A patch that leaves more
-// to its surroundings than they should bear is left as it was. Where little of a
-// structure has parted, all of that is one patch.
+// to its surroundings than they should bear is left as it was. Where little of a structure has parted, all of that is
+// one patch.
 #pragma once
 
 #include <vector>

@@ -223,12 +223,10 @@ ContactState DynamicStep::at_end(const ContactState& before, ContactState mid, c
   }
   after.slip_origin = before.slip_origin;
   if (after.slip_origin.empty()) return after;
-  const auto gap = at_rest_.gaps(after.displacement);
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (i % dim == 0) continue;
-    const bool springs = yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim));
-    after.slip_origin[i] = springs ? before.slip_origin[i] + 2 * (slipped[i] - slips[i]) : gap[i];
-  }
+  after.slip_origin = slip_origins(at_rest_, after, at_rest_.gaps(after.displacement), before.slip_origin);
+  for (std::size_t i = 0; i < slipped.size(); ++i)
+    if (i % dim != 0 && yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim)))
+      after.slip_origin[i] = before.slip_origin[i] + 2 * (slipped[i] - slips[i]);
   return after;
 }
 
