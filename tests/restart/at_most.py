@@ -17,8 +17,10 @@ import program  # noqa: E402
 import sweeps  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# An attempt at a load factor that turns far takes seconds, the whole search most of a minute.
+# With this many stones an attempt at a load factor that turns far takes a second, the whole search minutes: processors may
+# be ten times as fast, or as slow.
 SLOW = ROOT / "xml/spreading-arch.xml"
+SLOWLY = ("--set", "mesh/arch/voussoirs=192", "--set", "load factor/accuracy=1e-5", "--set", "load factor/first factor=0.02")
 # Beside the time that was asked for: the start of the program, its last linear solve, what it writes; on a busy machine.
 SPARE = 20.0
 
@@ -32,20 +34,22 @@ class AtMost(sweeps.SweepTest):
                                                        f'name="duration" type="double" value="{duration}"')
 
     def test_a_search_ends_in_time_with_its_bracket(self):
-        began = time.monotonic()
-        # Closer than any search gets: it goes on for as long as it may.
-        run = self.run_scene(SLOW, "--at-most=9s", "--set", "load factor/accuracy=1e-5", "--set", "load factor/first factor=0.2")
-        self.assertEqual(run.code, 5, run.said)
-        self.assertLess(time.monotonic() - began, 9 + SPARE)
-        known = self.known()
-        self.assertEqual(known["outcome"], "interrupted")
-        self.assertFalse((self.folder / "out/result.json").exists())
-        self.assertTrue(known["message"].startswith("stopped because its time was over after "), known["message"])
-        self.assertIn(known["message"][1:], run.words)  # with a capital there
-        if known["collapse"]["lower"] > 0:
-            self.assertIn(f"it stands at {known['collapse']['lower']:.6g}", known["message"])
-            self.assertEqual(known["collapse"]["attempts"][0]["outcome"], "equilibrium")
-        self.assertIn("--restart", run.said)
+        # On a slow machine no factor may be known to stand after the shorter time.
+        for seconds in 6, 60:
+            began = time.monotonic()
+            run = self.run_scene(SLOW, f"--at-most={seconds}s", "--overwrite", *SLOWLY)
+            self.assertEqual(run.code, 5, run.said)
+            self.assertLess(time.monotonic() - began, seconds + SPARE)
+            known = self.known()
+            self.assertEqual(known["outcome"], "interrupted")
+            self.assertFalse((self.folder / "out/result.json").exists())
+            self.assertTrue(known["message"].startswith("stopped because its time was over after "), known["message"])
+            self.assertIn(known["message"][1:], run.words)  # with a capital there
+            self.assertIn("--restart", run.said)
+            if known["collapse"]["lower"] > 0:
+                break
+        self.assertIn(f"it stands at {known['collapse']['lower']:.6g}", known["message"])
+        self.assertEqual(known["collapse"]["attempts"][0]["outcome"], "equilibrium")
 
     def test_a_motion_goes_on_where_its_time_was_over_on_all_ranks_alike(self):
         scene = self.long_stage(0.6)
