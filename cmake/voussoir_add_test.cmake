@@ -8,7 +8,9 @@
 #
 # voussoir_add_script(NAME name SCRIPT a.py [ARGS ...] [LABELS ...] [TIMEOUT seconds] [PROCESSORS n])
 #
-# One ctest <folder>.<name> that runs a Python script; it fails when the script returns other than 0.
+# One ctest <folder>.<name> that runs a Python script; it fails when the script returns other than 0. PROCESSORS are the
+# cores that it keeps busy most of its time, and that ctest takes from other tests. One that starts more ranks now and then,
+# on a small scene, is no such: ranks that wait leave their core to others.
 
 # Debian's numpy and h5py belong to this Python, which need not be the first on PATH.
 set(VOUSSOIR_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy, h5py and matplotlib")
