@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "base/before_mpi.hpp"
 #include "base/child_process.hpp"
 #include "base/command_line.hpp"
 #include "base/error.hpp"
@@ -213,6 +214,7 @@ int run_program(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   begin_child_processes();
+  before_mpi();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();

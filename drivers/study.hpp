@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/before_mpi.hpp"
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
@@ -40,6 +41,7 @@ inline int run_study(int argc, char** argv,
                      const std::function<void(const std::vector<std::string>&,
                                               const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&)>& study) {
   begin_child_processes();
+  before_mpi();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();

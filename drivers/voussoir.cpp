@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/before_mpi.hpp"
 #include "base/child_process.hpp"
 #include "base/command_line.hpp"
 #include "base/error.hpp"
@@ -233,12 +234,7 @@ int run_program(std::vector<std::string> words) {
 int main(int argc, char** argv) {
   begin_child_processes();
   keep_freed_memory();
-  // A run without mpirun asks no daemon of Open MPI, which would need a network interface, a loopback at least.
-  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  // Such runs share a folder of Open MPI, in which each would make the same files for pointers of files that ranks
-  // share, and remove those of others at its end. HDF5 uses no such pointers, and this kind makes no file before it is
-  // used.
-  ::setenv("OMPI_MCA_sharedfp", "individual", 0);
+  before_mpi();
   int name_alone = 1;  // Kokkos would answer --help before we do
   leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&name_alone, &argv);
