@@ -3,14 +3,13 @@
 #include <cmath>
 
 #include "drawings/plane_mesh.hpp"
+#include "mesh/same_side.hpp"
 
 namespace voussoir {
 namespace {
 
 using Loop = std::vector<int>;
 
-/// [rad] Borders that turn by less go on in one side, as facets of one joint do (src/joints/README.md): 20 degrees.
-constexpr double same_side = 0.35;
 /// [rad] Corners of a quadrilateral turn by this at least, and by pi less this at most: 30 degrees, below which cells
 /// are so slender that triangles are better.
 constexpr double least_turn = 0.52;
@@ -36,7 +35,7 @@ std::vector<int> sides_of(const PlaneStones& s, std::size_t stone) {
     std::size_t least = 0;
     for (std::size_t k = 1; k < left.size(); ++k)
       if (std::abs(turn(k)) < std::abs(turn(least))) least = k;
-    if (std::abs(turn(least)) > same_side) return {};
+    if (std::abs(turn(least)) > turn_of_curved) return {};
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(least));
   }
   if (left.size() != 4) return {};

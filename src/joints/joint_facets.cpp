@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/plane_and_space.hpp"
-#include "joints/same_side.hpp"
 #include "mesh/border.hpp"
+#include "mesh/same_side.hpp"
 
 namespace voussoir {
 namespace {

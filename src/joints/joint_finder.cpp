@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "joints/same_side.hpp"
+#include "mesh/same_side.hpp"
 
 namespace voussoir {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "joints/same_side.hpp"
 #include "mesh/face_shares.hpp"
+#include "mesh/same_side.hpp"
 
 namespace voussoir {
 namespace {

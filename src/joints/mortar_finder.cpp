@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "joints/same_side.hpp"
+#include "mesh/same_side.hpp"
 
 namespace voussoir {
 namespace {

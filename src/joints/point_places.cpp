@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "joints/same_side.hpp"
+#include "mesh/same_side.hpp"
 
 namespace voussoir {
 

@@ -41,7 +41,7 @@ struct Block {
   /// Edges of its triangles or tetrahedra that may bend, by local nodes, ascending. Linear cells have none.
   std::vector<std::array<int, 2>> curved;
   /// Nodes where the drawing has an edge (a corner in 2D), ascending: facets that meet there at an angle are two sides
-  /// of a joint, where others are parts of something curved (joints/same_side.hpp).
+  /// of a joint, where others are parts of something curved (mesh/same_side.hpp).
   std::vector<int> folds;
   std::vector<TaggedFacet> facets;  ///< only those in a named set
   std::vector<int> sets;            ///< indices into BlockSource::block_sets(), ascending

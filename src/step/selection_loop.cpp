@@ -30,10 +30,6 @@ std::array<int, 2> stones_of_point(const ContactPoints& points, const Teuchos::C
   return largest_of_each(comm, mine);
 }
 
-/// Times what is allowed beyond which the indicator of a bonded structure tells that the error is too large: there
-/// errors are 1.06 to 2 times the indicator, and the linear solve of an estimate that would say the same is saved.
-constexpr double too_large_bonded = 0.8;
-
 bool is_too_large(double root, double allowed, double times) { return beside_what_follows(root) > times * allowed; }
 
 /// Joints of a step, as worn as at its start. A time step looks at its middle: there the mean of a force is met that
@@ -274,7 +270,7 @@ void SelectionLoop::find_violations() {
   ties_seen_.decrease = predicted_decrease(ties_seen_.violations, model_.local_stiffness());
   ties_seen_.root = in_time() || may_release() ? root_of(ties_seen_.decrease) : 0.0;
   const bool all_bonded = report_.selection_rounds == 0 && selected_before_ == 0;
-  const double times = all_bonded ? too_large_bonded : numbers_.too_large;
+  const double times = all_bonded ? numbers_.too_large_bonded : numbers_.too_large;
   ties_seen_.large = !in_time() && (releases_rest() || is_too_large(ties_seen_.root, allowed_, times));
 }
 

@@ -16,6 +16,9 @@ struct StepParameters {
   bool carry = true;
   double error_by_indicator = 5;  ///< times the indicator, the root of decreases, that the error is at most
   double too_large = 2;           ///< times what is allowed beyond which an indicator tells that the error is too large
+  /// the same where nothing is selected yet: there errors are one to two times the indicator, so below half of what is
+  /// allowed bonding will do; above, to release points costs about as much as to estimate whether it would
+  static constexpr double too_large_bonded = 0.5;
   double share_of_a_time_step = 0.5;  ///< of the error tolerance that a time step may have
   double least_noise = 1e-8;          ///< share of the largest force by which forces may be beside their bounds
   /// strain of a foundation that lets the structure move by its size: the proximal weight

@@ -1,4 +1,5 @@
-// Which facets that meet at a node are one side of a joint, with one point and the mean of their normals.
+// Which facets that meet at a node are one side of a stone. Where that is a joint they have one point, and the mean of
+// their normals.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace voussoir {
 /// beyond the cone of friction. Where a drawing has an edge, both sides of it are meant, and the mean of their
 /// normals is that of neither: it admits motions into both. Places that were rounded turn faces by less than 5 degrees.
 constexpr double cosine_of_curved = 0.94, cosine_of_drawn = 0.9961947;
+constexpr double turn_of_curved = 0.35;  ///< [rad] the angle itself, for outlines whose turns are known
 
 /// Whether two normals, of any length, are of one side of a block.
 /// @param drawn  whether the drawing has an edge there
