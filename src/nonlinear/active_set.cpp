@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "linalg/reduce.hpp"
 #include "nonlinear/creeping_forces.hpp"
+#include "nonlinear/driven_share.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/stuck_stones.hpp"
@@ -17,6 +19,11 @@ namespace {
 // [-] of a linear solve where stones share the forces by which strength is judged: what Krylov's method leaves depends
 // on ranks, and on it which of two cracks is first.
 constexpr double where_cracks_compete = 1e-8;
+
+/// Resistance of points that give way in the first solve, relative to their local stiffness.
+double first_damping(ActiveSetUse use, const ActiveSetParameters& numbers) {
+  return use == ActiveSetUse::in_patch ? numbers.damping / numbers.lost : 0;
+}
 
 }  // namespace
 
@@ -115,6 +122,27 @@ double ActiveSet::step_length(const PointField& lambda) const {
   return best;
 }
 
+/// Share of the step of a patch from lambda to force_ along which the imbalance drives it. A patch is one rank's alone.
+double ActiveSet::driven_length(const PointField& lambda) const {
+  PointField force(lambda.size()), gap(gap_.size()), lawful;
+  const double start = linear_->dot(*direction_), change = gradient_->dot(*direction_);
+  const auto work = [&](double t) {  // [J]
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      force[i] = lambda[i] + t * (force_[i] - lambda[i]);
+      gap[i] = gap_[i] + t * gap_direction_[i];
+    }
+    lawful_forces(problem_, CurrentLaws(problem_, laws_.strength(), force, gap), force, gap, lawful);
+    return std::inner_product(lawful.begin(), lawful.end(), gap_direction_.begin(), -start - t * change);
+  };
+  return driven_share(work, numbers_.gained);
+}
+
+/// Falls with every step that is taken in full. Where a patch had to cut one it rises, half as fast.
+double ActiveSet::damping_after(double damping) const {
+  if (!in_patch() || length_ == 1) return damping / numbers_.lost;
+  return std::min(numbers_.damping, damping * std::sqrt(numbers_.lost));
+}
+
 /// Of the next linear solve, relative to its right side. Where statuses stay it may be the last one: then it leaves no
 /// more than the resistances of closed points do. At rest such solves are rare; there right sides of stones that flew
 /// are larger than any force, and what a solve leaves of them must not push the others.
@@ -146,12 +174,12 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
   problem_.evaluate_direction(*direction_, *gradient_, gap_direction_);
   force_ = target_;
   // Around a patch all holds still: which point gives way there says little of the whole.
-  if (use_ != ActiveSetUse::in_patch) change_before_ = std::exchange(change_, PointField(lambda.size()));
+  if (!in_patch()) change_before_ = std::exchange(change_, PointField(lambda.size()));
   for (int k = 0; k < problem_.points(); ++k)
     if (problem_.selected()[k])
       resistance_[k].yield(&gap_direction_[k * components_], components_, &force_[k * components_]);
   for (std::size_t i = 0; i < change_.size(); ++i) change_[i] = force_[i] - lambda[i];
-  length_ = in_time() ? step_length(lambda) : 1.0;
+  length_ = in_time() ? step_length(lambda) : in_patch() ? driven_length(lambda) : 1.0;
   x.update(length_, *direction_, 1.0);
   for (std::size_t i = 0; i < lambda.size(); ++i)
     lambda[i] = length_ == 1 ? force_[i] : lambda[i] + length_ * (force_[i] - lambda[i]);
@@ -191,9 +219,10 @@ void ActiveSet::correct_locally(TpetraVector& x, PointField& lambda, const Tpetr
   search.size = measure(x, lambda, report);
 }
 
-/// The residual grew as it does when a stone flies.
+/// The residual grew as it does when a stone flies. In a patch none does: there steps are cut.
 bool ActiveSet::lost_a_stone(const Search& search) const {
-  return numbers_.damping > 0 && !in_time() && search.size > numbers_.lost * std::min(search.known, search.best);
+  return numbers_.damping > 0 && use_ == ActiveSetUse::at_rest &&
+         search.size > numbers_.lost * std::min(search.known, search.best);
 }
 
 /// What a linear solve has led to: an end, or none yet.
@@ -218,13 +247,12 @@ std::optional<ActiveSetEnd> ActiveSet::judge_solve(TpetraVector& x, PointField& 
 std::optional<ActiveSetEnd> ActiveSet::solve_once(TpetraVector& x, PointField& lambda, Search& search,
                                                   NewtonReport& report) {
   const TpetraVector start(x, Teuchos::Copy), linear(*linear_, Teuchos::Copy);
-  const double least_damping = use_ == ActiveSetUse::in_patch ? numbers_.damping / numbers_.lost : 0;
   for (double undamped = std::numeric_limits<double>::infinity();;) {
     Tpetra::deep_copy(*gradient_, linear);
     problem_.subtract_contact_forces(target_, *gradient_);
     gradient_->scale(-1.0);
-    const auto solved = step(x, lambda, std::max(search.damping, least_damping), accuracy_of_next(search, report),
-                             in_time() ? 0 : many_krylov());
+    const auto solved =
+        step(x, lambda, search.damping, accuracy_of_next(search, report), in_time() ? 0 : many_krylov());
     report.count(solved);
     ++search.solves;
     search.size = std::numeric_limits<double>::infinity();
@@ -243,11 +271,15 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
   search.tolerance = tolerance;
   search.largest_solves = largest_solves;
   search.largest_force = force_scale(problem_, lambda);
+  search.damping = first_damping(use_, numbers_);
   const double start = measure(x, lambda, report);
   // Supports that have moved are no measure: what they leave at the start says little of what follows.
   if (!known_gap) search.known = start;
   Nearest nearest;
-  while (search.solves < largest_solves && search.solves < search.last_gain + patience_) {
+  // A patch that is at rest goes on only as long as that gains soon.
+  const std::array<int, 2> patience{patience_, numbers_.patience};
+  const double at_rest = tolerance / patches_.block_threshold;
+  while (search.solves < largest_solves && search.solves < search.last_gain + patience[nearest.size <= at_rest]) {
     if (problem_.carry(x, tolerance * scale_)) measure(x, lambda, report);
     const PointField chosen = known_gap && search.solves == 0 ? *known_gap : gap_;
     const bool in_balance = size_of(problem_, report.residual * scale_, 0, scale_) <= tolerance;
@@ -259,9 +291,9 @@ ActiveSetEnd ActiveSet::solve(TpetraVector& x, PointField& lambda, double tolera
     const auto end = solve_once(x, lambda, search, report);
     if (end == ActiveSetEnd::refused && nearest.position) break;
     if (end) return *end;
-    if (use_ == ActiveSetUse::in_patch && search.size < nearest.size)
+    if (in_patch() && search.size < nearest.size)
       nearest = {search.size, std::make_unique<SavedPosition>(problem_, x), admissible_};
-    search.damping /= numbers_.lost;
+    search.damping = damping_after(search.damping);
     if (!(search.size <= numbers_.gained * search.best)) continue;
     search.best = search.size;
     search.last_gain = search.solves;

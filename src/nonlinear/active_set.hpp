@@ -7,11 +7,14 @@
 // on the way would fly: then the step is made again with points that yield only slowly. It may circle: then it says so,
 // and another way is taken.
 //
+// In a patch, where a stone has to go where nothing holds it, steps are cut where the imbalance ceases to drive them
+// (driven_share.hpp), and points that give way resist less with every step in full, more after one that was cut.
+//
 // Ends   After every linear solve the state is judged with the forces that the law admits, lambda projected with the
 //        bounds of its own pressures: equilibrium and contact (residuals.hpp), by the largest force then in play.
 //        arrived       their size is no more than the tolerance
 //        circled       so many solves (patience) without one whose size is at most half (gained) of the least before,
-//                      or no solves are left
+//                      or no solves are left; `patience` of the settings in a patch that is at rest and aims at more
 //        loose_stones  not in time: a solve of `many krylov` iterations (or `.. in space`) has not gained
 //        refused       a library refused the system; in a patch the first, later ones end as circled
 //        stopped       whoever watches wanted no more
@@ -19,7 +22,8 @@
 //        their size was least. The report has the two residuals that were judged last.
 //
 // Theory   P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353-375 (generalised Newton);
-//          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method).
+//          M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888 (active sets as Newton's method);
+//          D. W. Marquardt, J. SIAM 11 (1963) 431-441 (resistance that falls with success).
 #pragma once
 
 #include <algorithm>
@@ -81,6 +85,7 @@ class ActiveSet {
   };
 
   bool in_time() const { return use_ == ActiveSetUse::in_time; }
+  bool in_patch() const { return use_ == ActiveSetUse::in_patch; }
   void choose(const PointField& lambda, const PointField& gap, bool in_balance);
   void set_status(int point, const PointField& lambda, const PointField& gap, const PointField& before);
   double turning(int point, double share) const;
@@ -97,6 +102,8 @@ class ActiveSet {
   }
   PointCompliance mortar_of(int point) const;
   double step_length(const PointField& lambda) const;
+  double driven_length(const PointField& lambda) const;
+  double damping_after(double damping) const;
   double accuracy_of_next(const Search&, const NewtonReport&) const;
   LinearSolveResult step(TpetraVector& x, PointField& lambda, double damping, double relative_tolerance, int most);
   std::optional<ActiveSetEnd> solve_once(TpetraVector& x, PointField& lambda, Search&, NewtonReport&);

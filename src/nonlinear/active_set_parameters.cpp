@@ -34,11 +34,11 @@ void ActiveSetParameters::declare(ParameterSection& section) {
               "grow tenfold with every full step; a shorter one gains nothing");
   section.add(
       "damping", damping, "-", at_least(0.0),
-      "resistance of points that give way once a stone is lost, relative to their local stiffness, and always in "
-      "patches; 0: none. It rises by the growth that means a lost stone with every repeated solve, as long as that "
-      "helps, and falls by it with every step that is taken. Reason: stones that nothing holds would fly; arches of "
-      "31, "
-      "61 and 121 stones take 37, 25, 24 solves, with 0.01 57, 23, 52");
+      "resistance of points that give way once a stone is lost, relative to their local stiffness, a tenth of it "
+      "where patches begin; 0: none. It rises by the growth that means a lost stone with every repeated solve, as "
+      "long as that helps, in patches by the root of that with every step that is cut, and falls by it with every "
+      "other step. Reason: stones that nothing holds would fly; arches of 31, 61 and 121 stones take 37, 25, 24 "
+      "solves, with 0.01 57, 23, 52");
 }
 
 }  // namespace voussoir

@@ -19,7 +19,7 @@ struct ActiveSetParameters {
   int many_krylov = 50;
   int many_krylov_in_space = 500;  ///< the same of stones in space
   double shortest = 1.0 / 64;      ///< shortest step in time; against a drag steps are full
-  /// resistance of points that give way once a stone is lost, relative to their local stiffness, less by `lost` in
+  /// resistance of points that give way once a stone is lost, relative to their local stiffness, and the most in
   /// patches; 0: none
   double damping = 5e-3;
   /// resistance of closed points in load steps: as many solves as with that in time, and fewer Krylov iterations

@@ -130,9 +130,7 @@ bool Patch::come_to_rest(TpetraVector& x, PointField& lambda, double tolerance, 
   const TpetraVector start(x, Teuchos::Copy);
   PointField forces = lambda;
   const auto& numbers = methods_.patches;
-  // Without a border it is all that has parted, and large. With one, those that labour are too narrow.
-  ActiveSet active(*this, ActiveSetUse::in_patch, methods_,
-                   parts_.border.empty() ? numbers.patience : methods_.active_set.patience);
+  ActiveSet active(*this, ActiveSetUse::in_patch, methods_, numbers.patience);
   // A stone out of balance by the rest flies in the next solve of the whole.
   active.solve(x, forces, numbers.block_threshold * tolerance, numbers.most_solves, nullptr, report);
   if (std::max(report.residual, report.complementarity) <= tolerance) {

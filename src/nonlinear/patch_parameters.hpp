@@ -26,7 +26,8 @@ struct PatchParameters {
   /// linear solves of active sets in a patch, and steps of the path: those of walls of 512 courses that arrive take up
   /// to 157, paths up to 142
   static constexpr int most_solves = ContactSolverParameters{}.largest_path;
-  /// solves without a gain in a patch without border, which is all that has parted, and large: half of those it has
+  /// solves without a gain in a patch that is not at rest: half of those it has. Residuals of a stone that goes to its
+  /// neighbour say nothing of how far that is
   static constexpr int patience = most_solves / 2;
   void declare(ParameterSection&);
 };

@@ -30,6 +30,28 @@ TEUCHOS_UNIT_TEST(Patch, SticksWhereFrictionSuffices) {
   TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], push, 1e-6);
 }
 
+// Friction of 30 N lets it go, no spring holds it, and a neighbour is 1 cm away: five thousand times as far as damping
+// lets it go in the first solve.
+TEUCHOS_UNIT_TEST(Patch, GoesAsFarAsItsNeighbourWhereNothingHoldsIt) {
+  auto parts = parts_of_slider(0.3);
+  const double excess = 1e-3, way = 1e-2;
+  parts.imbalance[0] = -(0.3 * weight + excess);
+  parts.stiffness[0].value = 1e-6;
+  auto neighbour = on_the_ground(0.0);
+  neighbour.axis = {{{-1, 0}, {0, -1}}};
+  neighbour.gap[0] = way;
+  parts.points.push_back(neighbour);
+  MethodParameters active_sets_alone;
+  active_sets_alone.path.used = false;
+  Patch patch(parts, active_sets_alone);
+  NewtonReport report;
+  TEST_ASSERT(patch.solve(1e-9, report));
+  TEST_FLOATING_EQUALITY(patch.displacement()[0], way, 1e-4);
+  TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], 0.3 * weight, 1e-8);
+  TEST_FLOATING_EQUALITY(patch.solved_points()[1].force[0], excess, 1e-4);
+  TEST_COMPARE(report.newton_iterations, <=, 12);
+}
+
 /// The slider in space, on springs along x and y, pushed in a direction that is neither.
 PatchParts parts_in_space(double friction, double angle) {
   PatchParts parts;
