@@ -25,6 +25,7 @@
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
+#include "base/words.hpp"
 #include "mesh/generators.hpp"
 #include "model/plane/plane_model.hpp"
 #include "run/rigid_limits.hpp"
@@ -124,7 +125,7 @@ NewtonOutcome settled(const Arguments& a, double thickness) {
          found   ? "stands"
          : falls ? "collapses"
                  : "undecided",
-         "elastic stones, " + std::to_string(solved.newton_iterations) + " linear solves");
+         "elastic stones, " + counted(solved.newton_iterations, "linear solve"));
   return solved.outcome;
 }
 

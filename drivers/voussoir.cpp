@@ -108,9 +108,8 @@ void check(const Arguments& a) {
         "Leave --restart out.");
   if (a.run.limit_analysis && !a.run.fclib.empty())
     throw InputError(
-        "voussoir: --limit-analysis and --fclib\n  contradict each other: limit analysis solves linear programmes and "
-        "no "
-        "contact problem.\n  Leave one of them out.");
+        "voussoir: --limit-analysis and --fclib\n  contradict each other: limit analysis solves linear programmes, "
+        "which are no contact problems.\n  Leave one of them out.");
   if (a.run.restart && !a.run.restart_from.empty())
     throw InputError(
         "voussoir: --restart and --restart-from\n  contradict each other: one goes on in the folder of the "

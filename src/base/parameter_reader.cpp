@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 
 namespace voussoir {
 namespace {
@@ -131,8 +132,8 @@ void ParameterReader::visit(const Family& family) {
   enter(family.name, members);
   constexpr int most_members = 10000;  // more are no scene, and would take minutes to compare
   if (members && members->numParams() > most_members) {
-    problems_.add(frames_.back().path, " has " + std::to_string(members->numParams()) +
-                                           " members\n  must have at most " + std::to_string(most_members) +
+    problems_.add(frames_.back().path, " has " + counted(members->numParams(), "member") + "\n  must have at most " +
+                                           std::to_string(most_members) +
                                            ".\n  Give sets of blocks or facets one member each.");
     for (auto it = members->begin(); it != members->end(); ++it) frames_.back().known.push_back(members->name(it));
   } else if (members)

@@ -1,21 +1,22 @@
 #include "base/text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
+#include "base/words.hpp"
+
 namespace voussoir {
 namespace {
 
-std::string lower(std::string s) {
-  for (char& c : s) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+/// As words are compared: small letters, blanks for what joins words.
+std::string plain(const std::string& word) {
+  std::string text = in_small_letters(word);
+  for (char& c : text)
     if (c == '_' || c == '-') c = ' ';
-  }
-  return s;
+  return text;
 }
 
 /// Edits that turn a into b: letters inserted, left out, replaced, or two neighbours exchanged.
@@ -90,7 +91,7 @@ std::optional<std::vector<double>> numbers_in(const std::string& text) {
 }
 
 std::optional<bool> truth_in(const std::string& text) {
-  const std::string word = lower(trimmed(text));
+  const std::string word = in_small_letters(trimmed(text));
   if (word == "true" || word == "yes" || word == "1") return true;
   if (word == "false" || word == "no" || word == "0") return false;
   return std::nullopt;
@@ -99,12 +100,12 @@ std::optional<bool> truth_in(const std::string& text) {
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest = 200;  // letters; a longer word is no mistyped key, and comparing costs its square
   if (word.empty() || word.size() > longest) return "";
-  const std::string wanted = lower(word);
+  const std::string wanted = plain(word);
   std::string best;
   std::size_t least = std::max<std::size_t>(2, wanted.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest) continue;
-    const std::string known = lower(candidate);
+    const std::string known = plain(candidate);
     std::size_t distance = edit_distance(wanted, known);
     if (wanted.size() >= 3 && known.find(wanted) != std::string::npos) distance = std::min<std::size_t>(distance, 2);
     if (known.size() >= 3 && wanted.find(known) != std::string::npos) distance = std::min<std::size_t>(distance, 2);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/drawing_files.hpp"
 #include "stones/stone_text.hpp"
 
@@ -90,8 +91,7 @@ class CsvStones {
 
   void read_row(const std::vector<std::string>& words) {
     if (words.size() > column_.size())
-      refuse("has " + std::to_string(words.size()) + " words, where the head names " + std::to_string(column_.size()) +
-                 " columns",
+      refuse("has " + counted(words.size(), "word") + ", where the head names " + counted(column_.size(), "column"),
              separator_ == "," ? "Write decimal points, 0.25, not commas, and names without commas"
                                : "Give as many as there are columns");
     const std::string name = word(words, "stone");

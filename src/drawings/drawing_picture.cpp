@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/plane_stones.hpp"
 
 namespace voussoir {
@@ -43,7 +44,7 @@ class Picture {
     return number(20 + scale_ * (x[0] - low_[0])) + "," + number(20 + scale_ * (high_[1] - x[1]));
   }
   std::string title() const {
-    return std::to_string(s_.stones.size()) + " stones as drawn (red) and as computed with (black); snap " +
+    return counted(s_.stones.size(), "stone") + " as drawn (red) and as computed with (black); snap " +
            three_digits(s_.snap) + " m moved corners by up to " + three_digits(s_.snapped.farthest) + " m (blue)";
   }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/words.hpp"
 #include "drawings/plane_mesh.hpp"
 #include "linalg/agree.hpp"
 #include "mesh/curved_edges.hpp"
@@ -17,10 +18,10 @@ std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, con
     list.picture = picture_of(stones);
     list.report = std::move(stones.report);
     list.report.push_back(
-        std::to_string(meshes.of_quadrilaterals) + " stones of quadrilaterals, " +
+        counted(meshes.of_quadrilaterals, "stone") + " of quadrilaterals, " +
         std::to_string(list.blocks.size() - static_cast<std::size_t>(meshes.of_quadrilaterals)) +
         (p.cells == StoneCells::quadratic_triangles ? " of quadratic triangles: " : " of triangles: ") +
-        std::to_string(meshes.nodes) + " nodes, " + std::to_string(meshes.cells) + " cells");
+        counted(meshes.nodes, "node") + ", " + counted(meshes.cells, "cell"));
   });
   broadcast_blocks(comm, list);
   auto source = make_source(std::move(list));

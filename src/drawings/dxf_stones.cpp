@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/curves.hpp"
 #include "drawings/drawing_files.hpp"
 #include "drawings/dxf_text.hpp"
@@ -137,7 +138,7 @@ class DxfStones {
     while (in_section()) {
       auto entity = read_entity();
       if (entity.what() == "BLOCK") {
-        block = &blocks_[lower(value_of(entity.pairs, name))];
+        block = &blocks_[in_small_letters(value_of(entity.pairs, name))];
         for (const auto& p : entity.pairs) {
           if (p.code == x) block->base[0] = number(p);
           if (p.code == y) block->base[1] = number(p);
@@ -167,7 +168,7 @@ class DxfStones {
   /// The entities of a block as often as it is inserted: in rows and columns, scaled, turned and moved.
   void insert(const std::vector<DxfPair>& entity, const Placed& placed) {
     const auto called = value_of(entity, name);
-    const auto found = blocks_.find(lower(called));
+    const auto found = blocks_.find(in_small_letters(called));
     const auto the_block = "inserts the block " + in_quotes(called);
     if (found == blocks_.end())
       refuse(entity.front(), the_block + ", which the file does not hold", "Save it anew, or delete it");
@@ -217,11 +218,6 @@ class DxfStones {
     if (hidden_.count(on) == 0) return true;
     ++unused_["of the hidden layer " + in_quotes(on)];
     return false;
-  }
-
-  static std::string lower(std::string word) {
-    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return word;
   }
 
   static std::string value_of(const std::vector<DxfPair>& entity, int code) {
@@ -280,8 +276,7 @@ class DxfStones {
   DrawnLoop loop_of(const std::vector<DxfPair>& entity, const Outline& outline, const Placed& placed) const {
     DrawnLoop loop;
     const auto& corners = outline.corners;
-    if (corners.size() < 2)
-      refuse(entity.front(), "is a polyline of " + std::to_string(corners.size()) + " points", "Delete it");
+    if (corners.size() < 2) refuse(entity.front(), "is a polyline of " + counted(corners.size(), "point"), "Delete it");
     double size = 0;
     for (const auto& c : corners) size = std::max(size, norm(c - corners[0]));
     const double apart = norm(corners.back() - corners[0]);
@@ -328,7 +323,7 @@ class DxfStones {
     if (!placed.blocks.empty())
       for (auto& corner : loop.corners) corner = placed.transform(corner);
     stone.loops.push_back(std::move(loop));
-    (lower(on) == "holes" ? holes_ : drawn_.stones).push_back(std::move(stone));
+    (in_small_letters(on) == "holes" ? holes_ : drawn_.stones).push_back(std::move(stone));
   }
 
   /// Outlines of the layer "holes" go to the smallest stone around them.

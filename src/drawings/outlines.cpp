@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/snapped.hpp"
 #include "stones/drawing.hpp"
 #include "stones/stone_text.hpp"
@@ -65,8 +66,8 @@ std::string fault_of(OutlinedStone& stone) {
     drop_doubles(stone.loops[k]);
     const auto& p = stone.loops[k].corners;
     if (p.size() < 3)
-      return (k == 0 ? "has " : "has a hole that has ") + std::to_string(p.size()) +
-             " corners, where an outline needs three";
+      return (k == 0 ? "has " : "has a hole that has ") + counted(p.size(), "corner") +
+             ", where an outline needs three";
     const int first = static_cast<int>(all.points.size()), count = static_cast<int>(p.size());
     all.points.insert(all.points.end(), p.begin(), p.end());
     for (int i = 0; i < count; ++i) all.edges.push_back({first + i, first + (i + 1) % count});
@@ -129,7 +130,8 @@ void check_outlines(const std::string& file, std::vector<OutlinedStone>& stones)
     if (const auto fault = fault_of(stone); !fault.empty()) faults.push_back(in_words(stone) + " " + fault);
   if (faults.empty()) return;
   std::string message = "mesh > stones > file = " + file + "\n  " + std::to_string(faults.size()) + " of " +
-                        std::to_string(stones.size()) + " stones have no outline that could be a stone:";
+                        counted(stones.size(), "stone") + (faults.size() == 1 ? " has" : " have") +
+                        " no outline that could be a stone:";
   for (std::size_t k = 0; k < std::min<std::size_t>(faults.size(), 5); ++k) message += "\n    " + faults[k];
   throw InputError(message + "\n  Draw every stone as one closed line around it that does not cross itself.");
 }

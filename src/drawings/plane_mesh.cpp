@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "mesh/cell_count.hpp"
 #include "mesh/lattice.hpp"
 #include "stones/gmsh_stones.hpp"
@@ -190,7 +191,7 @@ class Meshing {
       for (const auto& t : meshes[m].triangles) block.cells.push_back({{number[t[0]], number[t[1]], number[t[2]]}, 3});
     }
     if (faults.empty()) return;
-    std::string message = "mesh: " + std::to_string(faults.size()) + " stones cannot be filled with cells:";
+    std::string message = "mesh: " + counted(faults.size(), "stone") + " cannot be filled with cells:";
     for (std::size_t k = 0; k < std::min<std::size_t>(faults.size(), 5); ++k) message += "\n    " + faults[k];
     throw InputError(message + "\n  Try a smaller element size, or draw such stones with fewer corners.");
   }

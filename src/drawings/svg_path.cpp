@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/curves.hpp"
 
 namespace voussoir {
@@ -129,8 +130,9 @@ class Path {
     if (command == 'T') control.push_back(reflected("QT"));
     const std::size_t wanted = command == 'C' || command == 'S' ? 3 : command == 'Q' || command == 'T' ? 2 : 0;
     if (wanted == 0) {
-      const char written = relative_ ? static_cast<char>(std::tolower(static_cast<unsigned char>(command))) : command;
-      throw SvgFault{"has the letter " + in_quotes(std::string(1, written)) + ", which no path has"};
+      const std::string letter(1, command);
+      throw SvgFault{"has the letter " + in_quotes(relative_ ? in_small_letters(letter) : letter) +
+                     ", which no path has"};
     }
     while (control.size() < wanted) control.push_back(point());
     curve(control);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/drawing_files.hpp"
 #include "drawings/svg_path.hpp"
 #include "drawings/transform.hpp"
@@ -32,8 +33,8 @@ Transform transform_of(const std::string& word, const std::vector<double>& n) {
   }
   if (word == "skewX" && n.size() == 1) return {1, 0, std::tan(n[0] * std::acos(-1.0) / 180), 1, 0, 0};
   if (word == "skewY" && n.size() == 1) return {1, std::tan(n[0] * std::acos(-1.0) / 180), 0, 1, 0, 0};
-  throw SvgFault{"has the transform " + in_quotes(shortened(as_utf8(word), 20)) + " with " + std::to_string(n.size()) +
-                 " numbers, which is none"};
+  throw SvgFault{"has the transform " + in_quotes(shortened(as_utf8(word), 20)) + " with " +
+                 counted(n.size(), "number") + ", which is none"};
 }
 
 /// "translate(1, 2) scale(3)", the last one first.

@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
@@ -128,8 +129,8 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   }
   result.iterations = manager->getNumIters();
   if (!result.converged && result.failure.empty())
-    result.failure = method + " did not reach " + number_text(relative_tolerance) + " in " +
-                     std::to_string(result.iterations) + " iterations";
+    result.failure =
+        method + " did not reach " + number_text(relative_tolerance) + " in " + counted(result.iterations, "iteration");
   // A part of one rank that failed is not a number, and so is this norm, on all ranks.
   if (!result.converged && !std::isfinite(x->norm2())) {
     Tpetra::deep_copy(*x, start);

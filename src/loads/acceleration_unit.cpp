@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string>
 
+#include "base/words.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -13,9 +15,8 @@ constexpr double standard_gravity = 9.80665;  // [m/s2] what records call g
 std::string plain(const std::string& text) {
   std::string small;
   for (const char c : text)
-    if (!std::isspace(static_cast<unsigned char>(c)))
-      small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return small;
+    if (!std::isspace(static_cast<unsigned char>(c))) small += c;
+  return in_small_letters(small);
 }
 
 std::optional<AccelerationUnit> unit_written(const std::string& text) {
@@ -44,8 +45,7 @@ std::vector<std::string> places_of_units(const std::string& line) {
       const auto to = line.find(close, from);
       if (to != std::string::npos) places.push_back(line.substr(from + 1, to - from - 1));
     }
-  std::string small = line;
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string small = in_small_letters(line);
   for (const char* word : {"units of ", "units:", "unit:", "units=", "unit="})
     if (const auto at = small.find(word); at != std::string::npos) {
       const auto from = small.find_first_not_of(" \t", at + std::string(word).size());

@@ -4,6 +4,7 @@
 
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 
 namespace voussoir {
 
@@ -22,7 +23,7 @@ Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, c
   for (std::size_t set = 0; set < count.size(); ++set)
     if (count[set] == 1) sets.push_back(in_quotes(site.source.block_sets()[set]));
   return {{what, site.where, "", static_cast<double>(stones.size()),
-           place + " is on " + std::to_string(stones.size()) + " stones, " + list_of(names) + "; " +
+           place + " is on " + counted(stones.size(), "stone") + ", " + list_of(names) + "; " +
                site.source.block(bearer).name + " bears the load; say which one is meant by the key blocks, a set of " +
                "blocks that holds it alone" + (sets.empty() ? "" : ", such as " + list_of(sets, 3))}};
 }

@@ -9,6 +9,7 @@
 #include "base/parameter_section.hpp"
 #include "base/plane_and_space.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "blocks/assembly.hpp"
 #include "loads/acceleration_unit.hpp"
 #include "loads/load.hpp"
@@ -86,7 +87,7 @@ struct MotionRecord {
     for (const double a : acceleration.value()) peak = std::max(peak, std::abs(a));
     const std::string end =
         "at " + three_digits(drift.velocity) + " m/s, " + three_digits(drift.displacement) + " m away";
-    remark = key_ + ": " + std::to_string(time.size()) + " rows from " + number_text(time.front()) + " to " +
+    remark = key_ + ": " + counted(time.size(), "row") + " from " + number_text(time.front()) + " to " +
              number_text(time.back()) + " s, at most " + number_text(peak) + " m/s2; the ground " +
              (corrected ? "would end " : "ends ") + end + (corrected ? ", and is brought back to rest. " : ". ");
     const bool moves = std::abs(drift.velocity) > still_moving * drift.peak_velocity;

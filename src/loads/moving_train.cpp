@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "loads/bearer.hpp"
 #include "loads/common_keys.hpp"
 #include "loads/deck.hpp"
@@ -199,7 +200,7 @@ void MovingTrainParameters::declare(ParameterSection& section) {
                 "Write them like \"2.5, 4\"");
   if (!loads || loads->empty() || !distances) return;
   section.check(distances->size() + 1 == loads->size(), "spacings", in_quotes(spacings),
-                "must be one less than the " + std::to_string(loads->size()) + " axle loads",
+                "must be one less than the " + counted(loads->size(), "axle load"),
                 "Give the distance from each axle to the next");
   const auto weighs = [](double load) { return load == 0 || std::abs(load) >= lightest_axle; };
   section.expect(std::all_of(loads->begin(), loads->end(), weighs), "axle loads", in_quotes(axle_loads),

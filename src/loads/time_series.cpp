@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/agree.hpp"
 
 namespace voussoir {
@@ -177,19 +178,19 @@ class Reading {
     }
     const std::size_t width = p_.time_column > 0 ? std::max(p_.time_column, column_.number) : 2;
     if (!row.problem.empty())
-      refuse(here() + " must hold " + std::to_string(width) + " finite numbers" +
+      refuse(here() + " must hold " + counted(width, "finite number") +
                  (p_.time_column > 0 ? " or more" : ", the time [s] and its value") + ", but is " + shown() +
                  ", which " + row.problem,
              looks_like_at2() ? advice_of_at2 : "Write rows like \"0.01, -0.23\", and a # before lines that are none");
     if (p_.time_column == 0 && row.numbers.size() != 2) refuse_width(row.numbers.size());
     if (row.numbers.size() < width)
-      refuse(here() + " must hold " + std::to_string(width) + " numbers or more, as time column = " +
+      refuse(here() + " must hold " + counted(width, "number") + " or more, as time column = " +
                  std::to_string(p_.time_column) + " and " + column_.key + " = " + std::to_string(column_.number) +
                  " ask for, but holds " + std::to_string(row.numbers.size()) + ": " + shown(),
              "Count the columns from 1");
     if (width_ == 0) width_ = row.numbers.size();
     if (row.numbers.size() != width_)
-      refuse(here() + " must hold " + std::to_string(width_) + " numbers like the rows above it, but holds " +
+      refuse(here() + " must hold " + counted(width_, "number") + " like the rows above it, but holds " +
                  std::to_string(row.numbers.size()) + ": " + shown(),
              "Fill in what is missing, or its columns are not those of the others");
     const auto take = [&](int column, int otherwise) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/words.hpp"
 #include "mesh/border.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/lattice.hpp"
@@ -116,8 +117,8 @@ bool cross_each_other(const Segment& a, const Segment& b) {
                    (touching ? " touch without matching nodes" : " nearly touch, but their nodes do not match") +
                    ": the edge " + between(a) + " lies along the edge " + between(b) + ", " +
                    in_words(touching ? 0.0 : distance) + " m apart, with " +
-                   std::to_string(common_vertices(*a.edge, *b.edge)) +
-                   " common vertices\n  (contact acts between coincident nodes, so this joint would carry nothing).\n"
+                   counted(common_vertices(*a.edge, *b.edge), "common vertex", "common vertices") +
+                   "\n  (contact acts between coincident nodes, so this joint would carry nothing).\n"
                    "  Let both surfaces share one curve (Coherence or BooleanFragments in gmsh), or divide both curves "
                    "equally.");
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
+#include "base/words.hpp"
 #include "mesh/gmsh_failures.hpp"
 #include "mesh/gmsh_numbers.hpp"
 #include "mesh/lattice.hpp"
@@ -147,7 +148,7 @@ std::vector<std::vector<std::size_t>> read_elements(const std::string& file, int
     if (count == 0 && !tags[t].empty())
       refuse_file(file,
                   "has on " + name_of_entity(dimension, entity) + " cells with " +
-                      std::to_string(nodes[t].size() / tags[t].size()) + " nodes; only " +
+                      counted(nodes[t].size() / tags[t].size(), "node") + "; only " +
                       (dimension == 3 ? "tetrahedra with 4 and hexahedra with 8"
                                       : "triangles with 3, quadrilaterals with 4 and edges with 2") +
                       " nodes are known.",

@@ -10,6 +10,7 @@
 
 #include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/words.hpp"
 #include "linalg/agree.hpp"
 #include "mesh/cell_count.hpp"
 #include "mesh/divisions.hpp"
@@ -126,7 +127,7 @@ void divide_by_size(Gmsh& gmsh_itself, const GmshParameters& p) {
     if (const auto found = cells.find(d.tag); found != cells.end() && static_cast<int>(found->second.size()) != d.cells)
       refuse_mesh("gmsh > element size", in_words(p.element_size) + " m",
                   "cannot be had: curve " + std::to_string(d.tag) + " of " + p.file + " keeps its " +
-                      std::to_string(found->second.size()) + " cells whatever is wanted (Layers of an Extrude?).",
+                      counted(found->second.size(), "cell") + " whatever is wanted (Layers of an Extrude?).",
                   "Write DefineConstant[ element_size = ... ]; in the file and use the number there.");
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "mesh/masonry_parameters.hpp"
 
 namespace voussoir {
@@ -16,8 +17,6 @@ int coarser(int cells, double factor, int step = 1) {
 }
 
 int halves(WallBond bond) { return bond == WallBond::running ? 2 : 1; }
-
-std::string counted(int n, const std::string& thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
 std::string times(double a, double b, double c) {
   return number_text(a) + " x " + number_text(b) + " x " + number_text(c);

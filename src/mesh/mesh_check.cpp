@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/words.hpp"
 #include "linalg/agree.hpp"
 
 namespace voussoir {
@@ -36,7 +37,7 @@ InputError without_support(const std::string& name, int blocks, bool meets_in_a_
                            const std::vector<FacetNames>& supported) {
   std::string message = "mesh: " + name;
   if (blocks > 1)
-    message += " and " + std::to_string(blocks - 1) + " more blocks joined to it have no support";
+    message += " and " + counted(blocks - 1, "more block") + " joined to it have no support";
   else
     message += " has neither support nor joint";
   message += "\n  (nothing holds ";

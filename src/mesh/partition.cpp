@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/check.hpp"
+#include "base/words.hpp"
 #include "linalg/agree.hpp"
 
 namespace voussoir {
@@ -103,8 +104,8 @@ std::vector<int> metis(const BlockGraph& graph, const std::vector<double>& weigh
                              edge_weight.data(), &parts, nullptr, nullptr, options, &cut, part.data());
   if (outcome == METIS_ERROR_MEMORY) throw std::bad_alloc();
   if (outcome != METIS_OK)
-    throw std::runtime_error("METIS could not divide " + std::to_string(blocks) + " blocks among " +
-                             std::to_string(ranks) + " ranks (its code: " + std::to_string(outcome) + ").");
+    throw std::runtime_error("METIS could not divide " + counted(blocks, "block") + " among " + counted(ranks, "rank") +
+                             " (its code: " + std::to_string(outcome) + ").");
   return std::vector<int>(part.begin(), part.end());
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/words.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/lattice.hpp"
 
@@ -103,8 +104,8 @@ Wall::Wall(const WallParameters& p) : p_(p) {
     }
   }
   if (place_.empty())
-    refuse_mesh("wall > openings", std::to_string(p_.openings.size()) + " opening(s)",
-                "leave no block of the wall: the centre of every block lies in an opening.",
+    refuse_mesh("wall > openings", counted(p_.openings.size(), "opening"),
+                "would leave no block of the wall: the centre of every block lies in an opening.",
                 "Make the openings smaller than the wall, " + in_words(p_.blocks_per_course * p_.block_length) +
                     " m x " + in_words(p_.courses * p_.block_height) + " m.");
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/words.hpp"
 #include "nonlinear/point_update.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/saved_position.hpp"
@@ -335,8 +336,8 @@ NewtonReport ContactSolver::solve(const Iterate& at, const ContactRequest& reque
   if (report.outcome == NewtonOutcome::converged && !report.stopped) {
     finish(at, request, report);
   } else if (report.failed_solves > 0) {
-    report.reason += "; " + std::to_string(report.failed_solves) + " of " + std::to_string(report.newton_iterations) +
-                     " linear solves failed, at last as " + report.failure;
+    report.reason += "; " + std::to_string(report.failed_solves) + " of " +
+                     counted(report.newton_iterations, "linear solve") + " failed, at last as " + report.failure;
   }
   if (report.stopped) report.outcome = NewtonOutcome::stopped;
   return report;

@@ -14,10 +14,12 @@ namespace {
 
 constexpr int compressed_columns = -1;  ///< how FCLib names such a matrix, where others have a number of entries
 
+const std::string elsewhere = "give another file with --fclib=FILE.hdf5";
+
 class Writer {
  public:
   Writer(const std::string& file, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-      : file_(file, comm, Hdf5File::Mode::create), comm_(*comm) {}
+      : file_(file, comm, Hdf5File::Mode::create, elsewhere), comm_(*comm) {}
 
   void number(const std::string& path, long long value) {
     const bool mine = comm_.getRank() == 0;
@@ -106,7 +108,7 @@ void write_fclib(const std::string& file, const FclibProblem& problem, bool solv
     to.vector("/solution/r", forces, problem.r, {m, 1, "N", "force of each point"});
   }
   to.close();
-  on_first_rank(*comm, [&] { publish_file(beside, file); });
+  on_first_rank(*comm, [&] { publish_file(beside, file, elsewhere); });
 }
 
 }  // namespace voussoir

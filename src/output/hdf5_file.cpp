@@ -86,8 +86,12 @@ const Teuchos::MpiComm<int>* with_mpi(const Teuchos::Comm<int>& comm) {
 
 class Hdf5File::Impl {
  public:
-  Impl(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> teuchos_comm, Mode open_mode)
-      : name(std::move(path)), mode(open_mode), comm(std::move(teuchos_comm)), mpi(mpi_handle(*comm)) {
+  Impl(std::string path, Teuchos::RCP<const Teuchos::Comm<int>> teuchos_comm, Mode open_mode, std::string other_place)
+      : name(std::move(path)),
+        elsewhere(std::move(other_place)),
+        mode(open_mode),
+        comm(std::move(teuchos_comm)),
+        mpi(mpi_handle(*comm)) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not pages on the screen
     on_first_rank(*comm, [this] { try_to_open(); });
     Handle access = access_to_file();
@@ -109,7 +113,7 @@ class Hdf5File::Impl {
     if (!reason) return;
     broken = mode != Mode::read;
     any_broken |= broken;
-    throw ResourceError(mode == Mode::read ? cannot_read(name, *reason) : cannot_write(name, *reason));
+    throw ResourceError(mode == Mode::read ? cannot_read(name, *reason) : cannot_write(name, *reason, elsewhere));
   }
 
   Handle create(const std::string& path, hid_t type, hid_t space, hid_t properties) const {
@@ -173,7 +177,7 @@ class Hdf5File::Impl {
     return transfer;
   }
 
-  std::string name;
+  std::string name, elsewhere;
   Mode mode;
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
   MPI_Comm mpi;
@@ -200,12 +204,13 @@ class Hdf5File::Impl {
     if (stream)
       std::fclose(stream);
     else
-      throw ResourceError(mode == Mode::read ? cannot_read(name, reason) : cannot_write(name, reason));
+      throw ResourceError(mode == Mode::read ? cannot_read(name, reason) : cannot_write(name, reason, elsewhere));
   }
 };
 
-Hdf5File::Hdf5File(const std::string& file, Teuchos::RCP<const Teuchos::Comm<int>> comm, Mode mode)
-    : impl_(std::make_unique<Impl>(file, std::move(comm), mode)) {}
+Hdf5File::Hdf5File(const std::string& file, Teuchos::RCP<const Teuchos::Comm<int>> comm, Mode mode,
+                   const std::string& elsewhere)
+    : impl_(std::make_unique<Impl>(file, std::move(comm), mode, elsewhere)) {}
 
 Hdf5File::~Hdf5File() = default;
 

@@ -11,6 +11,8 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
 
+#include "output/safe_file.hpp"
+
 namespace voussoir {
 
 /// What a table is, the same on every rank.
@@ -25,7 +27,9 @@ class Hdf5File {
  public:
   enum class Mode { create, read, append };  ///< create replaces what was there, append adds to it
 
-  Hdf5File(const std::string& file, Teuchos::RCP<const Teuchos::Comm<int>> comm, Mode mode);
+  /// @param elsewhere  what to do where the file cannot be written, beside freeing the place
+  Hdf5File(const std::string& file, Teuchos::RCP<const Teuchos::Comm<int>> comm, Mode mode,
+           const std::string& elsewhere = other_folder);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;

@@ -48,9 +48,8 @@ std::uint64_t digest_of(std::istream& file, std::streamoff count) {
 
 }  // namespace
 
-std::string cannot_write(const std::string& path, const std::string& reason) {
-  return path + ": cannot be written\n  because of: " + reason +
-         ".\n  Free the place, or give another folder with --out=DIR.";
+std::string cannot_write(const std::string& path, const std::string& reason, const std::string& elsewhere) {
+  return path + ": cannot be written\n  because of: " + reason + ".\n  Free the place, or " + elsewhere + ".";
 }
 
 std::string cannot_read(const std::string& path, const std::string& reason) {
@@ -82,14 +81,14 @@ void check_seal(const std::string& path) {
   if (!whole) throw ResourceError(cannot_read(path, "damage: the file is not as it was when it was saved"));
 }
 
-void publish_file(const std::string& beside, const std::string& path) {
+void publish_file(const std::string& beside, const std::string& path, const std::string& elsewhere) {
   const auto parent = std::filesystem::path(path).parent_path();
   if (on_disk(beside, O_RDONLY) && std::rename(beside.c_str(), path.c_str()) == 0 &&
       on_disk(parent.empty() ? "." : parent.string(), O_RDONLY | O_DIRECTORY))
     return;
   const std::string reason = std::strerror(errno);
   std::remove(beside.c_str());
-  throw ResourceError(cannot_write(path, reason));
+  throw ResourceError(cannot_write(path, reason, elsewhere));
 }
 
 void replace_file(const std::string& path, const std::string& content) {

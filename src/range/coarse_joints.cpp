@@ -8,6 +8,7 @@
 #include "base/convex_hull.hpp"
 #include "base/plane_and_space.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "joints/joint_facets.hpp"
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
@@ -26,9 +27,8 @@ constexpr double round_off = 1e-9;
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 std::string cells_in_words(const JointSection& section) {
-  const auto first = std::to_string(section.cells[0]);
-  if (section.axes() == 1) return first + (section.cells[0] == 1 ? " cell" : " cells");
-  return first + " x " + std::to_string(section.cells[1]) + " cells";
+  if (section.axes() == 1) return counted(section.cells[0], "cell");
+  return std::to_string(section.cells[0]) + " x " + std::to_string(section.cells[1]) + " cells";
 }
 
 /// Of a joint of the plane: its points stand for pieces of a line.
@@ -209,7 +209,7 @@ Warnings CoarseJoints<dim>::look(const ContactState& state, const std::string& w
     text += joint.overrating > 1
                 ? ": it may bear as little as " + percent(1 / (1 + joint.overrating)) + " of what its points do"
                 : ": its strength may be overrated by " + percent(joint.overrating);
-    if (found.size() > 1) text += ", that of " + std::to_string(found.size() - 1) + " others of the family by less";
+    if (found.size() > 1) text += ", that of " + counted(found.size() - 1, "other") + " of the family by less";
     text += "; give it six cells or more";
     all.push_back({"coarse_joint", "scene > joints > " + model_.families()[family].name, when, joint.overrating, text});
   }

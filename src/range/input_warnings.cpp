@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/gather.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/scene_fit.hpp"
@@ -30,8 +31,6 @@ void append(Warnings& all, Warnings more) {
   for (auto& warning : more) all.push_back(std::move(warning));
 }
 
-std::string stones_in_words(long long count) { return std::to_string(count) + (count == 1 ? " block" : " blocks"); }
-
 /// How stones are drawn, and what they share where they touch.
 std::string stone_word(int components) { return components == 2 ? "surface" : "volume"; }
 std::string joint_word(int components) { return components == 2 ? "curve" : "surface"; }
@@ -41,7 +40,7 @@ void warn_of_no_joints(const Scene& scene, const Model& model, Warnings& all) {
   const auto blocks = model.block_count();
   all.push_back({"no_joints", scene.file + ": scene > joints", "", static_cast<double>(blocks),
                  "the scene has laws for joints and the mesh has none: nothing can open or slip between its " +
-                     stones_in_words(blocks) + "; draw every stone as a " + stone_word(model.components()) +
+                     counted(blocks, "block") + "; draw every stone as a " + stone_word(model.components()) +
                      " of its own, stones that touch sharing the " + joint_word(model.components()) + " between them"});
 }
 
@@ -100,11 +99,11 @@ void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings&
   const UnitOfMesh unit(scene.mesh);
   const std::string size = six_digits(largest) + " m", name = source.block(where).name;
   if (large > 0)
-    all.push_back(
-        {"large_stones", scene.file + ": scene > " + unit.key, "", largest,
-         name + " is " + size + " long" +
-             (large > 1 && from_file ? " and " + std::to_string(large - 1) + " more exceed " : ", more than ") +
-             number_text(large_stone) + " m" + unit.question});
+    all.push_back({"large_stones", scene.file + ": scene > " + unit.key, "", largest,
+                   name + " is " + size + " long" +
+                       (large > 1 && from_file ? " and " + counted(large - 1, "more exceeds", "more exceed") + " "
+                                               : ", more than ") +
+                       number_text(large_stone) + " m" + unit.question});
   else if (largest < small_stone)
     all.push_back({"small_stones", scene.file + ": scene > " + unit.key, "", largest,
                    "the largest stone, " + name + ", is " + size + " long" + unit.question});
@@ -162,8 +161,8 @@ void warn_of_idle_laws(const Scene& scene, const Model& model, Warnings& all) {
                    named == 0 ? "no joint of the mesh is between " + sets +
                                     ", so the law holds nowhere; look whether these stones share a " +
                                     joint_word(model.components())
-                              : "all " + std::to_string(named) + " joints between " + sets +
-                                    " are taken by later laws, so the law holds nowhere; put it behind them"});
+                              : counted(named, "joint") + " between " + sets + (named == 1 ? " is" : " are") +
+                                    " taken by later laws, so the law holds nowhere; put it behind them"});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/words.hpp"
 #include "model/model.hpp"
 
 namespace voussoir {
@@ -21,10 +22,10 @@ inline std::string names_of(const Model& model, BlockId i, BlockId j) {
   return model.block_name(i) + " / " + model.block_name(j);
 }
 
-/// ", and in 3 other places"
+/// "; likewise in 3 other places"
 inline std::string and_in_others(std::size_t others) {
   if (others == 0) return "";
-  return "; likewise in " + std::to_string(others) + (others == 1 ? " other place" : " other places");
+  return "; likewise in " + counted(others, "other place");
 }
 
 }  // namespace voussoir

@@ -8,6 +8,7 @@
 
 #include "base/plane_and_space.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "blocks/supports.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
@@ -158,10 +159,10 @@ Warnings support_warnings(const Scene& scene, const Model& model) {
         const auto nodes = common_nodes(model, moved.parameters, other.parameters, *settlement);
         if (nodes == 0) continue;
         const auto& obeyed = scene.supports[std::min(i, j)].name;
-        const std::string what = std::to_string(nodes) + (nodes == 1 ? " node" : " nodes");
         all.push_back({"supports_part", scene.file + ": scene > loads > " + load.name, "", static_cast<double>(nodes),
                        "moves support " + in_quotes(moved.name) + " and not " + in_quotes(other.name) +
-                           ", which holds the same direction of " + what + "; there " + in_quotes(obeyed) +
+                           ", which holds the same direction of " + counted(nodes, "node") + "; there " +
+                           in_quotes(obeyed) +
                            " is obeyed, which the scene names first, and the cell beside is torn; let one of them end "
                            "before the other, or hold other directions"});
       }

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "base/words.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/reduce.hpp"
 #include "model/contact_problem.hpp"
@@ -55,7 +56,7 @@ int last_number(const fs::path& folder, const std::string& before, const std::st
 
 std::string outcome_of(const HardProblem& hard) {
   const auto& report = hard.report;
-  const auto solves = std::to_string(hard.linear_solves) + " linear solves";
+  const auto solves = counted(hard.linear_solves, "linear solve");
   if (report.outcome == NewtonOutcome::converged)
     return "A solution was found in " + solves + ": imbalance " + formatted("%.1e", report.residual) +
            " and distance from Coulomb's law " + formatted("%.1e", report.complementarity) +
@@ -111,9 +112,8 @@ HardProblems::HardProblems(const std::string& file, const Scene& scene, bool goe
     last = last_number(folder, stem, ending_);
     if (last > 0 && !goes_on)
       refuse(file, "would be numbered like " + before_ + "0001" + ending_ +
-                       ", and problems of an earlier run are there "
-                       "up to " +
-                       name_of(last) + ".\n  Give another name, or move them away: nothing is overwritten.");
+                       ", and problems of an earlier run are there up to " + name_of(last) +
+                       ".\n  Give another name, or move them away: nothing is overwritten.");
   });
   first_ = next_ = largest_over_ranks(*comm, last) + 1;
 }
@@ -122,8 +122,8 @@ std::string HardProblems::name_of(int number) const { return before_ + formatted
 
 std::string HardProblems::keep(const HardProblem& hard, const std::string& when) {
   const auto problem = stated(hard.problem, hard.x, hard.lambda);
-  const auto size = std::to_string(problem.m.columns) + " unknowns, " +
-                    std::to_string(problem.h.columns / problem.components) + " contact points";
+  const auto size =
+      counted(problem.m.columns, "unknown") + ", " + counted(problem.h.columns / problem.components, "contact point");
   if (entries_of(problem, *comm_) > std::numeric_limits<int>::max())
     return "  This contact problem was hard and is not written: FCLib counts entries of matrices in 32 bits (" + size +
            ").";
@@ -136,8 +136,8 @@ std::string HardProblems::keep(const HardProblem& hard, const std::string& when)
 std::string HardProblems::told() const {
   const int count = next_ - first_;
   if (count == 0) return "No contact problem was hard: --fclib has nothing to write.";
-  if (count == 1) return "One contact problem was hard: " + name_of(first_) + ".";
-  return std::to_string(count) + " contact problems were hard: " + name_of(first_) + " to " + name_of(next_ - 1) + ".";
+  return counted(count, "contact problem was", "contact problems were") + " hard: " + name_of(first_) +
+         (count == 1 ? "" : " to " + name_of(next_ - 1)) + ".";
 }
 
 }  // namespace voussoir

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/reduce.hpp"
 #include "model/loads_at_work.hpp"
 #include "results/largest_mover.hpp"
@@ -82,9 +83,9 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
     found.report = {};
     go_back(run.model, before);
     found.report.newton.newton_iterations = budget.solves();
-    found.report.newton.reason = "no equilibrium within " + std::to_string(most) +
-                                 " linear solves: no attempt that stands took more than 1 / " +
-                                 std::to_string(Numbers::patience) + " of them";
+    found.report.newton.reason = "no equilibrium within " + counted(most, "linear solve") +
+                                 ": no attempt that stands took more than 1 / " + std::to_string(Numbers::patience) +
+                                 " of them";
     return found;
   }
   const auto& refusal = theorem.refusal();
@@ -115,7 +116,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
     return found;
   }
   if (settled.verdict == Verdict::undecided) {
-    run.narrator.say("  Not decided in " + seconds + " of time, " + std::to_string(settled.solves) + " linear solves.");
+    run.narrator.say("  Not decided in " + seconds + " of time, " + counted(settled.solves, "linear solve") + ".");
     return found;
   }
   const bool stands = settled.verdict == Verdict::equilibrium;

@@ -1,6 +1,7 @@
 #include "run/what_is_known.hpp"
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 
 namespace voussoir {
 namespace {
@@ -26,8 +27,8 @@ std::string why_stopped(Stop why) {
 std::string what_is_known(Stop why, const LoadSteps& steps, const LoadFactorAnalysis* search,
                           const RunSummary& summary) {
   const bool factor = search && steps.finished() && !search->known().empty();
-  return why_stopped(why) + " after " + std::to_string(summary.steps) + (summary.steps == 1 ? " step" : " steps") +
-         ": " + (factor ? search->known() : of_stages(steps));
+  return why_stopped(why) + " after " + counted(summary.steps, "step") + ": " +
+         (factor ? search->known() : of_stages(steps));
 }
 
 }  // namespace voussoir

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "scene/scene_effects.hpp"
 #include "scene/scene_sections.hpp"
 #include "scene/scene_xml.hpp"
@@ -27,8 +28,6 @@ Defaults changed_internals(const Scene& scene) {
     it = usual.at(it->first) == it->second ? changed.erase(it) : std::next(it);
   return changed;
 }
-
-std::string counted(int n, const std::string& thing) { return std::to_string(n) + ' ' + thing + (n == 1 ? "" : "s"); }
 
 /// Behind a comma; nothing of what goes without saying.
 std::string words_of(StoneCells cells) {

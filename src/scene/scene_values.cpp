@@ -4,6 +4,7 @@
 
 #include "base/digest.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "scene/scene_sections.hpp"
 #include "scene/scene_xml.hpp"
 #include "scene/xml_printer.hpp"
@@ -17,7 +18,7 @@ std::string brief(const std::string& text) {
   if (text.size() <= longest) return text;
   char all[32];
   std::snprintf(all, sizeof all, "%016llx", static_cast<unsigned long long>(digest(text.data(), text.size())));
-  return shortened(text, longest) + " (" + std::to_string(text.size()) + " letters, digest " + all + ")";
+  return shortened(text, longest) + " (" + counted(text.size(), "letter") + ", digest " + all + ")";
 }
 
 std::string with_unit(const std::string& value, const std::string& unit) {

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "mesh/border.hpp"
 #include "stones/box_mesh.hpp"
 
@@ -229,8 +230,8 @@ void add_all_faces(Block<3>& block) {
 }
 
 [[noreturn]] void refuse_unfilled(const std::vector<std::string>& faults, std::size_t stones) {
-  std::string message = "mesh > stones: " + std::to_string(faults.size()) + " of " + std::to_string(stones) +
-                        " stones cannot be filled with cells:";
+  std::string message = "mesh > stones: " + std::to_string(faults.size()) + " of " + counted(stones, "stone") +
+                        " cannot be filled with cells:";
   for (std::size_t k = 0; k < std::min<std::size_t>(faults.size(), 5); ++k) message += "\n    " + faults[k];
   throw InputError(message + "\n  Try a larger weld where faces have very short edges, or a smaller element size.");
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/stone_text.hpp"
 
@@ -120,7 +121,8 @@ class CompasReader {
         face.push_back(found->second);
       }
       if (face.size() < 3)
-        refuse_stones(file_, "at " + around.path + " face " + key + " has " + std::to_string(face.size()) + " vertices",
+        refuse_stones(file_,
+                      "at " + around.path + " face " + key + " has " + counted(face.size(), "vertex", "vertices"),
                       "A face needs three");
       stone.faces.push_back(std::move(face));
     });

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/stone_text.hpp"
 
@@ -52,8 +53,7 @@ class ObjReader {
   void add_face() {
     std::vector<int> face;
     for (std::size_t k = 1; k < lines_.words().size(); ++k) face.push_back(point_of(lines_.words()[k]));
-    if (face.size() < 3)
-      lines_.refuse("has a face of " + std::to_string(face.size()) + " points", "A face needs three");
+    if (face.size() < 3) lines_.refuse("has a face of " + counted(face.size(), "point"), "A face needs three");
     current().faces.push_back(std::move(face));
   }
 

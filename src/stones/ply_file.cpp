@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/stone_text.hpp"
 
@@ -52,7 +53,7 @@ Property property_in(const StoneLines& lines) {
   const auto& words = lines.words();
   p.list = words.size() == 5 && words[1] == "list";
   if (!p.list && words.size() != 3)
-    lines.refuse("is a property of " + std::to_string(words.size()) + " words", "Export the file anew");
+    lines.refuse("is a property of " + counted(words.size(), "word"), "Export the file anew");
   if (p.list) p.count = type_in(lines, 2);
   p.type = type_in(lines, p.list ? 3 : 1);
   p.name = words.back();
@@ -73,7 +74,8 @@ Header header_in(const std::string& file, StoneLines& lines) {
     if (words[0] == "element" && words.size() == 3) {
       header.elements.push_back({words[1], lines.whole_number(2), {}});
       if (header.elements.back().number < 0)
-        lines.refuse("counts " + words[2] + " elements", "The file is damaged: export it anew");
+        lines.refuse("counts " + counted(header.elements.back().number, "element"),
+                     "The file is damaged: export it anew");
     }
     if (words[0] == "property") {
       if (header.elements.empty()) lines.refuse("has a property of no element", "Export the file anew");

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "stones/welded_points.hpp"
 
 namespace voussoir {
@@ -49,17 +50,15 @@ std::string at(const Vector<3>& x) {
   return "(" + six_digits(x[0]) + ", " + six_digits(x[1]) + ", " + six_digits(x[2]) + ") m";
 }
 
-std::string counted(int number, const std::string& of) { return std::to_string(number) + " " + of; }
-
 /// What is wrong with a mended stone, or nothing.
 std::string fault_of(const StoneSurface& stone) {
   if (stone.faces.empty()) return "has no face with an area";
   const auto edges = open_edges(stone);
   if (edges.crowded > 0)
-    return "has " + counted(edges.crowded, "edges of more than two faces, one at ") + at(edges.place) +
+    return "has " + counted(edges.crowded, "edge") + " of more than two faces, one at " + at(edges.place) +
            ": two stones in one group, or an inner face left over";
   if (edges.open > 0)
-    return "is not closed: " + counted(edges.open, "edges of one face only, one at ") + at(edges.place) +
+    return "is not closed: " + counted(edges.open, "edge") + " of one face only, one at " + at(edges.place) +
            ": a face is missing, or neighbouring faces do not share their corners";
   const double size = extent(stone.points);
   // A sheet folded onto itself has the volume of its round-off.
@@ -71,14 +70,14 @@ void tell(Warnings& warnings, const StoneSurface& stone, const Repair& repair) {
   const auto add = [&](const std::string& what, int number, const std::string& text) {
     if (number > 0) add_warning(warnings, {what, stone.name, "", double(number), in_words(stone) + " " + text});
   };
-  add("faces_doubled", repair.doubled, "has " + counted(repair.doubled, "faces twice; each counts once"));
+  add("faces_doubled", repair.doubled, "has " + counted(repair.doubled, "face") + " twice; each counts once");
   add("faces_turned", repair.turned,
-      "has " + counted(repair.turned, "faces that looked inward; they are turned, look whether the stone is as meant"));
+      "has " + counted(repair.turned, "face") +
+          " turned outward that looked inward: look whether the stone is as meant");
   add("faces_curved", stone.curved,
-      "has " + counted(stone.curved,
-                       "curved faces, here in chords: joints between such faces are found where these are "
-                       "alike on both sides"));
-  add("faces_without_area", repair.no_area, "has " + counted(repair.no_area, "faces without area, left out"));
+      "has " + counted(stone.curved, "curved face") +
+          ", here in chords: joints between such faces are found where these are alike on both sides");
+  add("faces_without_area", repair.no_area, "has " + counted(repair.no_area, "face") + " without area, left out");
 }
 
 }  // namespace
@@ -217,15 +216,15 @@ ClosedStones closed(const std::vector<StoneSurface>& drawn) {
     if (shells.size() > 1)
       add_warning(result.warnings,
                   {"stones_in_one_group", stone.name, "", double(shells.size()),
-                   in_words(stone) + " is " + counted(int(shells.size()), "closed surfaces apart; each is a stone")});
+                   in_words(stone) + " is " + counted(shells.size(), "closed surface") + " apart; each is a stone"});
     for (const auto& shell : shells) {
       result.stones.push_back(shell);
       result.repairs.push_back(repair);
     }
   }
   if (faults.empty()) return result;
-  std::string message = "mesh > stones: " + counted(static_cast<int>(faults.size()), "of ") +
-                        std::to_string(drawn.size()) + " stones cannot be meshed:";
+  std::string message = "mesh > stones: " + std::to_string(faults.size()) + " of " + counted(drawn.size(), "stone") +
+                        " cannot be meshed:";
   for (std::size_t k = 0; k < std::min<std::size_t>(faults.size(), 5); ++k) message += "\n    " + faults[k];
   throw InputError(message + "\n  Mend them in the program that drew them: every stone is one closed surface.");
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/stone_text.hpp"
 
@@ -26,8 +27,8 @@ bool is_binary(const std::string& file, const std::string& contents) {
   if (contents.size() == header + bytes_of_triangle * triangles) return true;
   if (contents.find('\0') != std::string::npos)  // no text
     refuse_stones(file,
-                  "tells of " + std::to_string(triangles) + " triangles, which need " +
-                      std::to_string(header + bytes_of_triangle * triangles) + " bytes, and has " +
+                  "tells of " + counted(triangles, "triangle") + ", which need " +
+                      counted(header + bytes_of_triangle * triangles, "byte") + ", and has " +
                       std::to_string(contents.size()),
                   "It was cut when it was copied, or is damaged: export it anew");
   return false;
@@ -73,7 +74,7 @@ std::vector<StoneSurface> read_ascii(const std::string& file, const std::string&
       corners.push_back(lines.point(1));
     } else if (word == "endfacet") {
       if (corners.size() != 3)
-        lines.refuse("ends a facet of " + std::to_string(corners.size()) + " corners", "STL knows triangles only");
+        lines.refuse("ends a facet of " + counted(corners.size(), "corner"), "STL knows triangles only");
       add_triangle(stones.back(), {corners[0], corners[1], corners[2]});
       corners.clear();
     }

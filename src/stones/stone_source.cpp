@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/agree.hpp"
 #include "mesh/gmsh_file.hpp"
 #include "stones/cell_mesh.hpp"
@@ -16,13 +17,13 @@ namespace voussoir {
 namespace {
 
 std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
-  std::string line = std::to_string(q.of_hexahedra) + " stones of hexahedra, " +
+  std::string line = counted(q.of_hexahedra, "stone") + " of hexahedra, " +
                      std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) +
-                     " of tetrahedra: " + std::to_string(q.nodes) + " nodes, " + std::to_string(q.cells) + " cells, " +
+                     " of tetrahedra: " + counted(q.nodes, "node") + ", " + counted(q.cells, "cell") + ", " +
                      six_digits(q.volume) + " m3";
   if (q.of_hexahedra < static_cast<int>(stones))
     line += "; least angle between faces of a tetrahedron " + six_digits(q.least_dihedral) + " degrees, " +
-            std::to_string(q.flat) + " cells below 5";
+            counted(q.flat, "cell") + " below 5";
   return line;
 }
 
@@ -81,8 +82,8 @@ BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust) {
   if (turned > 0)
     add_warning(list.warnings,
                 {"volumes_turned", "mesh > stones", "", static_cast<double>(turned),
-                 std::to_string(turned) + " volumes have cells that are inside out, all of them; they are "
-                                          "turned, look whether these stones are as meant"});
+                 counted(turned, "volume has", "volumes have") + " cells that are inside out, all of them; they are "
+                                                                 "turned, look whether these stones are as meant"});
   return list;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "stones/overlaps.hpp"
 #include "stones/repair.hpp"
 #include "stones/stone_files.hpp"
@@ -19,8 +20,6 @@ namespace {
 constexpr StoneDefaults defaults;
 
 std::string metres(double length) { return six_digits(length) + " m"; }
-
-std::string counted(std::size_t number, const std::string& of) { return std::to_string(number) + " " + of; }
 
 /// Axes of the file in their order from the one that becomes x; even permutations mirror nothing.
 std::array<int, 3> axes_of(UpAxis up) {
@@ -55,15 +54,16 @@ class Teller {
       farthest = std::max(farthest, stone.farthest);
     }
     const auto size = box.high - box.low;
-    say(counted(s_.stones.size(), "stones, ") + six_digits(inside) + " m3, within " + six_digits(size[0]) + " x " +
+    say(counted(s_.stones.size(), "stone") + ", " + six_digits(inside) + " m3, within " + six_digits(size[0]) + " x " +
         six_digits(size[1]) + " x " + six_digits(size[2]) + " m");
-    say("mended: " + counted(sum.welded, "points on others, ") + counted(sum.doubled, "faces twice, ") +
-        counted(sum.turned, "faces turned, ") + counted(sum.no_area, "faces without area"));
+    say("mended: " + counted(sum.welded, "point") + " on others, " + counted(sum.doubled, "face") + " twice, " +
+        counted(sum.turned, "face") + " turned, " + counted(sum.no_area, "face") + " without area");
     if (warped == 0) return;
-    say(counted(warped, "faces are not plane, up to ") + metres(farthest) + "; they are cut into triangles");
+    say(counted(warped, "face is not plane", "faces are not plane") + ", up to " + metres(farthest) +
+        "; cut into triangles");
     warn("faces_not_plane", farthest,
-         counted(warped, "faces are up to ") + metres(farthest) +
-             " from plane: they are cut by their shortest diagonals, which decides the shape of these stones");
+         counted(warped, "face is", "faces are") + " up to " + metres(farthest) +
+             " from plane: cuts are by shortest diagonals, which decides the shape of these stones");
   }
 
   void of_tolerances() {
@@ -84,7 +84,7 @@ class Teller {
     if (proposed == 0 || at(proposed)->joints == static_cast<int>(s_.joints.joints.size())) return;
     warn("joint_tolerance", proposed,
          "mesh > stones > joint tolerance = " + metres(s_.tolerance) + " finds " +
-             counted(s_.joints.joints.size(), "joints, one of ") + metres(proposed) + " " +
+             counted(s_.joints.joints.size(), "joint") + ", one of " + metres(proposed) + " " +
              std::to_string(at(proposed)->joints) +
              ", the number that stays the same over the widest range: look which is meant");
   }
@@ -96,9 +96,9 @@ class Teller {
       pairs.insert(joint.stone);
       farthest = std::max(farthest, joint.farthest);
     }
-    say(counted(s_.joints.joints.size(), "joints of ") + counted(pairs.size(), "pairs of stones, ") +
+    say(counted(s_.joints.joints.size(), "joint") + " of " + counted(pairs.size(), "pair") + " of stones, " +
         six_digits(s_.joints.area()) + " m2, faces up to " + metres(farthest) + " apart; " +
-        counted(s_.joints.slivers, "slivers narrower than the tolerance left out, ") +
+        counted(s_.joints.slivers, "sliver") + " narrower than the tolerance left out, " +
         six_digits(s_.joints.sliver_area) + " m2");
     const double size = s_.tetrahedron_size;
     say("shortest edge " + metres(s_.imprint.shortest_edge) + ", tetrahedra of " + metres(size) + ", hexahedra of " +
@@ -122,8 +122,8 @@ class Teller {
       area += joint.area;
     }
     if (open == 0) return;
-    const std::string found =
-        counted(open, "pairs of faces, ") + six_digits(area) + " m2, face each other open by up to " + metres(widest);
+    const std::string found = counted(open, "pair") + " of faces, " + six_digits(area) +
+                              " m2, facing each other open by up to " + metres(widest);
     say(found);
     warn(
         "open_joints", widest,
@@ -145,8 +145,9 @@ class Teller {
     say("stones without a joint: " + list_of(alone));
     const double nearest = distance_to_others(without[0]);
     warn("stones_without_joint", static_cast<double>(alone.size()),
-         counted(alone.size(), "stones share no joint with another (") + list_of(alone, 5) + "), " + alone[0] + " is " +
-             metres(nearest) + " from the next: raise mesh > stones > joint tolerance where they are meant to touch");
+         counted(alone.size(), "stone shares", "stones share") + " no joint with another (" + list_of(alone, 5) +
+             "), " + alone[0] + " is " + metres(nearest) +
+             " from the next: raise mesh > stones > joint tolerance where they are meant to touch");
   }
 
   /// [m] from a stone to the nearest of those whose boxes may be nearer than the nearest so far.
@@ -175,9 +176,8 @@ void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) 
   auto found = overlaps(stones, tolerance);
   if (found.empty()) return;
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
-  std::string message =
-      "mesh > stones: " + counted(found.size(), found.size() == 1 ? "pair of stones lies" : "pairs of stones lie") +
-      " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
+  std::string message = "mesh > stones: " + counted(found.size(), "pair of stones lies", "pairs of stones lie") +
+                        " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
   for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
     const auto& [pair, depth, place] = found[k];
     message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +

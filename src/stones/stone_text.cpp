@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 
 namespace voussoir {
 
@@ -45,7 +46,7 @@ std::string StoneLines::text_from(std::size_t from) const {
 
 double StoneLines::number(std::size_t word) const {
   if (word >= words_.size())
-    refuse("ends after " + std::to_string(words_.size()) + " words, where a number is wanted",
+    refuse("ends after " + counted(words_.size(), "word") + ", where a number is wanted",
            "Give x, y and z of each point");
   const auto value = number_in(words_[word]);
   if (!value || !std::isfinite(*value))

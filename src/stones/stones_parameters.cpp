@@ -4,14 +4,12 @@
 
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 
 namespace voussoir {
 
 std::string lower_ending(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
+  return in_small_letters(std::filesystem::path(file).extension().string());
 }
 
 bool StonesParameters::is_drawing() const {

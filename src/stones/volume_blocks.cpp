@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "mesh/border.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "stones/welded_points.hpp"
@@ -178,7 +179,7 @@ void add_stones(const std::vector<StoneSurface>& stones, const std::map<Pair, do
   if (any) list.block_sets.push_back("one neighbour");
   if (alone.empty() || stones.size() == 1) return;
   add_warning(list.warnings, {"stones_without_joint", "mesh > stones", "", static_cast<double>(alone.size()),
-                              std::to_string(alone.size()) + " stones share no joint with another (" +
+                              counted(alone.size(), "stone shares", "stones share") + " no joint with another (" +
                                   list_of(alone, 5) + "): look whether they are meant to touch"});
 }
 
@@ -192,11 +193,11 @@ void tell(const std::vector<StoneSurface>& stones, const std::map<Pair, double>&
   }
   for (const auto& stone : stones) inside += volume(stone);
   for (const auto& [pair, area] : shared) common += area;
-  list.report.push_back(std::to_string(stones.size()) + " volumes as the file has them meshed: " +
-                        std::to_string(nodes) + " nodes, " + std::to_string(tetrahedra) + " tetrahedra, " +
-                        std::to_string(cells - tetrahedra) + " hexahedra, " + six_digits(inside) + " m3");
-  list.report.push_back(std::to_string(shared.size()) + " pairs of stones share " + six_digits(common) +
-                        " m2, node to node");
+  list.report.push_back(counted(stones.size(), "volume") + " as the file has them meshed: " + counted(nodes, "node") +
+                        ", " + counted(tetrahedra, "tetrahedron", "tetrahedra") + ", " +
+                        counted(cells - tetrahedra, "hexahedron", "hexahedra") + ", " + six_digits(inside) + " m3");
+  list.report.push_back(counted(shared.size(), "pair of stones shares", "pairs of stones share") + " " +
+                        six_digits(common) + " m2, node to node");
 }
 
 }  // namespace

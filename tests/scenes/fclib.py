@@ -228,7 +228,7 @@ class Fclib(program.SceneTest):
         more, problems = self.hard(whole, "--restart")
         self.assertEqual(len(problems), 2, first.said + more.said)
         self.assertEqual((self.folder / "out-0001.hdf5").read_bytes(), before)
-        self.assertIn("One contact problem was hard", more.words)
+        self.assertIn("1 contact problem was hard", more.words)
 
     def test_what_cannot_be_is_refused(self):
         for name, words in (("hard.txt", "ends with .hdf5 or .h5"), ("hard", "ends with .hdf5 or .h5"), (".hdf5", "ends with"),
@@ -247,6 +247,15 @@ class Fclib(program.SceneTest):
         self.assertEqual(run.code, 2, run.said)
         self.assertIn("--limit-analysis and --fclib", run.words)
         self.assertEqual(list(self.folder.glob("hard*")), [])
+
+    def test_a_file_that_cannot_be_written_is_told_with_its_own_option(self):
+        """Of these problems alone: results go elsewhere, and --out would not help."""
+        (self.folder / "hard-0001.hdf5.part").mkdir()
+        run = self.run_scene(wall(), f"--fclib={self.folder}/hard.hdf5")
+        self.assertEqual(run.code, 4, run.said)
+        self.assertIn("hard-0001.hdf5.part: cannot be written", run.words)
+        self.assertIn("give another file with --fclib=FILE.hdf5", run.words)
+        self.assertNotIn("--out", run.words)
 
     def test_where_nothing_is_hard_nothing_is_written(self):
         run, problems = self.hard(wall({"rest": REST}, internals={"contact solver": {"fast solves": 30}}))

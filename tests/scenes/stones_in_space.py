@@ -106,7 +106,7 @@ class StonesFromFiles(program.SceneTest):
         self.check_reaction(run, 2 * DENSITY * GRAVITY)  # the pressure is on the other pair
         lone = self.run_stones(SIDE_BY_SIDE, scene({"ground": {"on": "base", "blocks": "foot"}}), "--validate")
         self.assertEqual(lone.code, 2)
-        self.assertIn("stone step and 1 more blocks joined to it have no support", lone.words)
+        self.assertIn("stone step and 1 more block joined to it have no support", lone.words)
 
     def test_a_column_tips_where_statics_says(self):
         for cells, degrees, limit in (("by shape", 0, 0.5), ("tetrahedra", 90, 0.3)):

@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/gather.hpp"
 #include "mesh/box_tree.hpp"
 #include "model/handed_over.hpp"
@@ -248,17 +249,17 @@ RangeFindings look_at_slips(const PlaneModel& model, const StepEnd& end) {
   const auto& worst = slips.front();
   found.warnings.push_back(
       {"slip_beyond_cell", names_of(model, worst.block_i, worst.block_j), end.when, worst.slip,
-       std::to_string(worst.points) + (worst.points == 1 ? " point that presses has" : " points that press have") +
-           " slipped by up to " + three_digits(worst.slip) + " m, near " + place_text({worst.x, worst.y}) +
-           ", where cells are " + three_digits(worst.cell) +
+       counted(worst.points, "point that presses has", "points that press have") + " slipped by up to " +
+           three_digits(worst.slip) + " m, near " + place_text({worst.x, worst.y}) + ", where cells are " +
+           three_digits(worst.cell) +
            " m long: contact stays with the nodes that were drawn together, so forces and margins of this joint are "
            "those of pieces of face that are no longer opposite" +
            and_in_others(slips.size() - 1) +
-           (on_others == 0 ? ""
-                           : "; " + std::to_string(on_others) + (on_others == 1 ? " joint has" : " joints have") +
-                                 " slipped past the end of a face that other stones continue flush: points stay with "
-                                 "the stones they were "
-                                 "drawn on, so forces go to the wrong ones of the stones in line")});
+           (on_others == 0
+                ? ""
+                : "; " + counted(on_others, "joint has", "joints have") +
+                      " slipped past the end of a face that other stones continue flush: points stay with "
+                      "the stones they were drawn on, so forces go to the wrong ones of the stones in line")});
   for (const auto& s : slips) {
     if (s.uncovered <= RangeParameters::borne_by_nothing && s.outside <= 0) continue;
     const auto where = s.uncovered > RangeParameters::borne_by_nothing

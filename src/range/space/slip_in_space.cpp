@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
 #include "range/range_parameters.hpp"
@@ -208,16 +209,16 @@ RangeFindings look_at_slips(const SpaceModel& model, const StepEnd& end) {
   RangeFindings found;
   found.warnings.push_back(
       {"slip_beyond_cell", names_of(model, worst.block_i, worst.block_j), end.when, worst.slip,
-       std::to_string(worst.points) + (worst.points == 1 ? " point that presses has" : " points that press have") +
-           " slipped by up to " + three_digits(worst.slip) + " m, near " + text(worst.place) + ", where points are " +
+       counted(worst.points, "point that presses has", "points that press have") + " slipped by up to " +
+           three_digits(worst.slip) + " m, near " + text(worst.place) + ", where points are " +
            three_digits(worst.cell) +
            " m apart: contact stays with the nodes that were drawn together, so forces and margins of this joint are "
            "those of pieces of face that are no longer opposite" +
            and_in_others(slips.size() - 1) +
-           (on_others == 0 ? ""
-                           : "; the force of " + std::to_string(on_others) +
-                                 (on_others == 1 ? " joint passes" : " joints passes in part") +
-                                 " where another stone is, and still acts on the one that was drawn there")});
+           (on_others == 0
+                ? ""
+                : "; the force of " + counted(on_others, "joint") + (on_others == 1 ? " passes" : " passes in part") +
+                      " where another stone is, and still acts on the one that was drawn there")});
   for (const auto& s : slips) {
     if (!s.past_an_end()) continue;
     const auto where = s.uncovered > RangeParameters::borne_by_nothing

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/range.hpp"
+#include "base/words.hpp"
 
 namespace {
 
@@ -44,6 +45,17 @@ TEUCHOS_UNIT_TEST(Text, TheNearestWordIsTheOneMeant) {
   TEST_EQUALITY_CONST(nearest("no", keys), "on");
   TEST_EQUALITY_CONST(nearest("gravity", keys), "");
   TEST_EQUALITY_CONST(nearest(std::string(100000, 'a'), keys), "");
+}
+
+TEUCHOS_UNIT_TEST(Text, OneThingIsNamedAsOne) {
+  TEST_EQUALITY(counted(1, "stone"), "1 stone");
+  TEST_EQUALITY(counted(std::size_t{0}, "stone"), "0 stones");
+  TEST_EQUALITY(counted(2LL, "vertex", "vertices"), "2 vertices");
+  TEST_EQUALITY(counted(1, "face is", "faces are"), "1 face is");
+}
+
+TEUCHOS_UNIT_TEST(Text, OnlyLettersOfAsciiBecomeSmall) {
+  TEST_EQUALITY(in_small_letters("CM/S^2 \xc3\x84"), "cm/s^2 \xc3\x84");
 }
 
 TEUCHOS_UNIT_TEST(Text, PlainTextIsUtf8OfOneLine) {

@@ -173,7 +173,7 @@ TEUCHOS_UNIT_TEST(MeshCheck, ThreeStonesAtOneEdge) {
 TEUCHOS_UNIT_TEST(MeshCheck, BordersWithDifferentDivisions) {
   const std::string said = fault(Sketch().stone(0, 0, 1, 0.5, 4, 2).stone(1, 0, 2, 0.5, 4, 3));
   TEST_SAYS(said, "mesh: surface 1 (stones) and surface 2 (stones) touch without matching nodes");
-  TEST_SAYS(said, "0 m apart, with 1 common vertices");
+  TEST_SAYS(said, "0 m apart, with 1 common vertex");
   TEST_SAYS(said, "Let both surfaces share one curve");
 }
 
@@ -229,7 +229,7 @@ TEUCHOS_UNIT_TEST(MeshCheck, AStoneThatNothingHolds) {
 
 TEUCHOS_UNIT_TEST(MeshCheck, StonesThatHoldOnlyEachOther) {
   TEST_SAYS(fault(two_stones().stone(3, 1, 4, 2, 2, 2).stone(4, 1, 5, 2, 2, 2)),
-            "mesh: surface 3 (stones) and 1 more blocks joined to it have no support");
+            "mesh: surface 3 (stones) and 1 more block joined to it have no support");
   WallParameters wall;
   wall.openings["slot"] = {-1, 9, 0.25, 0.5};  // all of course 1
   TEST_SAYS(input_error([&] { check_supports(*make_wall(wall), {"base"}); }),

@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(CoarseJoints, TellOfAFamilyOnceByHowMuchItsStrengthMayBeOverra
   TEST_EQUALITY(said.front().where, "scene > joints > dry");
   TEST_FLOATING_EQUALITY(said.front().how_much, 0.5, 1e-9);  // 1 / (2/3) - 1
   TEST_ASSERT(said.front().text.find("has 2 cells along it and comes to 60 % of its strength") != std::string::npos);
-  TEST_ASSERT(said.front().text.find("that of 1 others of the family by less") != std::string::npos);
+  TEST_ASSERT(said.front().text.find("that of 1 other of the family by less") != std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(CoarseJoints, SayNothingFarFromBreakingOrWhereJointsGiveWaySlowly) {

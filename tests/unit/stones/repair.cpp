@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(Repair, TwoStonesInOneGroupAreTwoUnlessTheyShareAnEdge) {
   TEST_EQUALITY(apart.stones.size(), 2u);
   TEST_EQUALITY(apart.stones[1].name, "cube part 2");
   TEST_EQUALITY(apart.warnings.at(0).what, "stones_in_one_group");
-  TEST_ASSERT(holds(input_error([&] { closed({group({1, 1, 0})}); }), "1 edges of more than two faces"));
+  TEST_ASSERT(holds(input_error([&] { closed({group({1, 1, 0})}); }), "1 edge of more than two faces"));
 }
 
 TEUCHOS_UNIT_TEST(Repair, ASheetHoldsNoVolume) {
