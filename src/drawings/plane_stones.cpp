@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "drawings/drawing_files.hpp"
 #include "drawings/snap_choice.hpp"
 #include "stones/stone_text.hpp"
@@ -20,10 +21,10 @@ using Kind = SnapFault::Kind;
 /// What a file says of its unit and what a scene says differ when they are farther apart than this.
 constexpr double same_unit = 1e-6;
 
+/// Corners that were drawn as one are this near, over the tolerance, whatever arithmetic made of them.
+constexpr double round_off = 1e-6;
+
 std::string metres(double length) { return three_digits(length) + " m"; }
-std::string counted(std::size_t number, const std::string& thing) {
-  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
 
 /// Lengths in metres and y up; a drawing whose y runs down is seen as it is on paper.
 void place(std::vector<OutlinedStone>& stones, const StonesParameters& p) {
@@ -183,7 +184,7 @@ class Teller {
         counted(s.cuts, "corner") + " of others" +
         (s.dropped > 0 ? ", " + counted(s.dropped, "corner") + " merged with the next of the same stone"
                        : std::string()));
-    if (s.farthest > 0)
+    if (s.farthest > round_off * s_.snap)
       say("moved by up to " + metres(s.farthest) + ", of " + in_words(s_.stones[s.moved_stone]) + " from " +
           place_of_drawing(s.moved_from));
     else

@@ -46,7 +46,7 @@ double EarthPressureParameters::coefficient() const {
 }
 
 std::string EarthPressureParameters::summary() const {
-  return "earth pressure with K " + number_text(coefficient()) + ", " + number_text(unit_weight) +
+  return "earth pressure with K " + six_digits(coefficient()) + ", " + number_text(unit_weight) +
          " N/m3 below the level " + number_text(surface) + " m, surcharge " + number_text(surcharge) + " Pa on " +
          in_quotes(on);
 }

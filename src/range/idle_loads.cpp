@@ -19,6 +19,11 @@ struct Forces {
   double held = 0, free = 0;
 };
 
+/// A load on edges or faces that stay where they are.
+bool is_on_facets(const LoadParameters& load) {
+  return load.facets().has_value() && !std::holds_alternative<MovingTrainParameters>(load.kind);
+}
+
 Forces forces_of(const Model& model, const std::string& load) {
   const auto& s = model.structure();
   std::vector<double> force, prescribed;
@@ -45,6 +50,10 @@ Warnings warnings_of_idle_loads(const Scene& scene, const Model& model) {
   for (const auto& load : scene.loads) {
     if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;
     const auto [held, free] = forces_of(model, load.name);
+    if (held == 0 && free == 0 && is_on_facets(load) && !load.is_zero())
+      all.push_back({"load_without_force", scene.file + ": scene > loads > " + load.name, "", 0,
+                     "presses on none of its facets, so the structure stands as without it; look whether its level or "
+                     "its place is where \"on\" lies"});
     if (!(held > 0) || free > round_off * held) continue;
     const bool raised = scene.load_factor.pattern.count(load.name) > 0;
     all.push_back({"load_on_supports", scene.file + ": scene > loads > " + load.name, "", held,

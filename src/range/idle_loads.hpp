@@ -1,4 +1,4 @@
-// Loads that change nothing, because supports bear them where they act.
+// Loads that change nothing: supports bear them where they act, or they have no force.
 #pragma once
 
 #include "base/warning.hpp"
@@ -9,8 +9,8 @@ namespace voussoir {
 struct Scene;
 
 /// A warning for every load of a stage or of the pattern of a load factor whose forces all act on held components of
-/// nodes: at any factor the structure stands as without it. Of loads that move supports, or vary with time, nothing is
-/// said. Collective.
+/// nodes, or that presses on none of its facets: at any factor the structure stands as without it. Of loads that move
+/// supports, or vary with time, nothing is said. Collective.
 Warnings warnings_of_idle_loads(const Scene&, const Model&);
 
 }  // namespace voussoir

@@ -4,6 +4,7 @@
 #include <iomanip>
 
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "joints/contact_points.hpp"
 #include "results/effect_costs.hpp"
 #include "scene/scene.hpp"
@@ -46,28 +47,43 @@ void print_effect_costs(const Scene& scene, const BlockSource<dim>& source, cons
     if (before != made.end()) say << std::setw(16) << std::setprecision(2) << cost.seconds - before->second.seconds;
     say << std::setprecision(6) << (cost.in_play ? "\n" : "   absent, but part of every contact point\n");
   }
-  say << "  absent, without cost: " << absent << " effects\n";
+  say << "  absent, without cost: " << counted(absent, "effect") << "\n";
 }
 
 std::string steps_text(int steps, const std::string& kind, int solves) {
   if (steps == 0) return "";
-  return std::to_string(steps) + " " + kind + " steps of about " + std::to_string(solves) + " linear solves each\n";
+  return counted(steps, kind + " step") + " of about " + counted(solves, "linear solve") + (steps == 1 ? "" : " each") +
+         "\n";
 }
 
-}  // namespace
-
+/// Of any material, and in equal shares.
 template <int dim>
-void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
-             std::ostream& say) {
+Structure<dim> structure_to_count(const Scene& scene, const BlockSource<dim>& source,
+                                  const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   std::vector<int> owner(source.block_count());
-  for (BlockId b = 0; b < source.block_count(); ++b)  // equal shares are enough for counting
+  for (BlockId b = 0; b < source.block_count(); ++b)
     owner[b] = static_cast<int>(static_cast<long long>(b) * comm->getSize() / source.block_count());
-  const Structure<dim> structure(
+  return Structure<dim>(
       source, owner, scene.model,
       [](const Block<dim>&) {
         return Material{1.0, 0.0, 1.0};
       },
       comm);
+}
+
+}  // namespace
+
+template <int dim>
+void place_loads(const Scene& scene, const BlockSource<dim>& source,
+                 const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const auto structure = structure_to_count(scene, source, comm);
+  const LoadsAtWork loads(scene, source, structure);
+}
+
+template <int dim>
+void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
+             std::ostream& say) {
+  const auto structure = structure_to_count(scene, source, comm);
   const ContactPoints points(source, structure);
   int load_steps = 0;
   int time_steps = 0;
@@ -85,11 +101,12 @@ void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::
   const int solves = scene.selection.mode == SelectionMode::bonded ? solves_bonded
                      : scene.selection.mode == SelectionMode::all  ? solves_all
                                                                    : solves_adaptive;
-  say << source.block_count() << " blocks, " << points.total_joints() << " joints, " << structure.total_nodes()
-      << " nodes, " << dim * structure.total_nodes() << " unknowns, " << points.total() << " candidate contact points\n"
+  say << counted(source.block_count(), "block") << ", " << counted(points.total_joints(), "joint") << ", "
+      << counted(structure.total_nodes(), "node") << ", " << counted(dim * structure.total_nodes(), "unknown") << ", "
+      << counted(points.total(), "candidate contact point") << "\n"
       << steps_text(load_steps, "load", solves);
   say << steps_text(time_steps, "time", solves_in_time);
-  const std::string ranks = std::to_string(comm->getSize()) + (comm->getSize() == 1 ? " rank" : " ranks");
+  const std::string ranks = counted(comm->getSize(), "rank");
   const auto seconds_of = [&](double count) {
     return count * iterations_per_solve * unknowns * seconds_per_unknown / comm->getSize();
   };
@@ -106,6 +123,8 @@ void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::
   print_effect_costs(scene, source, structure, points, say);
 }
 
+template void place_loads(const Scene&, const BlockSource<2>&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
+template void place_loads(const Scene&, const BlockSource<3>&, const Teuchos::RCP<const Teuchos::Comm<int>>&);
 template void predict(const Scene&, const BlockSource<2>&, const Teuchos::RCP<const Teuchos::Comm<int>>&,
                       std::ostream&);
 template void predict(const Scene&, const BlockSource<3>&, const Teuchos::RCP<const Teuchos::Comm<int>>&,

@@ -89,7 +89,7 @@ class LimitRun {
     if (at_rest.verdict == LimitVerdict::refused) {
       summary.message =
           "no forces that joints admit balance the loads, so that no equilibrium exists, by the static theorem";
-      falls(limits, at_rest, 0);
+      falls(limits, at_rest, 0, 0);
     } else if (at_rest.verdict == LimitVerdict::unknown) {
       summary.message = "the linear programme could not be solved exactly enough to prove anything";
     } else {
@@ -142,8 +142,10 @@ class LimitRun {
         const auto& found = ranges[static_cast<std::size_t>(k)][c];
         range[c] = {found.least.value_or(-INFINITY), found.most.value_or(INFINITY)};
         if (range[c].least == 0 && range[c].most == 0) continue;
-        words += std::string(words.empty() ? " can push from " : ", from ") + force(range[c].least) + " to " +
-                 force(range[c].most) + way_of<dim>(c);
+        const auto least = force(range[c].least), most = force(range[c].most);
+        words += words.empty() ? " can push " : ", ";
+        words +=
+            (least == most && std::isfinite(range[c].least) ? least : "from " + least + " to " + most) + way_of<dim>(c);
       }
       say_ << "Support '" << name << "'" << (words.empty() ? " bears nothing" : words) << ".\n";
     }
@@ -172,7 +174,7 @@ class LimitRun {
           "to " +
           (dim == 2 ? "there" : six_digits(summary.rigid->borne) + " times it at least") +
           (std::isfinite(found.estimate) ? ", an estimate where it does not is " + six_digits(found.estimate) : "");
-      falls(limits, limit, limit.factor);
+      falls(limits, limit, limit.factor, borne);
     } else if (limit.verdict == LimitVerdict::unlimited) {
       found.lower = search.largest;
       summary.message +=
@@ -185,14 +187,20 @@ class LimitRun {
     }
   }
 
-  /// The motion in which it falls, with the forces that balance as much of the loads as can be.
-  void falls(const RigidLimits<dim>& limits, const LimitAnswer<dim>& answer, double factor) {
+  /// The motion in which it falls, with the forces that balance as much of the loads as can be: where some factor is
+  /// borne those that press least just below it, since at the limit any may stand for all.
+  void falls(const RigidLimits<dim>& limits, const LimitAnswer<dim>& answer, double factor, double borne) {
     auto raised = factors_;
     for (const auto& [load, share] : scene_.load_factor.pattern) raised[load] += factor * share;
     recorder_.set_loads(raised, 0);
     const auto mechanism = limits.on_nodes(answer);
     auto state = step_.initial_state();
-    state.lambda = limits.on_points(answer);
+    auto forces = answer;
+    if (borne > 0) {
+      auto least = limits.least_pressed(borne * (1 - LimitAnalysisParameters::no_motion));
+      if (least.verdict == LimitVerdict::unlimited) forces = std::move(least);
+    }
+    state.lambda = limits.on_points(forces);
     recorder_.record_forces(state.lambda, std::string(stage) + ": limit", factor);
     recorder_.record_mechanism(mechanism, state, stage, factor);
     auto& summary = recorder_.summary();

@@ -237,6 +237,11 @@ bool RigidLimits<dim>::borne_at_any_factor() const {
 }
 
 template <int dim>
+LimitAnswer<dim> RigidLimits<dim>::least_pressed(double factor) const {
+  return ask_first_rank([factor](const LimitAnalysis<dim>& a) { return a.least_pressed(factor); });
+}
+
+template <int dim>
 bool RigidLimits<dim>::is_rows() const {
   return first_rank_says([](const LimitAnalysis<dim>& a) { return a.is_rows(); });
 }

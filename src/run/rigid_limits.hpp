@@ -29,6 +29,7 @@ class RigidLimits {
   LimitAnswer<dim> refuses(double factor) const;
   bool borne_at_any_factor() const;
   LimitAnswer<dim> most_balanced(double factor, double* free_share) const;
+  LimitAnswer<dim> least_pressed(double factor) const;
   bool is_rows() const;
   std::optional<double> without_dilatancy(double largest, const LimitAnswer<dim>& associated) const;
   std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;

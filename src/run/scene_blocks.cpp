@@ -58,6 +58,9 @@ class BlocksIn final : public SceneBlocks {
   std::vector<std::string> report() const override { return source_->report(); }
   std::string picture() const override { return source_->picture(); }
   Warnings warnings(const Scene& scene) const override { return mesh_warnings(scene, *source_); }
+  void place_loads(const Scene& scene, const Comm& comm) const override {
+    voussoir::place_loads(scene, *source_, comm);
+  }
   void predict(const Scene& scene, const Comm& comm, std::ostream& say) const override {
     voussoir::predict(scene, *source_, comm, say);
   }

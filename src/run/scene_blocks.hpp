@@ -32,6 +32,8 @@ class SceneBlocks {
   virtual std::string picture() const = 0;
   /// What scene and mesh leave open.
   virtual Warnings warnings(const Scene&) const = 0;
+  /// Makes all loads where they act, and forgets them: InputError where one cannot be.
+  virtual void place_loads(const Scene&, const Comm&) const = 0;
   /// What a run would cost.
   virtual void predict(const Scene&, const Comm&, std::ostream& say) const = 0;
   /// The blocks must outlive the model.

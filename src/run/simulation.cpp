@@ -3,6 +3,7 @@
 #include <Teuchos_Time.hpp>
 #include <optional>
 
+#include "base/words.hpp"
 #include "model/loads_at_work.hpp"
 #include "output/output_folder.hpp"
 #include "range/input_warnings.hpp"
@@ -22,18 +23,20 @@ std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& o
                                          const Comm& comm, std::ostream& say) {
   if (!options.validate && !options.dry_run) return {};
   for (const auto& w : blocks.warnings(scene)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
-  if (options.validate)
-    say << "The scene is valid: " << blocks.count() << " blocks.\n";
-  else
+  if (options.validate) {
+    blocks.place_loads(scene, comm);
+    say << "The scene is valid: " << counted(blocks.count(), "block") << ".\n";
+  } else {
     blocks.predict(scene, comm, say);
+  }
   return RunSummary{};
 }
 
 void say_sizes(const Model& model, std::ostream& say) {
   const int ranks = model.structure().comm()->getSize();
-  say << model.block_count() << " blocks, " << model.points().total_joints() << " joints, "
-      << model.structure().total_nodes() << " nodes, " << model.points().total() << " contact points, on " << ranks
-      << (ranks == 1 ? " rank\n" : " ranks\n");
+  say << counted(model.block_count(), "block") << ", " << counted(model.points().total_joints(), "joint") << ", "
+      << counted(model.structure().total_nodes(), "node") << ", " << counted(model.points().total(), "contact point")
+      << ", on " << counted(ranks, "rank") << "\n";
   for (const auto& remark : model.loads_at_work().remarks()) say << remark << "\n";
 }
 

@@ -66,6 +66,9 @@ class LimitAnalysis {
   /// share of every joint, from its edges, that they leave free, up to the largest one looked for. Dry flat joints
   /// alone can be narrowed. Of many such forces those with the least sum of normal forces.
   LimitAnswer<dim> most_balanced(double factor, double* free_share) const;
+  /// Of all forces that balance loads those with the least sum of normal forces, since stones that hold each other may
+  /// press on each other as much as one likes. No verdict where none are found, in space within pyramids inside cones.
+  LimitAnswer<dim> least_pressed(double factor) const { return under_loads(factor).least_of_joints(1, {}); }
   /// Whether stones stand in rows: each has two neighbours at most, or is held and has one, none of a row is its own
   /// neighbour's neighbour, and all joints are dry and flat. The share that forces leave free is then one of the
   /// depth of a row, and 1 / (1 - share) its geometric factor of safety.
@@ -111,7 +114,7 @@ class LimitAnalysis {
   LimitAnswer<dim> raised_up_to(double largest, const Terms&, bool* balanced_unraised,
                                 ProgrammeBasis* basis = nullptr) const;
   LimitAnswer<dim> with_forces(double largest, LimitAnswer<dim>) const;
-  LimitAnswer<dim> least_pressed(double share_of_joints, const ProgrammeBasis&) const;
+  LimitAnswer<dim> least_of_joints(double share_of_joints, const ProgrammeBasis&) const;
   LimitAnswer<dim> in_motion(double largest, LimitAnswer<dim>) const;
   void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer<dim>&) const;
   std::optional<Bound> bound_of(const Programme&, const std::vector<Wrench<dim>>& mechanism) const;

@@ -44,8 +44,8 @@ LimitAnswer<dim> LimitAnalysis<dim>::most_balanced(double factor, double* free_s
     }
   if (free_share) *free_share = 1 - stands;
   if (best.verdict != LimitVerdict::unlimited) return best;
-  auto least = loaded.least_pressed(stands, basis);
-  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_pressed(stands, {});
+  auto least = loaded.least_of_joints(stands, basis);
+  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_of_joints(stands, {});
   return least.verdict == LimitVerdict::unlimited ? least : best;
 }
 
@@ -80,7 +80,7 @@ bool LimitAnalysis<dim>::is_rows() const {
 /// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
 /// any force can be added to others.
 template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::least_pressed(double share_of_joints, const ProgrammeBasis& basis) const {
+LimitAnswer<dim> LimitAnalysis<dim>::least_of_joints(double share_of_joints, const ProgrammeBasis& basis) const {
   auto p = programme({share_of_joints, endless, Pyramid::within, false});
   const double all = raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, all, all);
@@ -133,6 +133,8 @@ std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int su
 
 template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*) const;
 template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*) const;
+template LimitAnswer<2> LimitAnalysis<2>::least_of_joints(double, const ProgrammeBasis&) const;
+template LimitAnswer<3> LimitAnalysis<3>::least_of_joints(double, const ProgrammeBasis&) const;
 template bool LimitAnalysis<2>::is_rows() const;
 template bool LimitAnalysis<3>::is_rows() const;
 template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double) const;

@@ -16,6 +16,8 @@ import pathlib
 import shutil
 import sys
 
+import h5py
+
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "support"))
 import program  # noqa: E402  (a folder of its own)
@@ -49,6 +51,13 @@ class Survey(program.SceneTest):
             self.assertIn("moved by up to 0.00673 m", run.words)
             self.assertIn("22 stones, 3.62551 m2", run.words)
             self.assertTrue((run.folder / "drawing.svg").exists())
+            self.assertLess(self.largest_at_the_limit(run.folder), run.result["rigid"]["reactions"]["ground"]["most_y_N"])
+
+    def largest_at_the_limit(self, folder):
+        """[N] of a joint's points: stones of the lowest course are held, and press on each other no more than they must."""
+        with h5py.File(folder / "fields.h5", "r") as file:
+            step = next(step for step in file["steps"].values() if step.attrs["stage"].decode().endswith(": limit"))
+            return float(abs(step["joint_normal_force_N"][()]).max())
 
 
 if __name__ == "__main__":

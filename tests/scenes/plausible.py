@@ -77,6 +77,19 @@ class Plausible(program.SceneTest):
                          stages={"own": {"loads": {"weight": 1.0, "press": 1.0}}})
             self.assertEqual(self.run_scene(text).warnings, [], where)
 
+    def test_soil_and_water_that_reach_nothing(self):
+        """Levels are heights: one that is forgotten is 0, and the foot of a wall may be there."""
+        for load in ({"type": "earth pressure", "on": "top"}, {"type": "water pressure", "on": "top", "level": -1.0}):
+            text = scene(loads={"press": load}, stages={"own": {"loads": {"weight": 1.0, "press": 1.0}}})
+            run = self.run_scene(text, drawing=DRAWING)
+            self.assertEqual(run.warnings, ["load_without_force"], run.said)
+            self.assertIn("presses on none of its facets", run.words)
+
+    def test_a_load_that_is_nowhere_is_told_before_a_run(self):
+        text = scene(loads={"beam": {"type": "point load", "x": 0.0, "y": 100.0, "fy": -1e3}},
+                     stages={"own": {"loads": {"weight": 1.0, "beam": 1.0}}})
+        self.refused(["scene > loads > beam > tolerance = 0.05 [m]", "the node nearest to (0, 100) m"], text)
+
     def test_a_drawing_runs_no_programs(self):
         script = DRAWING + 'SystemCall "touch ran";\n'
         self.refused(["has SystemCall, which runs programs", "--trust"], scene(), drawing=script)
