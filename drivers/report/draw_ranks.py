@@ -3,6 +3,7 @@ import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from draw_common import BLUE, GREEN, GREY, INK, ORANGE, PALE, PAPER, PURPLE, RED, SKY, save_study
+from geometry import counted
 
 # What the model and the measurement are drawn as: colour, line, marker.
 MEASURED, WORK, MODEL = (BLUE, "-", "o"), (GREEN, "-", "s"), (ORANGE, "--", "")
@@ -40,8 +41,8 @@ def draw_efficiency(axes, rows, kind):
                   mec=BLUE, label="more ranks than cores")
     axes.set_ylim(bottom=0)
     axes.set_ylabel("efficiency [%]")
-    axes.set_title(f"{kind} scaling, " + (f"{rows[0]['blocks']} stones" if kind == "strong" else
-                                          f"{round(rows[-1]['blocks'] / rows[-1]['ranks'])} stones a rank"), loc="left")
+    axes.set_title(f"{kind} scaling, " + (counted(rows[0]["blocks"], "stone") if kind == "strong" else
+                                          counted(round(rows[-1]["blocks"] / rows[-1]["ranks"]), "stone") + " a rank"), loc="left")
     ranks_along(axes, rows)
 
 

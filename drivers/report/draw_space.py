@@ -14,7 +14,7 @@ import motion_player
 import solids
 import view_in_space
 from draw_common import ORANGE, RED, STONE_EDGE, STONE_PALE, dot_entry, draw_lines, drawing, fill_cells, in_both_widths, legend, limits, outline_width, save
-from geometry import deformation_scale, deformed, factor_text, length_text
+from geometry import counted, deformation_scale, deformed, factor_text, length_text
 from read_results import OPEN, SLIP, Step, is_mechanism, read_frames
 
 TOWARDS_VIEWER = np.array([0.55, -1.0, 0.6]) / np.linalg.norm([0.55, -1.0, 0.6])
@@ -70,8 +70,16 @@ def draw_points(flat, edges, step, scale, folder):
     for status, colour in ((SLIP, ORANGE), (OPEN, RED)):
         at = x[joints.node_j[step.status == status]]
         axes.plot(at[:, 0], at[:, 1], "o", color=colour, ms=2.5, mew=0)
-    legend(figure, [dot_entry("open", RED), dot_entry("slips", ORANGE)])
+    legend(figure, [dot_entry(words, colour) for status, words, colour in ((OPEN, "open", RED), (SLIP, "slips", ORANGE)) if (step.status == status).any()])
     return save(figure, folder, "joints")
+
+
+def points_words(step):
+    """How many points are open or slip."""
+    opened, slips = (step.status == OPEN).sum(), (step.status == SLIP).sum()
+    if opened + slips == 0:
+        return "none is open or slips."
+    return f"{opened} open (red), {counted(slips, 'slips', 'slip')} (orange); those behind stones are drawn as well."
 
 
 def add_loads(page, results, flat, edges, folder):
@@ -101,7 +109,7 @@ def add_motion(page, results, flat, edges, seen_at):
     if data:
         page.section("The motion")
         page.motion(motion_player.text_of(data), motion_player.SCRIPT.read_text(encoding="utf-8"), len(chosen),
-                    f"The structure at {len(chosen)} of {len(times)} recorded steps, all drawn with one magnification. Thin grey: the structure as built.")
+                    f"The structure at {len(chosen)} of {counted(len(times), 'recorded step')}, all drawn with one magnification. Thin grey: the structure as built.")
 
 
 def add_space_sections(page, results, folder, attempt):
@@ -114,7 +122,7 @@ def add_space_sections(page, results, folder, attempt):
     except view_in_space.NoScripts as problem:
         page.words(f"There is no view to be turned: {problem}.")
     attempt(page, "The undeformed structure", lambda: page.picture(
-        draw_structure.draw_undeformed(flat.mesh, edges, folder), f"The structure as built: {flat.mesh.blocks} stones, {view}."))
+        draw_structure.draw_undeformed(flat.mesh, edges, folder), f"The structure as built: {counted(flat.mesh.blocks, 'stone')}, {view}."))
     step = flat.last
     if not step:
         return
@@ -133,5 +141,4 @@ def add_space_sections(page, results, folder, attempt):
     page.section("Joints")
     attempt(page, "The joints", lambda: page.picture(
         draw_points(flat, edges, step, scale, folder),
-        f"Contact points at step {step.number} on the deformed shape ({factor_text(scale)}): {(step.status == OPEN).sum()} open (red), "
-        f"{(step.status == SLIP).sum()} slip (orange); those behind stones are drawn as well. joints.xdmf holds all of them for ParaView."))
+        f"Contact points at step {step.number} on the deformed shape ({factor_text(scale)}): {points_words(step)} joints.xdmf holds all of them for ParaView."))

@@ -19,8 +19,17 @@ def held_edges(mesh, edges):
     return edges[both > 0], both[both > 0] == WHOLE
 
 
+def one_after_the_other(ends):
+    """The order of edges in which those that lie on one line follow each other along it."""
+    along = ends[:, 1] - ends[:, 0]
+    way = np.round(along / np.maximum(np.linalg.norm(along, axis=1), 1e-300)[:, None])  # measured lines are not quite straight
+    middle = ends.mean(1) / max(span(ends.reshape(-1, 2)), 1e-300)
+    aside = np.round(middle[:, 1] * way[:, 0] - middle[:, 0] * way[:, 1], 1)
+    return np.lexsort(((middle * way).sum(1), aside, way[:, 1], way[:, 0]))
+
+
 def places_along(ends, distance):
-    """Places every `distance` along each of the edges, and which edge each is on."""
+    """Places every `distance` along the edges, and which edge each is on; edges follow each other (one_after_the_other)."""
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     whole = np.concatenate([[0.0], np.cumsum(length)])
     at = np.arange(distance / 2, whole[-1], distance)
@@ -46,7 +55,7 @@ def draw_supports(axes, mesh, x, edges):
     for part, kind in ((held[whole], "fixed"), (held[~whole], "rollers")):
         if not len(part):
             continue
-        ends = x[part]
+        ends = x[part][one_after_the_other(x[part])] if not mesh.projected else x[part]
         draw_lines(axes, ends, INK, 2.2 if mesh.projected else 1.6, zorder=3, clip_on=False)
         if mesh.projected:
             continue

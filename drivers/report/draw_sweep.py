@@ -28,6 +28,17 @@ def shown_quantity(rows):
     return next((shown for shown in SHOWN if any(number(row.get(shown[0])) is not None for row in rows)), None)
 
 
+def short(path):
+    """The last name of a path of keys, which says what is varied: "Young modulus"."""
+    return path.rsplit("/", 1)[-1]
+
+
+def names_of(paths, units=None):
+    """What is varied in words, with units: the last name of each path, or the whole path where others end alike."""
+    last = [short(path) for path in paths]
+    return {path: label(path if last.count(short(path)) > 1 else short(path), (units or {}).get(path, "")) for path in paths}
+
+
 def label(words, unit):
     return f"{words} [{unit}]" if unit else words
 
@@ -72,7 +83,7 @@ def curve(axes, rows, axis, shown, style, words):
                   color=GREY, transform=axes.get_xaxis_transform())
 
 
-def draw_curves(rows, inputs, paths, shown):
+def draw_curves(rows, inputs, paths, shown, names):
     """Over the first input, a curve for each combination of the others; None where there are too many."""
     others = paths[1:]
     groups = {}
@@ -83,9 +94,9 @@ def draw_curves(rows, inputs, paths, shown):
     figure, axes = plt.subplots(figsize=(PAPER.width, 3.8) if PAPER.is_narrow else (8, 4.5), layout="constrained")
     axis = Axis(paths[0], inputs[paths[0]])
     for (values, group), style in zip(groups.items(), STYLES):
-        curve(axes, group, axis, shown, style, visible(", ".join(f"{path.split('/')[-1]} {value}" for path, value in zip(others, values))))
+        curve(axes, group, axis, shown, style, visible(", ".join(f"{names[path]} {value}" for path, value in zip(others, values))))
     axis.mark(axes.xaxis)
-    axes.set_xlabel(visible(paths[0]), fontsize=13)
+    axes.set_xlabel(visible(names[paths[0]]), fontsize=13)
     axes.set_ylabel(label(shown[1], shown[3]), fontsize=13)
     axes.tick_params(labelsize=12)
     axes.grid(color=GREY, alpha=0.25, lw=0.6)
@@ -94,7 +105,7 @@ def draw_curves(rows, inputs, paths, shown):
     return figure
 
 
-def draw_map(rows, inputs, paths, shown):
+def draw_map(rows, inputs, paths, shown, names):
     """Over two inputs, with the number in every cell."""
     column, words, factor, unit = shown
     across, up = (inputs[path] for path in paths)
@@ -119,8 +130,8 @@ def draw_map(rows, inputs, paths, shown):
             axes.add_patch(plt.Rectangle((i - 0.5, j - 0.5), 1, 1, fill=False, edgecolor=ORANGE, lw=3))
     axes.set_xticks(range(len(across)), [visible(value) for value in across])
     axes.set_yticks(range(len(up)), [visible(value) for value in up])
-    axes.set_xlabel(visible(paths[0]), fontsize=13)
-    axes.set_ylabel(visible(paths[1]), fontsize=13)
+    axes.set_xlabel(visible(names[paths[0]]), fontsize=13)
+    axes.set_ylabel(visible(names[paths[1]]), fontsize=13)
     axes.tick_params(labelsize=12)
     figure.colorbar(image, ax=axes, label=label(words, unit))
     return figure
@@ -138,23 +149,24 @@ def extremes(rows, shown):
 
 
 @in_both_widths
-def draw_sweep(rows, inputs, together, folder):
+def draw_sweep(rows, inputs, together, folder, units=None):
     """Writes sweep.svg; its path and its caption, or None and why there is none."""
-    paths, shown = varied(inputs), shown_quantity(rows)
+    paths, shown, names = varied(inputs), shown_quantity(rows), names_of(list(inputs), units)
+    fell = any(row["outcome"] in FALLS for row in rows)
     if not shown:
         return None, "No run has a quantity that could be drawn."
     if not paths:
         return None, "No input has more than one value, so there is nothing to draw over."
     if len(paths) == 2 and not together:
-        figure = draw_map(rows, inputs, paths, shown)
-        kind = f"Map over {paths[0]} (across) and {paths[1]} (up)"
-        marks = "" if shown[0].startswith("factor") else " Cells with a frame fell."
+        figure = draw_map(rows, inputs, paths, shown, names)
+        kind = f"Map over {names[paths[0]]} (across) and {names[paths[1]]} (up)"
+        marks = " Cells with a frame fell." if fell and not shown[0].startswith("factor") else ""
     else:
         paths = paths[:1] if together else paths
-        figure = draw_curves(rows, inputs, paths, shown)
-        kind = f"Curve over {paths[0]}" + (f", one for each combination of {' and '.join(paths[1:])}" if paths[1:] else "")
+        figure = draw_curves(rows, inputs, paths, shown, names)
+        kind = f"Curve over {names[paths[0]]}" + (f", one for each combination of {' and '.join(names[path] for path in paths[1:])}" if paths[1:] else "")
         marks = (" Triangles: the smallest factor that is excluded." if shown[0] == "factor_stands"
-                 else " Crosses: runs that fell." if not shown[0].startswith("factor") else "")
+                 else " Crosses: runs that fell." if fell and not shown[0].startswith("factor") else "")
     if figure is None:
         return None, f"More than {MOST_CURVES} curves cannot be told apart; the table has all rows."
     path = folder / f"sweep{PAPER.suffix}.svg"

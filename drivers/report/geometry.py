@@ -91,6 +91,11 @@ def factor_text(scale):
     return f"× {scale:,.0f}".replace(",", " ") if scale >= 10 else f"× {scale:.2g}"
 
 
+def counted(number, one, many=None):
+    """A number of things in words: 1 stone, 1 300 stones; 1 vertex, 2 vertices."""
+    return f"{number:,.0f}".replace(",", " ") + " " + (one if number == 1 else many or one + "s")
+
+
 def length_text(metres):
     """A displacement or opening in the unit an engineer would say it in."""
     size = abs(metres)

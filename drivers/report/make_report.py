@@ -21,7 +21,7 @@ import draw_time
 import motion_player
 import rigid_report
 import tables
-from geometry import JointPieces, deformation_scale, factor_text, force_text, length_text, outline_edges
+from geometry import JointPieces, counted, deformation_scale, factor_text, force_text, length_text, outline_edges
 from html_page import Page
 from read_results import OPEN, SLIP, find, is_mechanism, number, read_frames, read_results, step_nearest
 from statics import chain_resultants, find_hinges
@@ -41,9 +41,9 @@ def attempt(page, what, action, *arguments):
 
 def add_undeformed(page, results, edges, folder):
     mesh = results.mesh
-    sets = "Stones are coloured by set" if draw_structure.kinds_of_sets(mesh) else "The scene names no sets of several stones"
+    sets = " Stones are coloured by set." if draw_structure.kinds_of_sets(mesh) else ""
     page.picture(draw_structure.draw_undeformed(mesh, edges, folder),
-                 f"The structure as built: {mesh.blocks} stones, drawn by their outlines, to scale (bar in metres). {sets}.")
+                 f"The structure as built: {counted(mesh.blocks, 'stone')}, drawn by {'its outline' if mesh.blocks == 1 else 'their outlines'}, to scale (bar in metres).{sets}")
 
 
 def add_loads(page, results, edges, folder):
@@ -91,7 +91,7 @@ def add_stages(page, results, edges, folder):
     left_out = len(results.stage_ends) - len(shown)
     page.picture(draw_structure.draw_stages(results.mesh, edges, results.stage_ends, folder),
                  "Deformed shape at the end of each stage"
-                 + (f" ({left_out} of {len(results.stage_ends)} stages left out)" if left_out else "")
+                 + (f" ({left_out} of {counted(len(results.stage_ends), 'stage')} left out)" if left_out else "")
                  + ". Each has its own magnification, stated above it: compare the shapes by eye, the sizes by number.")
 
 
@@ -105,22 +105,24 @@ def add_motion(page, results, pieces, edges):
     if data:
         page.section("The motion")
         page.motion(motion_player.text_of(data), motion_player.SCRIPT.read_text(encoding="utf-8"), len(chosen),
-                    f"The structure at {len(chosen)} of {len(times)} recorded steps, all drawn with one magnification. Red: open joints; "
-                    "thin grey: the structure as built; blue: loads at points.")
+                    f"The structure at {len(chosen)} of {counted(len(times), 'recorded step')}, all drawn with one magnification. Red: open joints; "
+                    f"thin grey: the structure as built{'; blue: loads at points' if any(frame['arrows'] for frame in data['frames']) else ''}.")
 
 
 def add_joints(page, results, pieces, edges, scale, found, folder):
     mesh, joints, step = results.mesh, results.joints, results.last
     hinges = [h for chain in found for h in find_hinges(chain, joints, step, chain_resultants(chain, joints, step))]
+    which = ("Joints of the mechanism, openings relative to its largest motion of 1 m," if is_mechanism(step) else
+             f"Joints at step {step.number},")
     page.picture(draw_joints.draw_joints(mesh, joints, pieces, edges, step, scale, hinges, folder),
-                 f"Joints {'of the mechanism, openings relative to its largest motion of 1 m,' if is_mechanism(step) else ''} at step {step.number}, on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
-                 f"{(step.status == OPEN).sum()} points; orange: slipping, {(step.status == SLIP).sum()} points; grey: closed. "
-                 "Black dots: hinges, at the compressed edge where the force passes; the joint gapes at the other edge.")
+                 f"{which} on the deformed shape ({factor_text(scale)}). Red: open, the heavier the wider, "
+                 f"{counted((step.status == OPEN).sum(), 'point')}; orange: slipping, {counted((step.status == SLIP).sum(), 'point')}; grey: closed."
+                 + (" Black dots: hinges, at the compressed edge where the force passes; the joint gapes at the other edge." if hinges else ""))
     if step.damage is not None and not is_mechanism(step):
         cracked = (step.damage > draw_joints.CRACKED).sum()
         page.picture(draw_joints.draw_damage(mesh, joints, pieces, edges, step, scale, folder),
-                     f"Strength of the joints at step {step.number}: {cracked} of {len(step.damage)} contact points have cracked, "
-                     f"{(step.damage > 0).sum() - cracked} soften.")
+                     f"Strength of the joints at step {step.number}: {cracked} of {counted(len(step.damage), 'contact point')} "
+                     f"{'has' if cracked == 1 else 'have'} cracked, {counted((step.damage > 0).sum() - cracked, 'softens', 'soften')}.")
     if hinges:
         page.part("Hinges, from the left springing to the right or from the foot upwards")
         tables.hinge_table(page, mesh, hinges)
@@ -138,12 +140,21 @@ def add_stress(page, results, edges, found, folder):
                  f"Dots: resultant of each joint, sized by its force, largest {force_text(largest)}.")
 
 
+def selected_words(selected, points):
+    """How many contact points are computed as contact (dark blue in the picture), and what the others do."""
+    if selected == points:
+        return f"at all of {counted(points, 'candidate point')} (dark blue)."
+    others = "carry their load without opening or slipping and stay bonded."
+    if selected == 0:
+        return f"at none of {counted(points, 'candidate point')}: they {others}"
+    return (f"{selected} of {counted(points, 'candidate point')} ({100 * selected / points:.1f} %) {'is' if selected == 1 else 'are'} selected (dark blue); "
+            f"the others (light) {others}")
+
+
 def add_selection(page, results, pieces, edges, folder):
     step, points = results.equilibrium, len(results.joints.area)
-    share = 100 * step.selected.sum() / max(points, 1)
     page.picture(draw_joints.draw_selection(results.mesh, results.joints, pieces, edges, step, folder),
-                 f"Where contact was computed at step {step.number}: {step.selected.sum()} of {points} candidate points ({share:.1f} %) are "
-                 "selected (dark blue); the others (light) carry their load without opening or slipping and stay bonded.")
+                 f"Where contact was computed at step {step.number}: {selected_words(step.selected.sum(), points)}")
 
 
 def add_structure_sections(page, results, folder):
@@ -183,7 +194,7 @@ def add_cost(page, results, folder):
     if history:
         tables.step_table(page, history, tables.step_columns(history))
     else:
-        page.words("There is no history.csv, hence no table per load step.")
+        page.words("No step is recorded in history.csv, hence there is no table of steps.")
     seconds, phases = tables.seconds_of(results)
     path = draw_cost.draw_phases(phases, folder) if phases else None
     if path:
@@ -214,7 +225,7 @@ def add_time(page, results, folder):
     if path:
         left_out = len(places) - draw_time.PLACES
         page.picture(path, "Motion of the places the scene observes"
-                     + (f" (the first {draw_time.PLACES}; {left_out} more are in history.csv)." if left_out > 0 else "."))
+                     + (f" (the first {draw_time.PLACES}; {counted(left_out, 'more is', 'more are')} in history.csv)." if left_out > 0 else "."))
     if supports:
         page.picture(supports, "Force of each support that moves, over its way.")
     if energy:
@@ -224,6 +235,8 @@ def add_time(page, results, folder):
 
 
 def add_tables(page, results, found):
+    if not results.last and not results.margins:
+        return
     page.section("Tables")
     if results.last:
         attempt(page, "The tables of joints", tables.joint_tables, page, results)

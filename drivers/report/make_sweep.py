@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import draw_sweep
+from geometry import counted
 from html_page import Page
 from read_results import number
 
@@ -18,6 +19,7 @@ SHOWN = (("load_factor", "load factor", 1, ""), ("factor_stands", "factor that s
          ("largest_displacement_m", "largest displacement", 1e3, "mm"), ("residual_displacement_m", "residual", 1e3, "mm"),
          ("peak_drift", "peak drift", 100, "%"), ("peak_opening_m", "widest opening", 1e3, "mm"), ("peak_slip_m", "longest slip", 1e3, "mm"),
          ("least_edge_margin", "edge margin", 100, "%"), ("least_friction_margin", "friction margin", 100, "%"), ("seconds", "seconds", 1, ""))
+WORDS = {"equilibrium": "in equilibrium"}
 KINDS = {"equilibrium": "good", "collapse": "good", "out_of_range": "warn", "not_converged": "warn"}
 
 
@@ -47,11 +49,21 @@ def further_columns(rows):
             yield name, name.replace("peak_m of ", "peak of "), 1e3, "mm"
 
 
-def add_table(page, rows, inputs):
+def the_same_in_all(rows, shown):
+    """Columns that tell the same of every run, of which one sentence says more than a column does."""
+    told = {column: {text_of(row, column, factor) for row in rows} for column, _, factor, _ in shown}
+    return [column for column in shown if len(rows) > 1 and column[0] != "seconds" and len(told[column[0]]) == 1]
+
+
+def add_table(page, rows, inputs, names):
     shown = [column for column in (*SHOWN, *further_columns(rows)) if any(number(row.get(column[0])) is not None for row in rows)]
-    words = ["run", *inputs, "outcome", "stands"]
+    same = the_same_in_all(rows, shown)
+    shown = [column for column in shown if column not in same]
+    words = ["run", *(names[path] for path in inputs), "outcome", "stands"]
     page.section("All runs")
-    page.words("Each row is a run. Its name leads to its report, where there is one; sweep.csv has all numbers.")
+    page.words("Each row is a run. Its name leads to its report, where there is one; sweep.csv has all numbers."
+               + (f" The same in all: {', '.join(f'{name} {text_of(rows[0], column, factor)} {unit}'.strip() for column, name, factor, unit in same)}."
+                  if same else ""))
     page.table([*words, *(heading(name, unit) for _, name, _, unit in shown)],
                [[str(k), *(row[path] for path in inputs), row["outcome"].replace("_", " "), row["stands"],
                  *(text_of(row, column, factor) for column, _, factor, _ in shown)] for k, row in enumerate(rows, 1)],
@@ -68,7 +80,7 @@ def add_envelope(page, folder, rows):
         return
     found = json.loads(path.read_text(encoding="utf-8"))
     page.section("Envelope")
-    page.words(f"Of {found['that_ended']} of {found['runs']} runs, which came to their end.")
+    page.words(f"Of {found['that_ended']} of {counted(found['runs'], 'run')}: those that came to their end.")
     for stands in found["stands"]:
         below = "no run below it stands" if stands["stands_up_to"] is None else f"all runs stand up to {stands['stands_up_to']:.6g}"
         page.words(f"{stands['input']}: {below}; one falls at {stands['falls_at']:.6g}.")
@@ -89,25 +101,26 @@ def main(folder):
         rows = list(csv.DictReader(file))
     inputs = question["inputs"]
     done = [row for row in rows if row["exit_code"] != ""]
-    page = Page(f"{Path(question['asked']['scene']).stem}: {', '.join(draw_sweep.varied(inputs) or inputs)}")
+    names = draw_sweep.names_of(list(inputs), question.get("units"))
+    page = Page(f"{question.get('title') or Path(question['asked']['scene']).stem}: {', '.join(names[path] for path in draw_sweep.varied(inputs) or inputs)}")
     counts = {}
     for row in rows:
         counts[row["outcome"]] = counts.get(row["outcome"], 0) + 1
     kinds = {KINDS.get(outcome, "bad") for outcome in counts}
-    page.head(", ".join(f"{number_of} {word.replace('_', ' ')}" for word, number_of in counts.items()),
+    page.head(", ".join(f"{number_of} {WORDS.get(word, word.replace('_', ' '))}" for word, number_of in counts.items()),
               next(kind for kind in ("bad", "warn", "good") if kind in kinds))
     if len(done) < len(rows):
-        page.words(f"{len(rows) - len(done)} of {len(rows)} runs have not been computed; the same command goes on.")
-    fixed = [f"{path} = {values[0]}" for path, values in inputs.items() if len(values) == 1]
+        page.words(f"{len(rows) - len(done)} of {counted(len(rows), 'run')} {'has' if len(rows) - len(done) == 1 else 'have'} not been computed; the same command goes on.")
+    fixed = [f"{names[path]} = {values[0]}" for path, values in inputs.items() if len(values) == 1]
     if fixed or question["asked"]["options"]:
         page.words(f"In all runs: {', '.join([*fixed, *question['asked']['options']])}.")
-    path, caption = draw_sweep.draw_sweep(rows, inputs, question["zip"], folder)
+    path, caption = draw_sweep.draw_sweep(rows, inputs, question["zip"], folder, question.get("units"))
     if path:
         page.drawing(path, caption)
     else:
         page.words(caption)
     add_envelope(page, folder, rows)
-    add_table(page, rows, list(inputs))
+    add_table(page, rows, list(inputs), names)
     page.write(folder / "sweep.html")
 
 

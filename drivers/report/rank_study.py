@@ -16,6 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 import rank_model  # noqa: E402
+from geometry import counted  # noqa: E402
 from voussoir import program  # noqa: E402
 
 WALLS = ("wall", "wall in space")
@@ -238,7 +239,8 @@ def tell(rows, say):
             say("  ".join(word.rjust(width) for word, width in zip(line, widths)))
     shared = sorted({row["ranks"] for row in rows if row["ranks"] > row["cores"]})
     if shared:
-        say(f"\n{', '.join(map(str, shared))} ranks shared {rows[0]['cores']} cores: their seconds by the clock are none of a machine that\n"
+        last = counted(shared[-1], "rank") if len(shared) == 1 else f"{', '.join(map(str, shared))} ranks"
+        say(f"\n{last} shared {counted(rows[0]['cores'], 'core')}: their seconds by the clock are none of a machine that\n"
             "has as many; counts, memory and seconds of work (of the processor outside MPI) hold.")
     if not any(row["efficiency"] for row in rows):
         say("\nEfficiency is over one rank, which is not there: run 1 rank into the same folder.")

@@ -14,11 +14,13 @@ def asked_alone(results):
 def add_thrust(page, results, edges, found, folder):
     """One picture for the loads of the scene, one for the limit."""
     standing = [step for step in results.stage_ends if not is_mechanism(step)]
+    told = False
     for step in standing:
         at_limit = step.stage.endswith(": limit")
         path, largest = draw_thrust(results.mesh, results.joints, edges, step, found, folder,
                                     "thrust_at_the_limit" if at_limit else "thrust")
-        line = "Red line: line of thrust, through the resultants of the joints of each arch or column. " if found else f"{chains.NONE} "
+        line = "Red line: line of thrust, through the resultants of the joints of each arch or column. " if found else "" if told else f"{chains.NONE} "
+        told = True
         dots = f"Dots: resultant of each joint, sized by its force, largest {force_text(largest)}."
         if at_limit:
             page.picture(path, f"Forces that balance the loads at the limit, factor {step.load_factor:.5g}. Where they touch an edge "
@@ -42,17 +44,17 @@ def facts(results):
     if found is not None and certified is not None and found < certified * (1 - 1e-6):
         rows.append(("Forces are found up to", tables.short(found, 6), "times the pattern, where slip dilates"))
     if estimate is not None:
-        rows.append(("Where slip does not dilate", tables.short(estimate, 5), "an estimate, no bound on either side"))
+        rows.append(("Where slip does not dilate", tables.short(estimate, 6), "an estimate, no bound on either side"))
     if str(tree.get("outcome")) == "equilibrium" or certified is not None:
         factor = number(rigid.get("geometric_factor_of_safety"))
         what = ("a share of every joint, those between rings too, not the factor of one arch of that depth" if factor is None
                 else f"a geometric factor of safety of {tables.short(factor, 4)} or more")
         if rigid.get("free_share_is_at_least"):
             what = "where the search for more ends" if factor is None else what
-        rows.append(("Free of every dry joint", ("at least " if rigid.get("free_share_is_at_least") else "")
+        rows.append(("Of every dry joint forces can leave free", ("at least " if rigid.get("free_share_is_at_least") else "")
                      + tables.margin_text(rigid.get("free_share_of_joints")),
-                     f"from its edges, in the most balanced forces under the loads of the scene; {what}"))
-    return rows + [("Time", "not given" if seconds is None else f"{seconds:.3g} s", tables.ranks_text(find(tree, "ranks"))),
+                     f"counted from its edges, under the loads of the scene; {what}"))
+    return rows + [("Computing time", "not given" if seconds is None else f"{seconds:.3g} s", tables.ranks_text(find(tree, "ranks"))),
                    ("Blocks / joints", f"{tables.count_text(find(tree, 'blocks'))} / {tables.count_text(find(tree, 'joints'))}", "")]
 
 

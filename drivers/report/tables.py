@@ -1,9 +1,8 @@
 """Numbers of the report: the figures asked first, tables per step, of joints, of forces."""
 import numpy as np
 
-from chains import NONE
 from draw_cost import column
-from geometry import force_text, length_text
+from geometry import counted, force_text, length_text
 from read_results import OPEN, SLIP, STICK, find, largest_over_time, number
 from statics import geometrical_factor, horizontal_thrust
 
@@ -15,7 +14,7 @@ def count_text(value):
 
 
 def ranks_text(value):
-    return "1 rank" if number(value) == 1 else f"{count_text(value)} ranks"
+    return "not given" if number(value) is None else counted(number(value), "rank")
 
 
 def short(value, digits=3):
@@ -93,10 +92,17 @@ def facts_asked_first(results):
                                                else ", the second collapses"))]
     statics = results.result.get("statics")
     if isinstance(statics, dict) and "hinges" in statics:
-        asked += [("Hinges / sliding joints", f"{count_text(statics.get('hinges'))} / {count_text(statics.get('sliding_joints'))}", "in the last equilibrium"),
+        asked += [("Hinges / sliding joints", f"{count_text(statics.get('hinges'))} / {count_text(statics.get('sliding_joints'))}",
+                   "in the last equilibrium; neighbours that open on one side make one hinge of an arch"
+                   + ("; joints that stay bonded are judged by the forces of their bonds" if selected is not None and candidates and selected < candidates else "")),
                   ("Least margins", f"{margin_text(statics.get('least_edge_margin'))} / {margin_text(statics.get('least_friction_margin'))}",
                    "of a resultant from its edge, of the joint's width; of friction")]
     where = f"in stage “{stage}”" if stage else ""
+    whole = [("Computing time", "not given" if seconds is None else f"{seconds:.3g} s", ranks_text(find(tree, "ranks"))),
+             ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
+             ("Unknowns", count_text(find(tree, "unknowns")), "")]
+    if number(find(tree, "steps")) == 0 and lower is None:
+        return [("Steps", "none", "nothing is known of displacements and forces yet"), *whole]
     reached = ("Time reached", f"{last_row(results, 'time_s'):.4g} s", where) if results.ends_in_time else (
         "Load factor reached", short(load) or "not given", where)
     return asked + [
@@ -104,12 +110,10 @@ def facts_asked_first(results):
         reached,
         ("Open / slipping / sticking points", " / ".join(count_text(p) for p in points),
          f"of the selected contact points{', at the end' if results.ends_in_time else ''}"),
-        ("Selected as contact", share, f"{count_text(selected)} of {count_text(candidates)} candidate points"),
-        ("Error estimate", "not given" if error is None else f"{100 * error:.2g} %", "energy norm, of what stays bonded: no bound; displacements may be several times as far off"),
-        ("Time", "not given" if seconds is None else f"{seconds:.3g} s", ranks_text(find(tree, "ranks"))),
-        ("Blocks / joints", f"{count_text(find(tree, 'blocks'))} / {count_text(find(tree, 'joints'))}", ""),
-        ("Unknowns", count_text(find(tree, "unknowns")), ""),
-    ]
+        ("Selected as contact", share, f"{count_text(selected)} of {counted(candidates or 0, 'candidate point')}"),
+        ("Error estimate", "not given" if error is None else f"{100 * error:.2g} %", "every joint was computed as contact" if share == "100.0 %" else
+         "energy norm, of what stays bonded: no bound; displacements may be several times as far off"),
+        *whole]
 
 
 def largest_displacement(results):
@@ -272,7 +276,7 @@ def joint_tables(page, results):
     if in_time:
         largest, at = largest_over_time(results)
         moment = lambda k: f"{times[k]:.4g} s" if np.isfinite(times[k]) else f"load step {k + 1}"
-        page.words(f"Each joint at its widest or longest over the {len(times)} recorded steps, and when that was.")
+        page.words(f"Each joint at its widest or longest over the {counted(len(times), 'recorded step')}, and when that was.")
     else:
         largest = {"gap": np.where(step.status == OPEN, step.gap, 0), "slip": np.where(step.selected, np.abs(step.slip), 0)}
     for title, unit, key in (("Ten most opened joints", "opening [mm]", "gap"), ("Ten largest slips", "slip [mm]", "slip")):
@@ -292,10 +296,9 @@ def hinge_table(page, mesh, hinges):
 
 def thrust_table(page, thrusts):
     """thrusts: rows (name, arch or column, resultants)."""
-    page.part("Horizontal thrust of each arch")
     if not thrusts:
-        page.words(NONE)
-        return
+        return  # the caption of the picture says why
+    page.part("Horizontal thrust of each arch")
     arches = [(name, chain, resultants) for name, chain, resultants in thrusts if chain.kind == "arch"]
     if not arches:
         page.words("No arch was found; a line of thrust is drawn for each column.")

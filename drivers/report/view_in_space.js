@@ -126,7 +126,7 @@
     const times = magnification(s);
     find("stage-words").textContent = s.words;
     find("scale-words").textContent = s.mechanism ? "motion drawn as large as can be seen" : times === 0 ? "as built"
-      : "displacements x " + Number(times.toPrecision(2)).toLocaleString("en");
+      : "displacements × " + Number(times.toPrecision(2)).toLocaleString("en").replaceAll(",", " ");
     move();
     draw();
   }

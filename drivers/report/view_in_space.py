@@ -13,7 +13,7 @@ import numpy as np
 import draw_structure
 import solids
 from draw_common import SET_COLOURS, STONE
-from geometry import deformation_scale, force_text, length_text
+from geometry import counted, deformation_scale, force_text, length_text
 from read_results import BONDED, OPEN, SLIP, STICK, is_mechanism
 
 THREE = Path("/usr/share/javascript/three")  # of the package libjs-three
@@ -129,6 +129,6 @@ def add_view(page, results):
     shown, all_stages = len(data["stages"]), max(1, len(results.stage_ends))
     page.view_in_space(text, [path.read_text(encoding="utf-8") for path in SCRIPTS], [s["name"] for s in data["stages"]],
                        [way["words"] for way in data["sets"]],
-                       f"The structure to be turned, at the end of {shown} of {all_stages} stages. Red points are open, orange ones slip; green "
+                       f"The structure to be turned, at the end of {shown} of {counted(all_stages, 'stage')}. Red points are open, orange ones slip; green "
                        "arrows are the resultants of joints, as one stone presses on the next. Drag to turn, with the right button to move, "
                        "wheel or pinch to come nearer; click a stone for its number.")

@@ -23,6 +23,11 @@ REPORT = "drivers/report/make_report.py"
 SET_PARENT_DEATH_SIGNAL = 1  # of prctl(2)
 
 
+def counted(number, one, many=None):
+    """A number of things in words: 1 run, 2 runs; 1 vertex, 2 vertices."""
+    return f"{number} {one if number == 1 else many or one + 's'}"
+
+
 class VoussoirError(Exception):
     """What the program, or this package in its words, could not do; `code` is the exit code of the program."""
 

@@ -198,6 +198,11 @@ class Scene:
             raise KeyError(f"{path} is no key of a scene")
         return parameters.in_words(member)
 
+    def unit(self, path):
+        """Of a number of the scene, "" where it has none."""
+        unit = (parameters.find(pieces(path), self._values) or {}).get("unit", "")
+        return "" if unit == "-" else unit
+
     # What becomes of it.
 
     def text(self, beside=None):

@@ -91,7 +91,9 @@ def tell_end(work, rows):
     counts = {}
     for row in rows:
         counts[row["outcome"]] = counts.get(row["outcome"], 0) + 1
-    say("\n" + ", ".join(f"{number} {word.replace('_', ' ')}" for word, number in counts.items()) + f". Table: {work.out}/sweep.csv")
+    words = {"equilibrium": "in equilibrium"}
+    say("\n" + ", ".join(f"{number} {words.get(word, word.replace('_', ' '))}" for word, number in counts.items())
+        + f". Table: {work.out}/sweep.csv")
     page = work.draw()
     if page:
         say(f"Page: {page}")

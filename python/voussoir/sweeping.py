@@ -20,6 +20,7 @@ import xml.etree.ElementTree as tree
 from . import program, sweep_inputs, sweep_table
 from .program import InputError, write_atomically
 from .running import GRACE, options_of, value_text
+from .scene import Scene
 
 ROW, LOG, ERRORS = "row.json", "run.log", "errors.log"
 PAGE = "drivers/report/make_sweep.py"
@@ -113,6 +114,9 @@ class Job:
                                             stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT,
                                             start_new_session=True, preexec_fn=program.ends_with_parent)
 
+    def at_work(self):
+        return f"report of {self.words()}" if self.drawing else f"{self.words()} ({time.monotonic() - self.began:.0f} s)"
+
     def wants_report(self):
         return (self.sweep.reports and self.row.get("exit_code") != program.WRONG_INPUT
                 and (self.folder / "fields.h5").exists() and not (self.folder / "report.html").exists())
@@ -204,8 +208,11 @@ class Sweep:
         return asked
 
     def write_question(self, asked):
+        scene = Scene.read(self.scene)
+        units = {path: unit for path in self.inputs if (unit := scene.unit(path))}
         write_atomically(self.out / "sweep.json", json.dumps(
-            {"asked": asked, "inputs": self.inputs, "zip": self.together, "envelope": self.envelope}, indent=1) + "\n")
+            {"asked": asked, "title": scene["title"] if "title" in scene else "", "inputs": self.inputs, "units": units, "zip": self.together,
+             "envelope": self.envelope}, indent=1) + "\n")
 
     # The runs.
 
@@ -231,8 +238,8 @@ class Sweep:
                 (job.folder / ROW).unlink(missing_ok=True)
         waiting, running = [job for job in self.all if not job.row], []
         undrawn = [job for job in self.all if job.row and job.wants_report()]
-        self.say(f"{len(self.all)} combinations, {len(self.all) - len(waiting)} of them done before; "
-                 f"{min(self.jobs, max(1, len(waiting)))} at a time on {self.ranks} {'rank' if self.ranks == 1 else 'ranks'} each.")
+        self.say(f"{program.counted(len(self.all), 'combination')}, {len(self.all) - len(waiting)} of them done before; "
+                 f"{min(self.jobs, max(1, len(waiting)))} at a time on {program.counted(self.ranks, 'rank')} each.")
         self.write()
         try:
             self.work_through(waiting, running, undrawn)
@@ -255,10 +262,9 @@ class Sweep:
                     self.write()
                     self.tell(job)
                     told = time.monotonic()
-            if time.monotonic() - told > REMIND:
+            if time.monotonic() - told > REMIND and running:
                 told = time.monotonic()
-                self.say(f"... {len(waiting)} wait, at work: " + "; ".join(
-                    f"{job.words()} ({time.monotonic() - job.began:.0f} s)" for job in running if job.began and not job.drawing))
+                self.say(f"... {program.counted(len(waiting), 'waits', 'wait')}, at work: " + "; ".join(job.at_work() for job in running))
             time.sleep(POLL)
 
     def fill(self, waiting, running, undrawn):
@@ -277,7 +283,8 @@ class Sweep:
     def stop(self, running):
         """Runs save their state and end; the second Ctrl-C kills them."""
         self.stopping = True
-        self.say(f"Stopping: {sum(not job.drawing for job in running)} runs save their state ...")
+        computing = sum(not job.drawing for job in running)
+        self.say(f"Stopping: {program.counted(computing, 'run saves its state', 'runs save their state')} ...")
         for job in running:
             program.kill(job.process) if job.drawing else program.ask_to_stop(job.process)
         try:

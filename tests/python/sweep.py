@@ -72,7 +72,19 @@ class Page(sweeps.SweepTest):
         for link in links:
             self.assertTrue((folder / link).is_file(), link)
         self.assertTrue(tree.parse(folder / "sweep.svg").getroot().tag.endswith("svg"))
-        self.assertRegex(page, r'alt="Curve over joints/dry/friction coefficient. Load factor that stands: least 0\.\d+')
+        self.assertRegex(page, r'alt="Curve over friction coefficient. Load factor that stands: least 0\.\d+')
+
+    def test_units_titles_and_marks_are_those_of_the_scene(self):
+        """Of a modulus the axis has Pa, nothing fell so that no mark is explained, and one sentence has what all runs share."""
+        scene = self.write(sweeps.wall())
+        done = self.sweep(scene, "--set", "materials/stone/Young modulus=2e9,4e9", "--no-reports")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.folder / "sweep/sweep.html").read_text(encoding="utf-8")
+        self.assertIn('alt="Curve over Young modulus [Pa]. Largest displacement: least', page)
+        self.assertIn("2 in equilibrium", page)
+        self.assertNotIn("runs that fell", page)
+        self.assertRegex(page, r"The same in all: load factor 1[,.]")
+        self.assertNotIn("<th>load factor</th>", page)
 
     def test_a_map_over_two_inputs_and_the_worst_of_all(self):
         scene = self.write(sweeps.wall(factor=sweeps.FACTOR))

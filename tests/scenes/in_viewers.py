@@ -27,7 +27,7 @@ class InViewers(program.SceneTest):
         self.check("wall-in-space")
 
     def test_hexahedra_beside_tetrahedra(self):
-        self.check("cross-vault", "--set=selection/mode=bonded", "--set=load factor/pattern/sideways=0")
+        self.check("cross-vault", "--set=selection/mode=bonded")
 
 
 if __name__ == "__main__":
