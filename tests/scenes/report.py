@@ -15,12 +15,7 @@ import subprocess
 import sys
 import unittest
 
-import numpy as np
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "drivers" / "report"))
-import draw_supports  # noqa: E402  (a folder of its own)
-import make_report  # noqa: E402
 FOLDER = pathlib.Path("report").resolve()
 PROGRAM = None
 
@@ -385,40 +380,6 @@ class Collapse(unittest.TestCase):
         # A line of thrust that touches an edge leaves nothing of the thickness.
         arch = self.table("geometrical factor of safety")
         self.assertEqual(arch[1][-1], "1")
-
-
-class Stopped(unittest.TestCase):
-    """A run whose time is over before its first step: what is not known is not told as 0."""
-
-    def test_nothing_is_told_of_displacements_and_forces(self):
-        out = FOLDER / "stopped"
-        done = subprocess.run([PROGRAM, f"--xml={ROOT / 'xml/wall.xml'}", f"--out={out}", "--overwrite", "--quiet", "--at-most=0.001s"],
-                              check=False)
-        self.assertEqual(done.returncode, 5)
-        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", out], check=True, stdout=subprocess.DEVNULL)
-        page = Page((out / "report.html").read_text(encoding="utf-8"))
-        self.assertEqual(page.facts()["Steps"], "none")
-        for absent in ("Largest displacement", "Load factor reached", "Error estimate"):
-            self.assertNotIn(absent, page.facts())
-        self.assertNotIn("Tables", page.texts["h2"])
-
-
-class Pieces(unittest.TestCase):
-    """Words and marks that depend on what there is to tell."""
-
-    def test_what_is_selected_is_told_of_all_some_one_and_none(self):
-        words = make_report.selected_words
-        self.assertEqual(words(4, 4), "at all of 4 candidate points (dark blue).")
-        self.assertIn("1 of 4 candidate points (25.0 %) is selected", words(1, 4))
-        self.assertIn("2 of 4 candidate points (50.0 %) are selected", words(2, 4))
-        self.assertTrue(words(0, 1).startswith("at none of 1 candidate point: they carry"))
-
-    def test_strokes_along_a_support_are_evenly_apart_whatever_the_order_of_its_edges(self):
-        x = np.array([0.0, 0.3, 0.5, 0.9, 1.4])
-        ends = np.stack([np.stack([x[:-1], 0.001 * x[:-1]], 1), np.stack([x[1:], 0.001 * x[1:]], 1)], 1)[[2, 0, 3, 1]]
-        order = draw_supports.one_after_the_other(ends)
-        at, _ = draw_supports.places_along(ends[order], 0.1)
-        np.testing.assert_allclose(np.diff(at[:, 0]), 0.1, rtol=1e-5)
 
 
 class DamagedResults(unittest.TestCase):
