@@ -47,7 +47,7 @@ def measure(program, chosen):
                 continue
             told = subprocess.run([program, f"--xml={scene}", "--dry-run"], capture_output=True, text=True, check=True).stdout
             seconds = re.search(r"([\d.e+-]+) s on 1 rank ", told)
-            said = "factor of three" if "factor of three" in told else "cannot be told" if "cannot be told" in told else "open"
+            said = next((words for words in ("factor of three", "factor of five", "cannot be told") if words in told), "open")
             taken, code = seconds_of([program, f"--xml={scene}"], f"{folder}/{scene.stem}")
             ended = {0: "yes", 3: "no equilibrium found"}.get(code, f"no: code {code}")
             predicted = float(seconds[1]) if seconds else None
