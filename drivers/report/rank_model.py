@@ -30,7 +30,7 @@ FIRST_EXCHANGES, FIRST_SUMS = 32, 45    # and once more
 OF_MUELU = 3         # of the exchanges on the finest: the cycles that measure count them as its own
 LANCZOS = 5              # cycles that measure it when it is built
 V_CYCLE = 4          # exchanges on each level of the V-cycle: smoothers, residual, restriction, prolongation
-MORE_SWEEPS = 4      # where there are three sweeps for one, down (the first without an exchange) and up
+MORE_SWEEPS = 4      # below the finest, where there are three sweeps for one, down (the first without an exchange) and up
 LEAST_ROWS = 2000    # MueLu moves a level to fewer ranks below so many rows per rank
 COARSEST_ROWS = 1000
 NUMBER = 8           # bytes
@@ -42,10 +42,9 @@ class Coarsening:
     first: float      # of the continuum: aggregates of nodes
     further: float    # aggregates of those
     group: float      # motions of blocks, or of groups, for one of a group of them
-    small_level: int  # of the continuum, from which on there are more sweeps
 
 
-COARSENING = {2: Coarsening(6, 9.5, 8.5, 2), 3: Coarsening(9.3, 7.3, 8.2, 1)}
+COARSENING = {2: Coarsening(6, 9.5, 8.5), 3: Coarsening(9.3, 7.3, 8.2)}
 
 
 def border(ranks):
@@ -90,8 +89,8 @@ def exchanges_of_motions(level):
     return FINEST_OF_MOTIONS if level == 0 else V_CYCLE
 
 
-def exchanges_of(level, coarsening):
-    return V_CYCLE + (MORE_SWEEPS if level >= coarsening.small_level else 0)
+def exchanges_of(level):
+    return V_CYCLE + (MORE_SWEEPS if level > 0 else 0)
 
 
 class Widths:
@@ -155,8 +154,7 @@ def motions_halo(r, width):
 
 
 def v_cycle(r, width):
-    coarsening = coarsening_of(r)
-    return sent_in_cycle(levels(continuum_rows(r), r["ranks"], coarsening), lambda level: exchanges_of(level, coarsening), width)
+    return sent_in_cycle(levels(continuum_rows(r), r["ranks"], coarsening_of(r)), exchanges_of, width)
 
 
 def cycle_of_motions(r, width):
@@ -263,7 +261,7 @@ def seconds(blocks, ranks, machine, widths, iterations):
     multigrid, found = 0.0, levels(unknowns * share, ranks, coarsening)
     for j, (rows, on) in enumerate(found):
         if on > 1:
-            multigrid += exchanges_of(j, coarsening) * machine.exchange(2 * pairs(on) / on,
+            multigrid += exchanges_of(j) * machine.exchange(2 * pairs(on) / on,
                                                             NUMBER * widths.level * border(on) / on * math.sqrt(rows))
         if j > 0:  # coarse levels are not divided as far; a row costs an eighth of one of H with its blocks
             multigrid += machine.iteration / 8 * max(0.0, rows / on - rows / ranks)

@@ -25,8 +25,17 @@ LevelMatrix matrix_of(MueLu::Level& level) {
 
 constexpr int first_small_level = 2;  // of some 60th part of the unknowns
 constexpr int last_level = 9;         // MueLu makes ten
-/// In space a level has some 20th of the unknowns of the one above, so that the first of them is small too.
-constexpr int first_swept_level(int dim) { return dim == 2 ? first_small_level : first_small_level - 1; }
+/// In space a level has some 20th of the unknowns of the one above, so that the first of them is small too. On many ranks
+/// a fifth of what a rank has of it lies at its border.
+constexpr int first_swept_level(int dim, int ranks) {
+  return dim == 2 && ranks == 1 ? first_small_level : first_small_level - 1;
+}
+/// Nodes of an aggregate in the plane on many ranks, at least: more than half of the nine of a lattice. MueLu makes
+/// aggregates of two, which are many along borders of ranks.
+constexpr int least_of_aggregate = 5;
+/// Of the Jacobi step that smooths prolongators in space, over the largest eigenvalue; 4/3 in MueLu and in the plane
+/// (README.md, "Decisions").
+constexpr double damping_in_space = 1.7;
 
 bool names_smoothers(const Teuchos::ParameterList& list) {
   for (auto entry = list.begin(); entry != list.end(); ++entry)
@@ -36,8 +45,8 @@ bool names_smoothers(const Teuchos::ParameterList& list) {
 
 /// Along slanting borders, as those of ranks, aggregates come out uneven, and those of aggregates more so: small levels
 /// grow theirs from one to the next, and sweep three times, which costs little there (README.md, "Decisions").
-void treat_small_levels(Teuchos::ParameterList& list, int dim, const Teuchos::ParameterList& overrides) {
-  for (int l = first_swept_level(dim); l <= last_level; ++l) {
+void treat_small_levels(Teuchos::ParameterList& list, int dim, int ranks, const Teuchos::ParameterList& overrides) {
+  for (int l = first_swept_level(dim, ranks); l <= last_level; ++l) {
     const auto name = "level " + std::to_string(l);
     auto& level = list.sublist(name);
     const bool own = overrides.isSublist(name) && names_smoothers(overrides.sublist(name));
@@ -64,7 +73,9 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
   if (!names_smoothers(overrides)) smooth_by_gauss_seidel(list, 1);
-  treat_small_levels(list, dim, overrides);
+  treat_small_levels(list, dim, ranks, overrides);
+  if (dim == 2 && ranks > 1) list.set("aggregation: min agg size", least_of_aggregate);
+  if (dim == 3) list.set("sa: damping factor", damping_in_space);
   if (ranks > 1) {
     list.set("repartition: enable", true);
     list.set("repartition: partitioner", "zoltan2");
