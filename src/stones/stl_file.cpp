@@ -27,7 +27,7 @@ bool is_binary(const std::string& file, const std::string& contents) {
   if (contents.size() == header + bytes_of_triangle * triangles) return true;
   if (contents.find('\0') != std::string::npos)  // no text
     refuse_stones(file,
-                  "tells of " + counted(triangles, "triangle") + ", which need " +
+                  "tells of " + counted(triangles, "triangle") + ", in all " +
                       counted(header + bytes_of_triangle * triangles, "byte") + ", and has " +
                       std::to_string(contents.size()),
                   "It was cut when it was copied, or is damaged: export it anew");

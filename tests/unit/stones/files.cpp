@@ -67,9 +67,8 @@ TEUCHOS_UNIT_TEST(Stl, SolidsOfTextAreStonesAndABinaryFileIsOne) {
   TEST_EQUALITY(stones[0].name, "stone 3");
   TEST_ASSERT(stones[0].points[2] == (Vector<3>{0, 3, 0}));
   TEST_ASSERT(holds(input_error([&] { read_stl("a.stl", binary.substr(0, 100)); }),
-                    "1 triangle, which need 134 bytes, and has 100"));
-  TEST_ASSERT(
-      holds(input_error([&] { read_stl("a.stl", "solid x\nvertex 0 0 0\nendfacet\n"); }), "facet of 1 corner"));
+                    "1 triangle, in all 134 bytes, and has 100"));
+  TEST_ASSERT(holds(input_error([&] { read_stl("a.stl", "solid x\nvertex 0 0 0\nendfacet\n"); }), "facet of 1 corner"));
 }
 
 TEUCHOS_UNIT_TEST(Ply, TextAndBytesOfEitherOrderHoldTheSameStone) {
