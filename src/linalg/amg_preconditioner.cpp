@@ -25,8 +25,8 @@ LevelMatrix matrix_of(MueLu::Level& level) {
 
 constexpr int first_small_level = 2;  // of some 60th part of the unknowns
 constexpr int last_level = 9;         // MueLu makes ten
-/// In space a level has some 20th of the unknowns of the one above, so that the first of them is small too. On many ranks
-/// a fifth of what a rank has of it lies at its border.
+/// In space a level has some 20th of the unknowns of the one above, so that the first of them is small too. On many
+/// ranks a fifth of what a rank has of it lies at its border.
 constexpr int first_swept_level(int dim, int ranks) {
   return dim == 2 && ranks == 1 ? first_small_level : first_small_level - 1;
 }

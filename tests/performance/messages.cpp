@@ -117,8 +117,8 @@ TEUCHOS_UNIT_TEST(Messages, RanksShareTheWorkEvenly) {
   TEST_COMPARE(row.partition.cut, <=, 0.06 * (ranks - 1));
 }
 
-// What the V-cycle of the continuum loses at the borders of ranks, which shows from some 100 000 unknowns on: asked is a
-// fifth more than on one rank, which takes 11 iterations.
+// What the V-cycle of the continuum loses at the borders of ranks, which shows from some 100 000 unknowns on: asked is
+// a fifth more than on one rank, which takes 11 iterations.
 TEUCHOS_UNIT_TEST(Messages, AWallOf64CoursesTakesOneIterationMoreOnManyRanks) {
   const auto row = system_of(64, 0);
   out << row.ranks << " ranks, " << row.iterations << " iterations\n";
