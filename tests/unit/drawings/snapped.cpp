@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(Outlines, WhatIsNoOutlineIsToldByStoneAndPlace) {
     return input_error([&] { check_outlines("a.csv", stones); });
   };
   const auto bow = error({stone("good", box(0, 0, 1, 1)), stone("bow", {{0, 0}, {2, 2}, {2, 0}, {0, 2}})});
-  TEST_ASSERT(test::holds(bow, "1 of 2 stones have no outline"));
+  TEST_ASSERT(test::holds(bow, "1 of 2 stones has no outline"));
   TEST_ASSERT(test::holds(bow, "stone \"bow\" (drawn) at (1, 1) crosses itself at (1, 1)"));
   TEST_ASSERT(test::holds(error({stone("line", {{0, 0}, {1, 1}, {2, 2}})}), "has no area"));
   TEST_ASSERT(test::holds(error({stone("two", {{0, 0}, {1, 1}, {1, 1}, {0, 0}})}), "has 2 corners"));
