@@ -7,11 +7,14 @@ namespace voussoir {
 
 namespace {
 
-/// Whether no more than one rank was started. mpirun tells each rank how many there are; batch systems start ranks
-/// without it, and tell each its number.
+/// mpirun tells each rank how many there are; batch systems start ranks without it, and tell each its number.
+bool is_without_mpirun() {
+  return !std::getenv("OMPI_COMM_WORLD_SIZE") && !std::getenv("PMIX_RANK") && !std::getenv("PMI_RANK");
+}
+
 bool is_single_rank() {
-  if (const char* ranks = std::getenv("OMPI_COMM_WORLD_SIZE")) return std::string(ranks) == "1";
-  return !std::getenv("PMIX_RANK") && !std::getenv("PMI_RANK");
+  const char* ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
+  return ranks ? std::string(ranks) == "1" : is_without_mpirun();
 }
 
 }  // namespace
@@ -19,6 +22,7 @@ bool is_single_rank() {
 void before_mpi() {
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   ::setenv("OMPI_MCA_sharedfp", "individual", 0);
+  if (is_without_mpirun()) ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   if (is_single_rank()) ::setenv("OMPI_MCA_mpi_yield_when_idle", "0", 1);
 }
 

@@ -5,9 +5,10 @@ namespace voussoir {
 
 /// To be called once, before MPI starts. Sets variables of the environment that Open MPI reads:
 /// - a run without mpirun asks no daemon of Open MPI, which would need a network interface, a loopback at least;
-/// - such runs share a folder of Open MPI, in which each would make the same files for pointers of files that ranks
-///   share, and remove those of others at its end. HDF5 uses no such pointers, and the kind named here makes no file
-///   before it is used;
+/// - nor does it make the folder in which ranks of a job meet. All such runs of a machine would share one, and one that
+///   ends would remove it while another begins;
+/// - nor files for pointers of files that ranks share, which would lie there. HDF5 uses no such pointers, and the kind
+///   named here makes no file before it is used;
 /// - a single rank waits for nobody, so that it never leaves its core to other programs. Where mpi_yield_when_idle asks
 ///   for that, each look for a message gives away a slice of time, and MUMPS looks for many: beside a compiler on the
 ///   same core a run would take many times as long.

@@ -2,11 +2,13 @@
 
 usage: side_by_side.py PROGRAM MPIEXEC
 
-Set-up    The same small scene, run by two programs at once, four times each.
+Set-up    The same small scene, run by two programs at once, four times each; read by eight at once, ten times each: these
+          begin and end so often that some end while others begin.
 Expected  Every run ends with 0 and says nothing on standard error: what a library of MPI shares between runs of one machine,
           such as files that the one removes while the other makes them, would be told there.
 """
 
+import concurrent.futures
 import os
 import pathlib
 import subprocess
@@ -18,6 +20,7 @@ sys.path.insert(0, str(ROOT / "tests" / "support"))
 import program  # noqa: E402  (a folder of its own)
 
 SCENE = ROOT / "xml" / "arch.xml"
+AT_ONCE, TIMES = 8, 10
 
 
 class SideBySide(program.SceneTest):
@@ -29,6 +32,17 @@ class SideBySide(program.SceneTest):
             for one in pair:
                 _, said = one.communicate(timeout=300)
                 self.assertEqual((one.returncode, said), (0, ""))
+
+    def test_what_begins_does_not_meet_what_ends(self):
+        environment = {**os.environ, **program.ENVIRONMENT}
+
+        def read(_):
+            done = subprocess.run([program.PROGRAM, f"--xml={SCENE}", "--validate"], capture_output=True, text=True, env=environment,
+                                  check=False)
+            return done.returncode, done.stderr
+
+        with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+            self.assertEqual(set(pool.map(read, range(AT_ONCE * TIMES))), {(0, "")})
 
 
 if __name__ == "__main__":

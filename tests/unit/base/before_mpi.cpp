@@ -34,8 +34,9 @@ class Variables {
 
  private:
   static constexpr const char* names[] = {
-      "OMPI_COMM_WORLD_SIZE",         "PMIX_RANK",         "PMI_RANK",
-      "OMPI_MCA_mpi_yield_when_idle", "OMPI_MCA_sharedfp", "OMPI_MCA_ess_singleton_isolated"};
+      "OMPI_COMM_WORLD_SIZE",           "PMIX_RANK",         "PMI_RANK",
+      "OMPI_MCA_mpi_yield_when_idle",   "OMPI_MCA_sharedfp", "OMPI_MCA_orte_create_session_dirs",
+      "OMPI_MCA_ess_singleton_isolated"};
   std::vector<std::optional<std::string>> was_;
 };
 
@@ -62,6 +63,17 @@ TEUCHOS_UNIT_TEST(BeforeMpi, RanksThatWaitForOthersDoAsTheyAreTold) {
   ::setenv("PMIX_RANK", "0", 1);  // of a batch system
   before_mpi();
   TEST_EQUALITY(variables.value(yields), "1");
+}
+
+TEUCHOS_UNIT_TEST(BeforeMpi, RunsWithoutMpirunShareNoFolder) {
+  constexpr const char* folders = "OMPI_MCA_orte_create_session_dirs";
+  Variables variables;
+  ::setenv("OMPI_COMM_WORLD_SIZE", "1", 1);
+  before_mpi();
+  TEST_EQUALITY(variables.value(folders), "none");
+  ::unsetenv("OMPI_COMM_WORLD_SIZE");
+  before_mpi();
+  TEST_EQUALITY(variables.value(folders), "0");
 }
 
 TEUCHOS_UNIT_TEST(BeforeMpi, WhatAUserHasSetIsKept) {
