@@ -217,7 +217,7 @@ class StonesFromFiles(program.SceneTest):
         self.assertIn("stones_without_joint", run.warnings)
         self.assertIn("open_joints", run.warnings)
         self.assertEqual(run.warnings.count("stones_without_joint"), 1)
-        self.assertIn("face each other open by up to 0.01 m", run.words)
+        self.assertIn("facing each other open by up to 0.01 m", run.words)
 
 
 @program.unittest.skipUnless(OTHERS, "VOUSSOIR_STONES names no folder with files of others")
