@@ -74,9 +74,9 @@ void push_on(MasonryInSpace& masonry, const Vector<3>& at_limit, const std::vect
   }
 }
 
-// Active sets circle on these, and pseudo-time labours: it is the path that arrives. How many solves it takes hangs on which
-// of several equilibria of friction was found before: four fifths of the limit take 19 to 177 where the pushes before
-// are others.
+// Active sets circle on these, and pseudo-time labours: it is the path that arrives. How many solves it takes hangs on
+// which of several equilibria of friction was found before: four fifths of the limit take 19 to 177 where the pushes
+// before are others.
 TEUCHOS_UNIT_TEST(InSpace, AFacadeBetweenTwoReturnsIsPushedOutwards) {
   MasonryInSpace wall(wall_with_returns(6, 3, 10, 2, 1), 0.6);
   push_on(wall, {0, -0.2878, 0}, {0, 0.3, 0.6, 0.9}, 120, out, success);
