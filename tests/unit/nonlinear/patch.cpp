@@ -45,7 +45,9 @@ TEUCHOS_UNIT_TEST(Patch, GoesAsFarAsItsNeighbourWhereNothingHoldsIt) {
   active_sets_alone.path.used = false;
   Patch patch(parts, active_sets_alone);
   NewtonReport report;
-  TEST_ASSERT(patch.solve(1e-9, report));
+  const bool is_at_rest = patch.solve(1e-9, report);
+  TEST_ASSERT(is_at_rest);
+  if (!is_at_rest) return;  // there are no points to be looked at
   TEST_FLOATING_EQUALITY(patch.displacement()[0], way, 1e-4);
   TEST_FLOATING_EQUALITY(patch.solved_points()[0].force[1], 0.3 * weight, 1e-8);
   TEST_FLOATING_EQUALITY(patch.solved_points()[1].force[0], excess, 1e-4);
