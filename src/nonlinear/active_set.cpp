@@ -87,42 +87,7 @@ double ActiveSet::measure(const TpetraVector& x, const PointField& lambda, Newto
   return size_of(problem_, equilibrium, contact, scale_);
 }
 
-/// Share of the step from lambda to force_ after which residuals have fallen, or are least.
-double ActiveSet::step_length(const PointField& lambda) const {
-  // Out of balance: linear along the step.
-  TpetraVector start(*linear_, Teuchos::Copy), end(*linear_, Teuchos::Copy);
-  end.update(1.0, *gradient_, 1.0);
-  problem_.subtract_contact_forces(lambda, start);
-  problem_.subtract_contact_forces(force_, end);
-  const double start2 = start.dot(start), mixed = start.dot(end), end2 = end.dot(end);
-  PointField force(lambda.size()), gap(gap_.size()), lawful;
-  const auto merit = [&](double t) {  // [N2]
-    for (std::size_t i = 0; i < force.size(); ++i) {
-      force[i] = lambda[i] + t * (force_[i] - lambda[i]);
-      gap[i] = gap_[i] + t * gap_direction_[i];
-    }
-    lawful_forces(problem_, CurrentLaws(problem_, laws_.strength(), force, gap), force, gap, lawful);
-    double mine = 0;
-    for (int k = 0; k < problem_.owned_points(); ++k)
-      for (int i = components_ * k; problem_.selected()[k] && i < components_ * (k + 1); ++i)
-        mine += (lawful[i] - force[i]) * (lawful[i] - force[i]);
-    const double unlawful2 = total_over_ranks(*problem_.map()->getComm(), mine);
-    return (1 - t) * ((1 - t) * start2 + 2 * t * mixed) + t * t * end2 + unlawful2;
-  };
-  const double before = merit(0);
-  double least = std::numeric_limits<double>::infinity(), best = 1;
-  for (double t = 1; t >= numbers_.shortest; t /= 2) {
-    const double m = merit(t);
-    if (m < least) {
-      least = m;
-      best = t;
-    }
-    if (m < before) break;
-  }
-  return best;
-}
-
-/// Share of the step of a patch from lambda to force_ along which the imbalance drives it. A patch is one rank's alone.
+/// Share of the step from lambda to force_ along which the imbalance drives it.
 double ActiveSet::driven_length(const PointField& lambda) const {
   PointField force(lambda.size()), gap(gap_.size()), lawful;
   const double start = linear_->dot(*direction_), change = gradient_->dot(*direction_);
@@ -132,7 +97,9 @@ double ActiveSet::driven_length(const PointField& lambda) const {
       gap[i] = gap_[i] + t * gap_direction_[i];
     }
     lawful_forces(problem_, CurrentLaws(problem_, laws_.strength(), force, gap), force, gap, lawful);
-    return std::inner_product(lawful.begin(), lawful.end(), gap_direction_.begin(), -start - t * change);
+    const auto owned = lawful.begin() + components_ * problem_.owned_points();
+    const double of_forces = std::inner_product(lawful.begin(), owned, gap_direction_.begin(), 0.0);
+    return total_over_ranks(*problem_.map()->getComm(), of_forces) - start - t * change;
   };
   return driven_share(work, numbers_.gained);
 }
@@ -179,7 +146,7 @@ LinearSolveResult ActiveSet::step(TpetraVector& x, PointField& lambda, double da
     if (problem_.selected()[k])
       resistance_[k].yield(&gap_direction_[k * components_], components_, &force_[k * components_]);
   for (std::size_t i = 0; i < change_.size(); ++i) change_[i] = force_[i] - lambda[i];
-  length_ = in_time() ? step_length(lambda) : in_patch() ? driven_length(lambda) : 1.0;
+  length_ = use_ == ActiveSetUse::at_rest ? 1.0 : driven_length(lambda);
   x.update(length_, *direction_, 1.0);
   for (std::size_t i = 0; i < lambda.size(); ++i)
     lambda[i] = length_ == 1 ? force_[i] : lambda[i] + length_ * (force_[i] - lambda[i]);

@@ -7,8 +7,9 @@
 // on the way would fly: then the step is made again with points that yield only slowly. It may circle: then it says so,
 // and another way is taken.
 //
-// In a patch, where a stone has to go where nothing holds it, steps are cut where the imbalance ceases to drive them
-// (driven_share.hpp), and points that give way resist less with every step in full, more after one that was cut.
+// In time, against a drag and in a patch a step is cut where the imbalance ceases to drive it (driven_share.hpp). At
+// rest it is not: there stones that lie loose make the imbalance, and it says little of all others. In a patch points
+// that give way resist less with every step in full, more after one that was cut, for nothing else holds a stone there.
 //
 // Ends   After every linear solve the state is judged with the forces that the law admits, lambda projected with the
 //        bounds of its own pressures: equilibrium and contact (residuals.hpp), by the largest force then in play.
@@ -101,7 +102,6 @@ class ActiveSet {
     return std::any_of(s, s + components_ - 1, [](double c) { return c != 0; });
   }
   PointCompliance mortar_of(int point) const;
-  double step_length(const PointField& lambda) const;
   double driven_length(const PointField& lambda) const;
   double damping_after(double damping) const;
   double accuracy_of_next(const Search&, const NewtonReport&) const;

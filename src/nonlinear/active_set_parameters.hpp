@@ -18,7 +18,6 @@ struct ActiveSetParameters {
   /// Krylov iterations of a solve at rest, at most; such a one without a gain means loose stones
   int many_krylov = 50;
   int many_krylov_in_space = 500;  ///< the same of stones in space
-  double shortest = 1.0 / 64;      ///< shortest step in time; against a drag steps are full
   /// resistance of points that give way once a stone is lost, relative to their local stiffness, and the most in
   /// patches; 0: none
   double damping = 5e-3;

@@ -64,13 +64,6 @@ class Dragged : public NonlinearProblem {
   const double drag_;
 };
 
-/// Against a drag a step that overshoots does not fly, and the drag rises where active sets do not arrive. Squared
-/// residuals are no measure while stones slide: halved steps then stop far from an end.
-MethodParameters with_full_steps(MethodParameters methods) {
-  methods.active_set.shortest = 1;
-  return methods;
-}
-
 }  // namespace
 
 PseudoTime::PseudoTime(NonlinearProblem& problem, const NewtonParameters& parameters, const MethodParameters& methods,
@@ -78,7 +71,6 @@ PseudoTime::PseudoTime(NonlinearProblem& problem, const NewtonParameters& parame
     : problem_(problem),
       parameters_(parameters),
       methods_(methods),
-      full_steps_(with_full_steps(methods)),
       strength_(strength),
       mechanism_(Teuchos::rcp(new TpetraVector(problem.map()))),
       imbalance_(Teuchos::rcp(new TpetraVector(problem.map()))) {}
@@ -124,7 +116,7 @@ void PseudoTime::integrate(TpetraVector& x, PointField& lambda, double tolerance
     const TpetraVector from(x, Teuchos::Copy);
     const PointField forces = lambda;
     Dragged dragged(problem_, from, drag);
-    ActiveSet active(dragged, ActiveSetUse::in_time, full_steps_, full_steps_.active_set.patience, strength_);
+    ActiveSet active(dragged, ActiveSetUse::in_time, methods_, methods_.active_set.patience, strength_);
     active.watch = watch;
     const auto end = active.solve(x, lambda, std::max(tolerance, numbers.accuracy * std::min(size, 1.0)),
                                   last - report.newton_iterations, known_gap, report);

@@ -58,7 +58,7 @@ class PseudoTime {
 
   NonlinearProblem& problem_;
   NewtonParameters parameters_;
-  const MethodParameters methods_, full_steps_;
+  const MethodParameters methods_;
   const Strength strength_;
   Teuchos::RCP<TpetraVector> mechanism_, imbalance_;
   PointField gap_;
