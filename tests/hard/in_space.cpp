@@ -87,8 +87,8 @@ TEUCHOS_UNIT_TEST(InSpace, AFacadeWithOneReturnIsPushedOutwards) {
   push_on(wall, {0, -0.2193, 0}, {0, 0.3, 0.6, 0.8}, 250, out, success);
 }
 
-// Beyond what it bears a wall is let go against a drag, and seen to fall: soon only if steps end where stones meet, since
-// others take 490 and 501 solves. Its friction dilates nothing, so it falls before the limit of slip that does.
+// Beyond what it bears a wall is let go against a drag, and seen to fall: soon only if steps end where stones meet,
+// since full ones take 490 and 501 solves. It dilates nothing, so it falls before the limit of slip that does.
 TEUCHOS_UNIT_TEST(InSpace, AFacadeThatIsPushedTooFarIsSoonSeenToFall) {
   for (const double share : {0.97, 1.01}) {
     MasonryInSpace wall(wall_with_returns(6, 3, 10, 2, 1), 0.6);
