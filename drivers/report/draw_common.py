@@ -39,6 +39,7 @@ class Paper:
 
 
 PAPER = Paper()
+COLOURS = 256        # of a picture, all that a palette can hold: a third of the bytes, and no eye sees it
 NARROW = 5.0         # inch: on a screen of 400 px letters of 10 points are 10 px high
 NARROW_COLOURS = 96  # of its palette, which a screen of that size does not show
 
@@ -200,8 +201,7 @@ def save(figure, folder, name):
     path = folder / f"{name}{PAPER.suffix}.png"
     figure.savefig(path, dpi=DPI, facecolor="white")
     plt.close(figure)
-    if PAPER.is_narrow:
-        with Image.open(path) as image:
-            few = image.convert("RGB").quantize(NARROW_COLOURS, dither=Image.Dither.NONE)
-        few.save(path, optimize=True)
+    with Image.open(path) as image:
+        few = image.convert("RGB").quantize(NARROW_COLOURS if PAPER.is_narrow else COLOURS, dither=Image.Dither.NONE)
+    few.save(path, optimize=True)
     return path

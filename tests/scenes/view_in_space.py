@@ -4,7 +4,8 @@ usage: view_in_space.py PROGRAM MPIEXEC [names of tests]
 
 Set-up    A prism on rigid ground, pushed until it tips; a set that is called to break the page.
 Expected  Places, displacements, statuses and resultants in the page are those of fields.h5; the page asks for no other file;
-          Chromium, where it is there, draws it, and says so when every stage and control has been tried.
+          Chromium, where it is there, draws it, and says so when every stage and control has been tried. A page of 144
+          stones stays below 4 MB, 4.7 with pictures of all colours.
 Tolerance Places to half of 1/65535 of the size, displacements to half of 1/32767 of the largest, resultants 1e-5.
 """
 
@@ -104,6 +105,12 @@ class ViewInSpace(program.SceneTest):
         _, page = self.page()
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:|#)[^"]*"', page), [])
         self.assertNotIn("<script>alert", page)
+
+    def test_a_page_of_a_hundred_stones_can_be_sent_by_mail(self):
+        run = self.run_scene((ROOT / "xml" / "dome.xml").read_text(encoding="utf-8"))
+        make = ROOT / "drivers" / "report" / "make_report.py"
+        subprocess.run([sys.executable, "-B", make, run.folder], check=True, capture_output=True)
+        self.assertLess((run.folder / "report.html").stat().st_size, 4e6)
 
     @unittest.skipUnless(shutil.which("chromium"), "needs a browser, Debian's chromium")
     def test_a_browser_draws_it(self):
