@@ -2,6 +2,8 @@
 #include "nonlinear/driven_share.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -24,6 +26,20 @@ TEUCHOS_UNIT_TEST(DrivenShare, EndsWhereAStoneMeetsItsNeighbourHoweverNearThatIs
   for (const double neighbour : {0.3, 1e-3, 1e-9}) {
     const auto work = [&](double t) { return t < neighbour ? 1 : 1 - (t - neighbour) * 1e3 / neighbour; };
     TEST_FLOATING_EQUALITY(driven_share(work, left), neighbour * 1.001, 1e-6);
+  }
+}
+
+// Work that is next to linear between kinks, as forces of stiff stones are, is looked at a dozen times.
+TEUCHOS_UNIT_TEST(DrivenShare, LooksAtFewPlaces) {
+  for (const double kink : {0.02, 0.5, 0.9}) {
+    int places = 0;
+    const auto work = [&](double t) {
+      ++places;
+      return 1 - t - 8 * std::max(0.0, t - kink) - 1e-3 * t * t;
+    };
+    const double end = driven_share(work, left);
+    TEST_COMPARE(std::abs(work(end)), <=, 1e-14);
+    TEST_COMPARE(places, <=, 20);
   }
 }
 
