@@ -19,7 +19,7 @@ void ActiveSetParameters::declare(ParameterSection& section) {
   section.add(
       "patience", patience, "-", between(1, 1e6),
       "solves that gain too little after which it circles. Reason: A(61) takes 21, 31 with 3; the trough of the "
-      "ablation 209, 256 with 24");
+      "ablation 219, 259 with 24");
   section.add("gained", gained, "-", inside(0.0, 1.0),
               "share of the best residual below which a solve has gained. Reason: a step halved would gain as much; a "
               "third of it moves no count by a tenth");
