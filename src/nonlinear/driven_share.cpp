@@ -10,9 +10,9 @@ namespace {
 constexpr double round_off = std::numeric_limits<double>::epsilon();
 
 /// Share in (0, 1) from which on a step is worked against. Between two kinks work is next to linear, so that secants
-/// come near its root, from either side by turns (the Illinois method: an end that stays counts half); where one has not
-/// halved what is left, the middle is next. To the last bits: a kink may lie anywhere, and what stones meet there has to
-/// show in their statuses.
+/// come near its root, from either side by turns (the Illinois method: an end that stays counts half). Where one has
+/// not halved what is left, the middle is next. To the last bits: a kink may lie anywhere, and what stones meet there
+/// has to show in their statuses.
 double where_it_turns(const std::function<double(double)>& drives, double at_low, double at_high) {
   double low = 0, high = 1, left = 1;
   bool by_secant = true, rose = false, fell = false;
