@@ -8,8 +8,8 @@
 // and another way is taken.
 //
 // In time, against a drag and in a patch a step is cut where the imbalance ceases to drive it (driven_share.hpp). At
-// rest it is not: there stones that lie loose make the imbalance, and it says little of all others. In a patch points
-// that give way resist less with every step in full, more after one that was cut, for nothing else holds a stone there.
+// rest it is full, which takes fewer solves of most structures (patches.md). In a patch points that give way resist
+// less with every step in full, more after one that was cut, for nothing else holds a stone there.
 //
 // Ends   After every linear solve the state is judged with the forces that the law admits, lambda projected with the
 //        bounds of its own pressures: equilibrium and contact (residuals.hpp), by the largest force then in play.

@@ -8,8 +8,8 @@ Expected  By hand: a course slides on the one below when the peak exceeds fricti
           push brings the wall down from 0.47 g on. Below both nothing slides: slips stay below a tenth of a millimetre, and
           what is left is what its weight has moved it and what has slipped. At 0.6 g, above both, courses slide by more than
           a millimetre.
-Tolerance Bounds; what is left beyond own weight is no more than the largest slip, since points near edges stay where they
-          have slipped to (0.02 mm at 0.4 g).
+Tolerance Bounds; what is left beyond own weight 0.01 mm up to 0.3 g, since points that slip by less near edges stay where they
+          are. At 0.4 g it is 0.02 mm, with every point and with half the time step too, and must be no more than the slip.
 """
 
 import math
@@ -81,6 +81,8 @@ class Facade(jobs.JobTest):
                 self.assertEqual(row["outcome"], "equilibrium")
                 self.assertLess(slip, 1e-4, peak)
                 self.assertLessEqual(rest - own, slip, peak)
+                if peak <= PEAKS[-1]:
+                    self.assertLess(rest - own, 1e-5, peak)
             elif peak > 1.1 * max(falls, FRICTION):
                 self.assertGreater(slip, 1e-3, peak)
         drifts = [float(rows[peak]["peak_drift"]) for peak in sorted(rows)]
