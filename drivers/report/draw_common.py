@@ -39,7 +39,7 @@ class Paper:
 
 
 PAPER = Paper()
-COLOURS = 256        # of a picture, all that a palette can hold: a third of the bytes, and no eye sees it
+COLOURS = 256        # of lines and stones, all that a palette can hold: a third of the bytes; a scale would show steps
 NARROW = 5.0         # inch: on a screen of 400 px letters of 10 points are 10 px high
 NARROW_COLOURS = 96  # of its palette, which a screen of that size does not show
 
@@ -196,11 +196,13 @@ def save_study(figure, folder, name):
     print(f"Picture: {folder}/{name}.png")
 
 
-def save(figure, folder, name):
-    """Writes pictures/NAME.png and closes the figure; returns its path."""
+def save(figure, folder, name, has_scale=False):
+    """Writes pictures/NAME.png and closes the figure; returns its path. One with a scale of colours keeps them all."""
     path = folder / f"{name}{PAPER.suffix}.png"
     figure.savefig(path, dpi=DPI, facecolor="white")
     plt.close(figure)
+    if has_scale and not PAPER.is_narrow:
+        return path
     with Image.open(path) as image:
         few = image.convert("RGB").quantize(NARROW_COLOURS if PAPER.is_narrow else COLOURS, dither=Image.Dither.NONE)
     few.save(path, optimize=True)

@@ -45,7 +45,7 @@ def draw_stress(mesh, joints, edges, step, chains, folder):
         bar.set_label("compression [MPa]")
     bar.outline.set_visible(False)
     largest = draw_resultants(figure, axes, joints, step, chains)
-    return save(figure, folder, "stress"), top, largest
+    return save(figure, folder, "stress", has_scale=True), top, largest
 
 
 @in_both_widths

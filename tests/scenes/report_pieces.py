@@ -33,6 +33,17 @@ class Stopped(unittest.TestCase):
             self.assertNotIn(absent, page)
 
 
+class Palettes(unittest.TestCase):
+    """Pictures of lines and stones have palettes; a scale of colours, which would show steps, keeps them all."""
+
+    def test_stresses_keep_all_colours(self):
+        out, palette = FOLDER / "palettes", 3  # the kind of a PNG that has one, at byte 25
+        subprocess.run([PROGRAM, f"--xml={ROOT / 'xml/arch.xml'}", f"--out={out}", "--overwrite", "--quiet"], check=True)
+        subprocess.run([sys.executable, "-B", ROOT / "drivers/report/make_report.py", out], check=True, stdout=subprocess.DEVNULL)
+        kinds = {path.stem: path.read_bytes()[25] for path in (out / "pictures").glob("*.png")}
+        self.assertEqual({name for name, kind in kinds.items() if kind != palette}, {"stress"})
+
+
 class Pieces(unittest.TestCase):
     """Words and marks that depend on what there is to tell."""
 
