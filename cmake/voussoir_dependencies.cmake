@@ -1,4 +1,4 @@
-# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::gmsh, ::cholmod, ::umfpack,
+# The libraries Voussoir stands on, as targets Voussoir::trilinos, ::hdf5, ::metis, ::ptscotch, ::gmsh, ::cholmod, ::umfpack,
 # ::mumps, ::clp, ::openmp.
 # Used by the build and, installed, by find_package(Voussoir).
 
@@ -30,6 +30,11 @@ endfunction()
 
 voussoir_find_library(hdf5 hdf5.h hdf5_openmpi libhdf5-openmpi-dev HEADER_PATHS /usr/include/hdf5/openmpi)
 voussoir_find_library(metis metis.h metis libmetis-dev)
+# What PT-Scotch calls lies in two more libraries beside it.
+voussoir_find_library(scotch scotch.h scotch libscotch-dev HEADER_PATHS /usr/include/scotch)
+voussoir_find_library(ptscotcherr ptscotch.h ptscotcherr libptscotch-dev HEADER_PATHS /usr/include/scotch)
+voussoir_find_library(ptscotch ptscotch.h ptscotch libptscotch-dev HEADER_PATHS /usr/include/scotch)
+set_property(TARGET Voussoir::ptscotch APPEND PROPERTY INTERFACE_LINK_LIBRARIES Voussoir::scotch Voussoir::ptscotcherr)
 voussoir_find_library(gmsh gmsh.h gmsh libgmsh-dev)
 voussoir_find_library(cholmod suitesparse/cholmod.h cholmod libsuitesparse-dev)
 voussoir_find_library(umfpack suitesparse/umfpack.h umfpack libsuitesparse-dev)

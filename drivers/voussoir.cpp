@@ -1,5 +1,4 @@
 // voussoir: computes how a masonry structure behaves, from a scene in XML.
-#include <mpi.h>
 
 #include <Tpetra_Core.hpp>
 #include <cctype>
@@ -21,6 +20,7 @@
 #include "base/version.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/blas_memory.hpp"
+#include "linalg/fail_together.hpp"
 #include "output/hdf5_file.hpp"
 #include "output/output_folder.hpp"
 #include "run/simulation.hpp"
@@ -222,8 +222,7 @@ int run_program(std::vector<std::string> words) {
     return stop_wanted_here() ? exit_interrupted : exit_resource;
   } catch (const std::exception& error) {
     if (!is_out_of_memory(error)) throw;
-    std::cerr << out_of_memory_message << "\n" << std::flush;
-    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, exit_resource);  // the others wait for this rank
+    end_out_of_memory(*comm);
     return exit_resource;
   }
 }

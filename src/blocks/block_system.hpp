@@ -58,7 +58,11 @@ class BlockSystem {
   const std::vector<int>& copy() const { return copy_; }
 
   const Exchange& node_exchange() const { return *node_exchange_; }
-  const std::vector<int>& owner_of_block() const { return owner_; }
+  /// Rank that owns a local block.
+  int owner_of(int block) const {
+    return block < owned_blocks_ ? comm_->getRank() : owner_of_halo_[block - owned_blocks_];
+  }
+  BlockId total_blocks() const { return total_blocks_; }
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const { return comm_; }
 
   /// y = K u on local node copies [components x nodes], owned and halo; no communication.
@@ -78,13 +82,18 @@ class BlockSystem {
   double size() const { return size_; }
 
  protected:
-  BlockSystem(int components, std::vector<int> owner_of_block, const ModelParameters& model,
+  BlockSystem(int components, BlockId blocks, std::vector<int> owner_of_halo, const ModelParameters& model,
               const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-      : components_(components), owner_(std::move(owner_of_block)), model_(model), comm_(comm) {}
+      : components_(components),
+        total_blocks_(blocks),
+        owner_of_halo_(std::move(owner_of_halo)),
+        model_(model),
+        comm_(comm) {}
   BlockSystem(const BlockSystem&) = default;
 
   int components_;
-  std::vector<int> owner_;
+  BlockId total_blocks_;
+  std::vector<int> owner_of_halo_;
   ModelParameters model_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
   int owned_blocks_ = 0, owned_nodes_ = 0;

@@ -9,45 +9,38 @@
 #include <utility>
 
 #include "base/check.hpp"
-#include "base/sort_unique.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "blocks/shapes.hpp"
+#include "linalg/numbering.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/curved_edges.hpp"
 
 namespace voussoir {
 
 template <int dim>
-Structure<dim>::Structure(const BlockSource<dim>& source, std::vector<int> owner_of_block, const ModelParameters& model,
+Structure<dim>::Structure(const BlockSource<dim>& source, const BlockShare& share, const ModelParameters& model,
                           const std::function<Material(const Block<dim>&)>& material_of,
                           const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                           const std::function<bool(const Block<dim>&, const TaggedFacet&)>& held)
-    : BlockSystem(dim, std::move(owner_of_block), model, comm) {
-  const auto first = first_nodes(source);
-  total_nodes_ = first.back();
-  const auto& graph = source.graph();
-  const int me = comm->getRank();
+    : BlockSystem(dim, source.block_count(), share.owner_of_halo, model, comm) {
+  std::vector<long long> numbers(share.owned.begin(), share.owned.end()), counts;
+  numbers.insert(numbers.end(), share.halo.begin(), share.halo.end());
+  for (const BlockId b : share.owned) counts.push_back(source.node_count(b));
+  const auto nodes_before = first_numbers(numbers, counts, source.block_count(), *comm);
+  total_nodes_ = nodes_before.total;
   StiffnessOfShapes stiffness(model);
   std::vector<VertexId> vertex;  // per local node
   const auto add = [&](BlockId b) {
     auto block = source.block(b);
     const auto material = material_of(block);
     if (held) block.curved = curved_edges_off(block, [&](const TaggedFacet& facet) { return held(block, facet); });
-    add_block(std::move(block), first[b], material, stiffness, vertex);
+    add_block(std::move(block), nodes_before.first[blocks_.size()], material, stiffness, vertex);
   };
-  std::vector<BlockId> halo;
-  for (BlockId b = 0; b < source.block_count(); ++b) {
-    if (owner_[b] == me) {
-      add(b);
-      for (int k = graph.start[b]; k < graph.start[b + 1]; ++k)
-        if (owner_[graph.neighbour[k]] != me) halo.push_back(graph.neighbour[k]);
-    }
-  }
+  for (const BlockId b : share.owned) add(b);
   owned_blocks_ = static_cast<int>(blocks_.size());
   owned_nodes_ = nodes();
-  sort_unique(halo);
-  for (BlockId b : halo) add(b);
+  for (const BlockId b : share.halo) add(b);
   blocks_.shrink_to_fit();
   node_id_.shrink_to_fit();
   position_.shrink_to_fit();

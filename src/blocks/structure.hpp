@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "blocks/block_system.hpp"
+#include "mesh/block_share.hpp"
 #include "mesh/mesh.hpp"
 
 namespace voussoir {
@@ -22,10 +23,11 @@ struct LocalBlock : NodesOfBlock {
 template <int dim>
 class Structure : public BlockSystem {
  public:
-  /// @param owner_of_block  rank of every block
-  /// @param material_of     material of a block, called for blocks of this rank and its halo
-  /// @param held            whether a facet of a block is held, so that its edges stay straight; none for no facet
-  Structure(const BlockSource<dim>&, std::vector<int> owner_of_block, const ModelParameters&,
+  /// Collective.
+  /// @param share        of this rank, whose blocks the source can be asked of
+  /// @param material_of  material of a block, called for blocks of this rank and its halo
+  /// @param held         whether a facet of a block is held, so that its edges stay straight; none for no facet
+  Structure(const BlockSource<dim>&, const BlockShare& share, const ModelParameters&,
             const std::function<Material(const Block<dim>&)>& material_of,
             const Teuchos::RCP<const Teuchos::Comm<int>>&,
             const std::function<bool(const Block<dim>&, const TaggedFacet&)>& held = {});

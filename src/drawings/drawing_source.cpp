@@ -5,7 +5,6 @@
 #include "base/words.hpp"
 #include "drawings/plane_mesh.hpp"
 #include "linalg/agree.hpp"
-#include "mesh/curved_edges.hpp"
 
 namespace voussoir {
 
@@ -15,6 +14,7 @@ std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, con
     auto stones = plane_stones_of(p);
     auto meshes = mesh_plane_stones(stones, p.cells);
     list = std::move(meshes.list);
+    list.quadratic = p.cells == StoneCells::quadratic_triangles;
     list.picture = picture_of(stones);
     list.report = std::move(stones.report);
     list.report.push_back(
@@ -23,9 +23,7 @@ std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, con
         (p.cells == StoneCells::quadratic_triangles ? " of quadratic triangles: " : " of triangles: ") +
         counted(meshes.nodes, "node") + ", " + counted(meshes.cells, "cell"));
   });
-  broadcast_blocks(comm, list);
-  auto source = make_source(std::move(list));
-  return p.cells == StoneCells::quadratic_triangles ? with_curved_edges(std::move(source)) : std::move(source);
+  return make_source_on_first(std::move(list), comm);
 }
 
 }  // namespace voussoir

@@ -47,7 +47,7 @@ void BlockMotions::Motions<dim>::number_blocks(const std::vector<char>& active, 
     VOUSSOIR_EXPECT((number >= 0) == (active[b] != 0) && "active blocks: the same for all who know them");
     for (int m = 0; m < modes && active[b]; ++m) {
       unknowns.number.push_back(number + m);
-      unknowns.owner.push_back(s.owner_of_block()[s.nodes_of(b).id]);
+      unknowns.owner.push_back(s.owner_of(b));
     }
   }
   system_ = std::make_unique<SharedSystem>(std::move(unknowns), rigid_motions(active), s.comm(), numbers);

@@ -24,8 +24,8 @@ std::vector<char> active_blocks(const BlockSystem& s, const ContactPoints& point
   for (int k = 0, joint = -1; k < points.owned(); ++k) {
     if (!selected[k] || points.points()[k].joint == joint) continue;
     joint = points.points()[k].joint;
-    for (const BlockId b : {points.joints()[joint].block_i, points.joints()[joint].block_j})
-      post.add(s.owner_of_block()[b], b);
+    for (const int b : {points.joints()[joint].local_i, points.joints()[joint].local_j})
+      post.add(s.owner_of(b), s.nodes_of(b).id);
   }
   std::vector<double> of_node(s.nodes(), 0.0);
   for (const BlockId b : std::move(post).send_all()) {

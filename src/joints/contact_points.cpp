@@ -6,9 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "base/check.hpp"
 #include "joints/joint_finder.hpp"
 #include "joints/joint_finder_in_space.hpp"
-#include "linalg/gather.hpp"
+#include "linalg/numbering.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -78,37 +80,28 @@ template <int dim>
 ContactPoints::ContactPoints(const BlockSource<dim>& source, const Structure<dim>& structure,
                              const PointFinder<dim>& finder)
     : components_(dim) {
-  std::vector<long long> mine(source.block_count(), 0);
-  const auto index = find(source, structure, finder, mine);
-  number(index, mine, structure.comm());
+  find(source, structure, finder);
+  number(structure);
 }
 
 /// Points of block i = those with blocks of a higher number.
-/// @param mine  is set to their count per block
-/// @return of each point its number within those of its block i
 template <int dim>
-std::vector<PointId> ContactPoints::find(const BlockSource<dim>& source, const Structure<dim>& structure,
-                                         const PointFinder<dim>& finder, std::vector<long long>& mine) {
+void ContactPoints::find(const BlockSource<dim>& source, const Structure<dim>& structure,
+                         const PointFinder<dim>& finder) {
   Borders<dim> borders(source);
-  const auto& graph = source.graph();
   const auto& blocks = structure.blocks();
-  std::vector<PointId> index;
   for (int local = 0; local < static_cast<int>(blocks.size()); ++local) {
     const auto& bi = blocks[local];
     const BlockId i = bi.mesh.id;
-    PointId next = 0;
     if (local < structure.owned_blocks()) borders.forget_before(i);
-    for (int k = graph.start[i]; k < graph.start[i + 1]; ++k) {
-      const BlockId j = graph.neighbour[k];
-      if (j < i) continue;
+    for (const auto& beside : source.neighbours(i)) {
+      const BlockId j = beside.block;
+      const int other = j < i ? -1 : structure.local_block(j);
+      if (other < 0) continue;
       const auto found = finder(borders.of(i), borders.of(j));
-      const int other = structure.local_block(j);
       if (found.empty()) continue;
-      total_joints_ += local < structure.owned_blocks();  // of this rank, at first
-      if (other >= 0) joints_.push_back({i, j, local, other, 0, thickness_between(structure, bi, blocks[other])});
+      joints_.push_back({i, j, local, other, 0, thickness_between(structure, bi, blocks[other])});
       for (const auto& p : found) {
-        const PointId number = next++;
-        if (other < 0) continue;
         ContactPoint point;
         point.shares_i = p.shares_i.from(bi.first_local);
         point.shares_j = p.shares_j.from(blocks[other].first_local);
@@ -118,33 +111,60 @@ std::vector<PointId> ContactPoints::find(const BlockSource<dim>& source, const S
         point.place = p.place;
         point.axis = axes(dim, p.normal);
         points_.push_back(std::move(point));
-        index.push_back(number);
       }
     }
-    if (local < structure.owned_blocks()) {
-      mine[i] = next;
-      owned_ = static_cast<int>(points_.size());
-    }
-  }
-  return index;
-}
-
-/// The count of points over all blocks i gives every point its number. Collective.
-void ContactPoints::number(const std::vector<PointId>& index, const std::vector<long long>& mine,
-                           const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  const auto count = total_of_list(*comm, mine, WhyWhole{"a count of points per block, while a mesh is read"});
-  total_joints_ = total_over_ranks(*comm, total_joints_);
-  std::vector<PointId> first(count.size() + 1, 0);
-  for (std::size_t b = 0; b < count.size(); ++b) first[b + 1] = first[b] + count[b];
-  total_ = first.back();
-  std::vector<long long> ids;
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    points_[k].id = first[joints_[points_[k].joint].block_i] + index[k];
-    ids.push_back(points_[k].id);
+    if (local == structure.owned_blocks() - 1) owned_ = static_cast<int>(points_.size());
   }
   points_.shrink_to_fit();
   joints_.shrink_to_fit();
-  exchange_ = std::make_unique<Exchange>(ids, owned_, comm);
+}
+
+/// Points are numbered block by block in the order of blocks i, and there in the order of blocks j. Ghosts ask the
+/// owner of their block i where their joint begins. Collective.
+void ContactPoints::number(const BlockSystem& s) {
+  const auto& comm = *s.comm();
+  std::vector<long long> own_blocks, count(static_cast<std::size_t>(s.owned_blocks()), 0);
+  for (int b = 0; b < s.owned_blocks(); ++b) own_blocks.push_back(s.nodes_of(b).id);
+  for (int k = 0; k < owned_; ++k) ++count[joint_of(k).local_i];
+  auto numbers = first_numbers(own_blocks, count, s.total_blocks(), comm);
+  total_ = numbers.total;
+  std::vector<PointId> first(joints_.size(), -1);  // of each joint
+  for (int k = 0; k < owned_; ++k) {
+    points_[k].id = numbers.first[joint_of(k).local_i]++;
+    if (first[points_[k].joint] < 0) first[points_[k].joint] = points_[k].id;
+  }
+  const auto own = std::partition_point(joints_.begin(), joints_.end(),
+                                        [&](const Joint& joint) { return joint.local_i < s.owned_blocks(); });
+  const auto own_joints = own - joints_.begin();
+  total_joints_ = total_over_ranks(comm, static_cast<long long>(own_joints));
+  struct Asked {
+    BlockId i, j;
+    int number;  ///< of the joint, where it is asked for
+  };
+  struct Told {
+    int number;
+    PointId first;
+  };
+  Post<Asked> ask(comm);
+  for (std::size_t n = own_joints; n < joints_.size(); ++n)
+    ask.add(s.owner_of(joints_[n].local_i), {joints_[n].block_i, joints_[n].block_j, static_cast<int>(n)});
+  Post<Told> answer(comm);
+  const auto before = [](const Joint& a, const Asked& b) {
+    return std::make_pair(a.block_i, a.block_j) < std::make_pair(b.i, b.j);
+  };
+  for (const auto& parcel : std::move(ask).send())
+    for (const auto& asked : parcel.items) {
+      const auto at = std::lower_bound(joints_.begin(), own, asked, before);
+      VOUSSOIR_CHECK(at != own && at->block_i == asked.i && at->block_j == asked.j && "a joint is found on both sides");
+      answer.add(parcel.rank, {asked.number, first[at - joints_.begin()]});
+    }
+  for (const auto& told : std::move(answer).send_all()) first[told.number] = told.first;
+  std::vector<long long> ids;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (static_cast<int>(k) >= owned_) points_[k].id = first[points_[k].joint]++;
+    ids.push_back(points_[k].id);
+  }
+  exchange_ = std::make_unique<Exchange>(ids, owned_, s.comm());
 }
 
 std::vector<char> ContactPoints::untieable() const {

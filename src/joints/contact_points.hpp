@@ -72,10 +72,8 @@ class ContactPoints {
 
  private:
   template <int dim>
-  std::vector<PointId> find(const BlockSource<dim>&, const Structure<dim>&, const PointFinder<dim>&,
-                            std::vector<long long>& mine);
-  void number(const std::vector<PointId>& index, const std::vector<long long>& mine,
-              const Teuchos::RCP<const Teuchos::Comm<int>>&);
+  void find(const BlockSource<dim>&, const Structure<dim>&, const PointFinder<dim>&);
+  void number(const BlockSystem&);
 
   int components_;
   std::vector<ContactPoint> points_;

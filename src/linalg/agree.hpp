@@ -53,6 +53,20 @@ inline std::optional<std::string> first_text(const Teuchos::Comm<int>& comm, con
   return text;
 }
 
+/// The first of the texts that ranks have, rank by rank, at most so many, the same on every rank. Collective.
+inline std::vector<std::string> first_texts(const Teuchos::Comm<int>& comm, const std::vector<std::string>& mine,
+                                            std::size_t most) {
+  std::vector<std::string> texts;
+  for (auto next = mine.begin(); texts.size() < most;) {
+    const auto text = first_text(comm, next == mine.end() ? std::nullopt : std::optional<std::string>(*next));
+    if (!text) break;
+    const int from = least_over_ranks(comm, next == mine.end() ? comm.getSize() : comm.getRank());
+    if (from == comm.getRank()) ++next;
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
 /// Does work that may fail on some ranks. Every rank throws what the first of those would, so that nobody waits: an
 /// InputError, or a ResourceError with the text of anything else. Work may be collective as long as its last collective
 /// call comes before what fails. Collective.

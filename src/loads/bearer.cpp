@@ -5,14 +5,16 @@
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
+#include "linalg/shared_warnings.hpp"
 
 namespace voussoir {
 
+namespace {
+
+/// For the rank that can be asked of all stones.
 template <int dim>
-Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, const std::string& place,
-                           std::vector<BlockId> stones, BlockId bearer) {
-  sort_unique(stones);
-  if (stones.size() < 2) return {};
+Warning among_several(const LoadSite<dim>& site, const std::string& what, const std::string& place,
+                      const std::vector<BlockId>& stones, BlockId bearer) {
   std::vector<std::string> names, sets;
   std::vector<int> count(site.source.block_sets().size(), 0);
   for (const BlockId stone : stones) {
@@ -22,10 +24,24 @@ Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, c
   }
   for (std::size_t set = 0; set < count.size(); ++set)
     if (count[set] == 1) sets.push_back(in_quotes(site.source.block_sets()[set]));
-  return {{what, site.where, "", static_cast<double>(stones.size()),
-           place + " is on " + counted(stones.size(), "stone") + ", " + list_of(names) + "; " +
-               site.source.block(bearer).name + " bears the load; say which one is meant by the key blocks, a set of " +
-               "blocks that holds it alone" + (sets.empty() ? "" : ", such as " + list_of(sets, 3))}};
+  return {what, site.where, "", static_cast<double>(stones.size()),
+          place + " is on " + counted(stones.size(), "stone") + ", " + list_of(names) + "; " +
+              site.source.block(bearer).name + " bears the load; say which one is meant by the key blocks, a set of " +
+              "blocks that holds it alone" + (sets.empty() ? "" : ", such as " + list_of(sets, 3))};
+}
+
+}  // namespace
+
+template <int dim>
+Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, const std::string& place,
+                           std::vector<BlockId> stones, BlockId bearer) {
+  sort_unique(stones);
+  if (stones.size() < 2) return {};
+  const auto& comm = *site.structure.comm();
+  Warnings one;
+  if (comm.getRank() == 0) one.push_back(among_several(site, what, place, stones, bearer));
+  broadcast_warnings(comm, one);
+  return one;
 }
 
 template Warnings warning_of_bearer<2>(const LoadSite<2>&, const std::string&, const std::string&, std::vector<BlockId>,

@@ -25,7 +25,7 @@ class Arch final : public BlockSource<2> {
   BlockId block_count() const override { return p_.voussoirs + (has_piers() ? 2 * p_.pier_courses : 0); }
   int node_count(BlockId b) const override { return (p_.cells_radial + 1) * (cells_up(b) + 1); }
   Block<2> block(BlockId) const override;
-  const BlockGraph& graph() const override;
+  std::vector<Neighbour> neighbours(BlockId) const override;
   const std::vector<std::string>& block_sets() const override { return block_sets_; }
   const std::vector<std::string>& facet_sets() const override { return facet_sets_; }
 
@@ -44,7 +44,6 @@ class Arch final : public BlockSource<2> {
   int pier_cells_up_ = 0;  ///< per block of a pier
   std::vector<std::string> block_sets_{"ring"};
   std::vector<std::string> facet_sets_{"springing left", "springing right", "extrados", "intrados"};
-  mutable BlockGraph graph_;  ///< built when first asked for
 };
 
 void validate(const ArchParameters& p) {
@@ -161,29 +160,24 @@ Block<2> Arch::block(BlockId b) const {
   return block;
 }
 
-const BlockGraph& Arch::graph() const {
-  if (!graph_.start.empty()) return graph_;
+std::vector<Neighbour> Arch::neighbours(BlockId b) const {
   const int last = p_.voussoirs - 1, right_head = p_.voussoirs + p_.pier_courses - 1;
   const int left_head = right_head + p_.pier_courses;
-  graph_.start.push_back(0);
-  for (BlockId b = 0; b < block_count(); ++b) {
-    std::vector<BlockId> neighbours;
-    if (b < p_.voussoirs) {
-      if (b > 0) neighbours.push_back(b - 1);
-      if (b < last) neighbours.push_back(b + 1);
-      if (has_piers() && b == 0) neighbours.push_back(right_head);
-      if (has_piers() && b == last) neighbours.push_back(left_head);
-    } else {
-      const bool foot = (b - p_.voussoirs) % p_.pier_courses == 0;
-      if (!foot) neighbours.push_back(b - 1);
-      neighbours.push_back(b == right_head ? 0 : b == left_head ? last : b + 1);
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    graph_.neighbour.insert(graph_.neighbour.end(), neighbours.begin(), neighbours.end());
-    graph_.start.push_back(static_cast<int>(graph_.neighbour.size()));
+  std::vector<BlockId> beside;
+  if (b < p_.voussoirs) {
+    if (b > 0) beside.push_back(b - 1);
+    if (b < last) beside.push_back(b + 1);
+    if (has_piers() && b == 0) beside.push_back(right_head);
+    if (has_piers() && b == last) beside.push_back(left_head);
+  } else {
+    const bool foot = (b - p_.voussoirs) % p_.pier_courses == 0;
+    if (!foot) beside.push_back(b - 1);
+    beside.push_back(b == right_head ? 0 : b == left_head ? last : b + 1);
   }
-  graph_.shared_vertices.assign(graph_.neighbour.size(), p_.cells_radial + 1);  // joints run across the thickness
-  return graph_;
+  std::sort(beside.begin(), beside.end());
+  std::vector<Neighbour> all;
+  for (const BlockId other : beside) all.push_back({other, p_.cells_radial + 1});  // joints run across the thickness
+  return all;
 }
 
 }  // namespace

@@ -1,35 +1,26 @@
 #include "mesh/block_list.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/check.hpp"
 #include "base/sort_unique.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/parcels.hpp"
+#include "linalg/shared_warnings.hpp"
+#include "mesh/block_bytes.hpp"
 #include "mesh/curved_edges.hpp"
 
 namespace voussoir {
 namespace {
 
+/// Names and words of a list, without its blocks.
 template <int dim>
-class ListedBlocks final : public BlockSource<dim> {
+class NamedBlocks : public BlockSource<dim> {
  public:
-  explicit ListedBlocks(BlockList<dim> list) : list_(std::move(list)) {
-    for (BlockId b = 0; b < block_count(); ++b) VOUSSOIR_CHECK(list_.blocks[b].id == b);
-  }
-  BlockId block_count() const override { return static_cast<BlockId>(list_.blocks.size()); }
-  int node_count(BlockId b) const override { return static_cast<int>(list_.blocks[b].position.size()); }
-  Block<dim> block(BlockId b) const override {
-    VOUSSOIR_EXPECT(b >= 0 && b < block_count());
-    return list_.blocks[b];
-  }
-  const BlockGraph& graph() const override {
-    if (graph_.start.empty()) {
-      std::vector<std::vector<VertexId>> vertices;
-      for (const Block<dim>& block : list_.blocks) vertices.push_back(block.vertex);
-      graph_ = graph_of_shared_vertices(vertices);
-    }
-    return graph_;
+  explicit NamedBlocks(BlockList<dim> list) : list_(std::move(list)) {
+    for (std::size_t b = 0; b < list_.blocks.size(); ++b) VOUSSOIR_CHECK(list_.blocks[b].id == static_cast<BlockId>(b));
   }
   const std::vector<std::string>& block_sets() const override { return list_.block_sets; }
   const std::vector<std::string>& facet_sets() const override { return list_.facet_sets; }
@@ -37,119 +28,112 @@ class ListedBlocks final : public BlockSource<dim> {
   std::vector<std::string> report() const override { return list_.report; }
   std::string picture() const override { return list_.picture; }
 
- private:
+ protected:
+  /// Of a block of the list.
+  std::vector<Neighbour> neighbours_in_list(BlockId b) const {
+    if (graph_.start.empty()) {
+      std::vector<std::vector<VertexId>> vertices;
+      for (const Block<dim>& block : list_.blocks) vertices.push_back(block.vertex);
+      graph_ = graph_of_shared_vertices(vertices);
+    }
+    std::vector<Neighbour> all;
+    for (int k = graph_.start[b]; k < graph_.start[b + 1]; ++k)
+      all.push_back({graph_.neighbour[k], graph_.shared_vertices[k]});
+    return all;
+  }
+
   BlockList<dim> list_;
-  mutable BlockGraph graph_;
+
+ private:
+  mutable BlockGraph graph_;  ///< found when first asked for
 };
 
-void broadcast_warnings(const Teuchos::Comm<int>& comm, Warnings& warnings) {
-  std::vector<std::string> words;
-  std::vector<double> amounts;
-  for (const Warning& w : warnings) {
-    words.insert(words.end(), {w.what, w.where, w.when, w.text});
-    amounts.push_back(w.how_much);
-  }
-  broadcast_strings(comm, words);
-  broadcast_values(comm, amounts);
-  warnings.clear();
-  for (std::size_t k = 0; k < amounts.size(); ++k)
-    warnings.push_back({words[4 * k], words[4 * k + 1], words[4 * k + 2], amounts[k], words[4 * k + 3]});
-}
-
-/// All blocks of a list, end to end.
 template <int dim>
-struct Packed {
-  std::vector<std::string> names;
-  std::vector<int> counts, sets, cells, facets, folds;  ///< counts: nodes, sets, cells, facets, folds of each block
-  std::vector<double> positions;
-  std::vector<VertexId> vertices;
-
-  void pack(const Block<dim>& block) {
-    names.push_back(block.name);
-    counts.insert(counts.end(), {static_cast<int>(block.position.size()), static_cast<int>(block.sets.size()),
-                                 static_cast<int>(block.cells.size()), static_cast<int>(block.facets.size()),
-                                 static_cast<int>(block.folds.size())});
-    for (const Vector<dim>& x : block.position) positions.insert(positions.end(), x.begin(), x.end());
-    vertices.insert(vertices.end(), block.vertex.begin(), block.vertex.end());
-    sets.insert(sets.end(), block.sets.begin(), block.sets.end());
-    folds.insert(folds.end(), block.folds.begin(), block.folds.end());
-    for (const Cell& cell : block.cells) {
-      cells.push_back(cell.count);
-      cells.insert(cells.end(), cell.node.begin(), cell.node.end());
-    }
-    for (const TaggedFacet& facet : block.facets) {
-      facets.insert(facets.end(), {facet.count, facet.set});
-      facets.insert(facets.end(), facet.node.begin(), facet.node.end());
-    }
+class ListedBlocks final : public NamedBlocks<dim> {
+ public:
+  using NamedBlocks<dim>::NamedBlocks;
+  BlockId block_count() const override { return static_cast<BlockId>(this->list_.blocks.size()); }
+  int node_count(BlockId b) const override { return static_cast<int>(this->list_.blocks[b].position.size()); }
+  Block<dim> block(BlockId b) const override {
+    VOUSSOIR_EXPECT(b >= 0 && b < block_count());
+    return this->list_.blocks[b];
   }
+  std::vector<Neighbour> neighbours(BlockId b) const override { return this->neighbours_in_list(b); }
+};
 
-  void broadcast(const Teuchos::Comm<int>& comm) {
-    broadcast_strings(comm, names);
-    broadcast_values(comm, counts);
-    broadcast_values(comm, positions);
-    broadcast_values(comm, vertices);
-    broadcast_values(comm, sets);
-    broadcast_values(comm, cells);
-    broadcast_values(comm, facets);
-    broadcast_values(comm, folds);
+/// The list is on the first rank, others have what they have been brought.
+template <int dim>
+class BroughtBlocks final : public NamedBlocks<dim> {
+ public:
+  BroughtBlocks(BlockList<dim> list, BlockId count, bool has_list)
+      : NamedBlocks<dim>(std::move(list)), count_(count), has_list_(has_list) {}
+
+  BlockId block_count() const override { return count_; }
+  int node_count(BlockId b) const override { return static_cast<int>(here(b).position.size()); }
+  Block<dim> block(BlockId b) const override { return here(b); }
+  std::vector<Neighbour> neighbours(BlockId b) const override {
+    return has_list_ ? this->neighbours_in_list(b) : brought(b).neighbours;
   }
+  int reader_of(BlockId, int) const override { return 0; }
+  BlockSpan read_by(int rank, int) const override { return {0, rank == 0 ? count_ : 0}; }
 
-  std::vector<Block<dim>> unpacked() const {
-    std::vector<Block<dim>> blocks(names.size());
-    auto x = positions.begin();
-    auto v = vertices.begin();
-    auto s = sets.begin(), c = cells.begin(), f = facets.begin(), d = folds.begin();
-    for (std::size_t b = 0; b < names.size(); ++b) {
-      Block<dim>& block = blocks[b];
-      const int* count = &counts[5 * b];
-      block.id = static_cast<BlockId>(b);
-      block.name = names[b];
-      block.position.resize(count[0]);
-      for (Vector<dim>& position : block.position)
-        for (double& component : position) component = *x++;
-      block.vertex.assign(v, v + count[0]);
-      v += count[0];
-      block.sets.assign(s, s + count[1]);
-      s += count[1];
-      block.folds.assign(d, d + count[4]);
-      d += count[4];
-      block.cells.resize(count[2]);
-      for (Cell& cell : block.cells) {
-        cell.count = *c++;
-        for (int& node : cell.node) node = *c++;
+  void bring(const std::vector<BlockId>& wanted, const Teuchos::Comm<int>& comm) const override {
+    if (comm.getSize() == 1) return;
+    std::vector<BlockId> missing;
+    for (const BlockId b : wanted)
+      if (!has_list_ && !brought_.count(b)) missing.push_back(b);
+    std::vector<Parcel<char>> answer;
+    for (const auto& asked : exchange_parcels<BlockId>({{0, std::move(missing)}}, comm)) {
+      std::vector<BlockWithNeighbours<dim>> blocks;
+      for (const BlockId b : asked.items) blocks.push_back({this->list_.blocks[b], this->neighbours_in_list(b)});
+      const auto bytes = bytes_of(blocks);
+      answer.push_back({asked.rank, {bytes.begin(), bytes.end()}});
+    }
+    for (const auto& parcel : exchange_parcels(std::move(answer), comm))
+      for (auto& one : blocks_of_bytes<dim>({parcel.items.begin(), parcel.items.end()})) {
+        const BlockId b = one.block.id;
+        brought_.emplace(b, std::move(one));
       }
-      block.facets.resize(count[3]);
-      for (TaggedFacet& facet : block.facets) {
-        facet.count = *f++;
-        facet.set = *f++;
-        for (int& node : facet.node) node = *f++;
-      }
-    }
-    return blocks;
   }
+
+ private:
+  const BlockWithNeighbours<dim>& brought(BlockId b) const {
+    const auto found = brought_.find(b);
+    VOUSSOIR_CHECK(found != brought_.end() && "a block that was not brought to this rank");
+    return found->second;
+  }
+  const Block<dim>& here(BlockId b) const {
+    VOUSSOIR_EXPECT(b >= 0 && b < count_);
+    return has_list_ ? this->list_.blocks[b] : brought(b).block;
+  }
+
+  BlockId count_;
+  bool has_list_;
+  mutable std::map<BlockId, BlockWithNeighbours<dim>> brought_;
 };
 
 }  // namespace
 
 template <int dim>
-void broadcast_blocks(const Teuchos::Comm<int>& comm, BlockList<dim>& list) {
-  Packed<dim> packed;
-  for (const Block<dim>& block : list.blocks) packed.pack(block);
+std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim> list) {
+  if (list.quadratic) find_curved_edges(list.blocks);
+  return std::make_unique<ListedBlocks<dim>>(std::move(list));
+}
+
+template <int dim>
+std::unique_ptr<BlockSource<dim>> make_source_on_first(BlockList<dim> list, const Teuchos::Comm<int>& comm) {
+  const bool has_list = comm.getRank() == 0;
+  if (!has_list) list = {};
+  on_first_rank(comm, [&] {
+    if (list.quadratic) find_curved_edges(list.blocks);
+  });
+  auto count = static_cast<BlockId>(list.blocks.size());
+  Teuchos::broadcast(comm, 0, Teuchos::outArg(count));
   broadcast_strings(comm, list.block_sets);
   broadcast_strings(comm, list.facet_sets);
   broadcast_warnings(comm, list.warnings);
   broadcast_strings(comm, list.report);
-  std::vector<int> quadratic{list.quadratic};
-  broadcast_values(comm, quadratic);
-  list.quadratic = quadratic.front() != 0;
-  packed.broadcast(comm);
-  if (comm.getRank() != 0) list.blocks = packed.unpacked();
-}
-
-template <int dim>
-std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim> list) {
-  if (list.quadratic) find_curved_edges(list.blocks);
-  return std::make_unique<ListedBlocks<dim>>(std::move(list));
+  return std::make_unique<BroughtBlocks<dim>>(std::move(list), count, has_list);
 }
 
 BlockGraph graph_of_shared_vertices(const std::vector<std::vector<VertexId>>& vertices_of_block) {
@@ -179,9 +163,9 @@ BlockGraph graph_of_shared_vertices(const std::vector<std::vector<VertexId>>& ve
   return graph;
 }
 
-template void broadcast_blocks(const Teuchos::Comm<int>&, BlockList<2>&);
-template void broadcast_blocks(const Teuchos::Comm<int>&, BlockList<3>&);
 template std::unique_ptr<BlockSource<2>> make_source(BlockList<2>);
 template std::unique_ptr<BlockSource<3>> make_source(BlockList<3>);
+template std::unique_ptr<BlockSource<2>> make_source_on_first(BlockList<2>, const Teuchos::Comm<int>&);
+template std::unique_ptr<BlockSource<3>> make_source_on_first(BlockList<3>, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

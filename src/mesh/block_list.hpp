@@ -1,4 +1,4 @@
-// Blocks that are kept in memory, the same on every rank: what a file gives, and what tests put together by hand.
+// Blocks that are kept in memory: what a file gives the rank that reads it, and what tests put together by hand.
 #pragma once
 
 #include <Teuchos_Comm.hpp>
@@ -20,13 +20,15 @@ struct BlockList {
   std::string picture;              ///< of the source, on the first rank alone
 };
 
-/// Gives every rank the list of rank 0. Collective.
-template <int dim>
-void broadcast_blocks(const Teuchos::Comm<int>&, BlockList<dim>&);
-
-/// A source that hands out the blocks of a list; finds its graph when first asked.
+/// A source that hands out the blocks of a list which is the same on every rank.
 template <int dim>
 std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim>);
+
+/// A source of blocks that the first rank has read: it keeps the list, and brings others the blocks they ask for. Names
+/// and warnings go to all. Collective.
+/// @param list  of the first rank; of the others nothing is taken
+template <int dim>
+std::unique_ptr<BlockSource<dim>> make_source_on_first(BlockList<dim> list, const Teuchos::Comm<int>&);
 
 /// The graph of blocks that share vertices, from the vertices of each block.
 BlockGraph graph_of_shared_vertices(const std::vector<std::vector<VertexId>>& vertices_of_block);

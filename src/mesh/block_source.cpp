@@ -27,9 +27,8 @@ std::unique_ptr<BlockSource<dim>> make_block_source(const MeshParameters& parame
     return make_wall_in_space(parameters.wall_in_space);
   } else {
     VOUSSOIR_CHECK(parameters.type != MeshType::stones);  // which drawings/ reads
-    auto source = parameters.type == MeshType::wall   ? make_wall(parameters.wall)
-                  : parameters.type == MeshType::arch ? make_arch(parameters.arch)
-                                                      : read_gmsh(parameters.gmsh, comm, trust);
+    if (parameters.type == MeshType::gmsh) return read_gmsh(parameters.gmsh, comm, trust);
+    auto source = parameters.type == MeshType::wall ? make_wall(parameters.wall) : make_arch(parameters.arch);
     return parameters.has_quadratic_triangles() ? with_curved_edges(std::move(source)) : std::move(source);
   }
 }

@@ -81,15 +81,16 @@ class WithCurvedEdges final : public BlockSource<dim> {
   BlockId block_count() const override { return of_->block_count(); }
   int node_count(BlockId b) const override { return of_->node_count(b); }
   Block<dim> block(BlockId b) const override {
-    const auto& graph = of_->graph();
     std::vector<Block<dim>> around{of_->block(b)};
-    for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) around.push_back(of_->block(graph.neighbour[k]));
+    for (const auto& beside : of_->neighbours(b)) around.push_back(of_->block(beside.block));
     for (std::size_t i = 0; i < around.size(); ++i) around[i].id = static_cast<BlockId>(i);
     find_curved_edges(around);
     around[0].id = b;
     return std::move(around[0]);
   }
-  const BlockGraph& graph() const override { return of_->graph(); }
+  std::vector<Neighbour> neighbours(BlockId b) const override { return of_->neighbours(b); }
+  int reader_of(BlockId b, int ranks) const override { return of_->reader_of(b, ranks); }
+  BlockSpan read_by(int rank, int ranks) const override { return of_->read_by(rank, ranks); }
   const std::vector<std::string>& block_sets() const override { return of_->block_sets(); }
   const std::vector<std::string>& facet_sets() const override { return of_->facet_sets(); }
   Warnings warnings() const override { return of_->warnings(); }

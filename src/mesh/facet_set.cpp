@@ -62,8 +62,8 @@ std::vector<TwoSidedFacet<dim>> two_sided_facets(const BlockSource<dim>& source,
 }
 
 template <int dim>
-bool has_facets(const BlockSource<dim>& source, const FacetSet& set) {
-  for (BlockId b = 0; b < source.block_count(); ++b) {
+bool has_facets(const BlockSource<dim>& source, const FacetSet& set, BlockSpan among) {
+  for (BlockId b = among.from; b < among.to; ++b) {
     const auto block = source.block(b);
     for (const TaggedFacet& facet : block.facets)
       if (set.has(block, facet)) return true;
@@ -75,7 +75,7 @@ template FacetSet facet_set(const BlockSource<2>&, const FacetNames&);
 template FacetSet facet_set(const BlockSource<3>&, const FacetNames&);
 template std::vector<TwoSidedFacet<2>> two_sided_facets(const BlockSource<2>&, const FacetSet&);
 template std::vector<TwoSidedFacet<3>> two_sided_facets(const BlockSource<3>&, const FacetSet&);
-template bool has_facets(const BlockSource<2>&, const FacetSet&);
-template bool has_facets(const BlockSource<3>&, const FacetSet&);
+template bool has_facets(const BlockSource<2>&, const FacetSet&, BlockSpan);
+template bool has_facets(const BlockSource<3>&, const FacetSet&, BlockSpan);
 
 }  // namespace voussoir

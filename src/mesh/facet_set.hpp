@@ -59,12 +59,12 @@ inline Vector<3> TwoSidedFacet<3>::normal() const {
   return 0.5 * cross(x[2] - x[0], x[3] - x[1]);
 }
 
-/// All facets of which a set has both sides, by blocks. Local, and the same on every rank; looks at every block.
+/// All facets of which a set has both sides, by blocks. Looks at every block: for a rank that can be asked of all.
 template <int dim>
 std::vector<TwoSidedFacet<dim>> two_sided_facets(const BlockSource<dim>&, const FacetSet&);
 
-/// A facet of the set is there.
+/// Some of these blocks have a facet of the set.
 template <int dim>
-bool has_facets(const BlockSource<dim>&, const FacetSet&);
+bool has_facets(const BlockSource<dim>&, const FacetSet&, BlockSpan among);
 
 }  // namespace voussoir

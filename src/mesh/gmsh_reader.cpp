@@ -243,10 +243,10 @@ std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, cons
     const SurfaceMesh mesh =
         with_hint(hint, [&] { return surface_mesh_of(in_child_process(mesh_of, bytes_of(parameters), died)); });
     list = blocks_of_surfaces(mesh);
+    list.quadratic = parameters.cells == CellType::quadratic_triangle;
     if (is_mesh(parameters.file)) list.warnings = warnings_of_format(parameters.file, mesh);
   });
-  broadcast_blocks(comm, list);
-  return make_source(std::move(list));
+  return make_source_on_first(std::move(list), comm);
 }
 
 }  // namespace voussoir

@@ -27,19 +27,6 @@ std::vector<Cell> box_cells(const std::array<int, 3>& cells);
 void add_box_facets(Block<3>&, const std::array<int, 3>& cells, int axis, bool far, int set,
                     const std::function<bool(int, int)>& wanted);
 
-/// A graph block by block: add(block, graph) appends the neighbours of one in ascending order, with shared vertices.
-template <class Add>
-BlockGraph graph_of_blocks(BlockId blocks, const Add& add) {
-  BlockGraph graph;
-  graph.start.reserve(static_cast<std::size_t>(blocks) + 1);
-  graph.start.push_back(0);
-  for (BlockId b = 0; b < blocks; ++b) {
-    add(b, graph);
-    graph.start.push_back(static_cast<int>(graph.neighbour.size()));
-  }
-  return graph;
-}
-
 /// Refuses a wall of more blocks or lattice lines than numbers here can count.
 /// @param lines  the most of any direction or block
 void require_countable(const std::string& key, int courses, double blocks, double lines);

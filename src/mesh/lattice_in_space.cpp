@@ -35,7 +35,7 @@ class LatticeInSpace final : public BlockSource<3> {
     return (n[0] + 1) * (n[1] + 1) * (n[2] + 1);
   }
   Block<3> block(BlockId) const override;
-  const BlockGraph& graph() const override;
+  std::vector<Neighbour> neighbours(BlockId) const override;
   const std::vector<std::string>& block_sets() const override { return m_.block_sets; }
   const std::vector<std::string>& facet_sets() const override { return m_.facet_sets; }
 
@@ -57,11 +57,9 @@ class LatticeInSpace final : public BlockSource<3> {
   template <class Visit>
   void visit_touching(BlockId b, Visit visit) const;
   void add_facets(Block<3>&, const LatticeStone&) const;
-  void add_neighbours(BlockId, BlockGraph&) const;
 
   Masonry m_;
   BoxTree<3> tree_;
-  mutable BlockGraph graph_;  ///< built when first asked for
 };
 
 template <class Visit>
@@ -124,7 +122,7 @@ void LatticeInSpace::add_facets(Block<3>& block, const LatticeStone& s) const {
 }
 
 /// Two boxes share a box of corners; round a closed lattice they may share two.
-void LatticeInSpace::add_neighbours(BlockId b, BlockGraph& graph) const {
+std::vector<Neighbour> LatticeInSpace::neighbours(BlockId b) const {
   const LatticeStone& mine = stone(b);
   std::map<BlockId, int> shared;
   visit_touching(b, [&](BlockId other, const LatticeStone& its) {
@@ -132,16 +130,9 @@ void LatticeInSpace::add_neighbours(BlockId b, BlockGraph& graph) const {
     for (int c = 0; c < 3; ++c) corners *= std::min(mine.to[c], its.to[c]) - std::max(mine.from[c], its.from[c]) + 1;
     shared[other] += corners;
   });
-  for (const auto& [other, corners] : shared) {
-    graph.neighbour.push_back(other);
-    graph.shared_vertices.push_back(corners);
-  }
-}
-
-const BlockGraph& LatticeInSpace::graph() const {
-  if (graph_.start.empty())
-    graph_ = graph_of_blocks(block_count(), [&](BlockId b, BlockGraph& graph) { add_neighbours(b, graph); });
-  return graph_;
+  std::vector<Neighbour> all;
+  for (const auto& [other, corners] : shared) all.push_back({other, corners});
+  return all;
 }
 
 }  // namespace

@@ -1,17 +1,22 @@
-// Numbering that every source of blocks shares.
 #include "mesh/mesh.hpp"
 
 namespace voussoir {
 
 template <int dim>
-std::vector<NodeId> first_nodes(const BlockSource<dim>& source) {
-  const BlockId blocks = source.block_count();
-  std::vector<NodeId> first(static_cast<std::size_t>(blocks) + 1, 0);
-  for (BlockId b = 0; b < blocks; ++b) first[b + 1] = first[b] + source.node_count(b);
-  return first;
+BlockGraph graph_of(const BlockSource<dim>& source, BlockSpan span) {
+  BlockGraph graph;
+  graph.start.push_back(0);
+  for (BlockId b = span.from; b < span.to; ++b) {
+    for (const auto& [other, shared] : source.neighbours(b)) {
+      graph.neighbour.push_back(other);
+      graph.shared_vertices.push_back(shared);
+    }
+    graph.start.push_back(static_cast<int>(graph.neighbour.size()));
+  }
+  return graph;
 }
 
-template std::vector<NodeId> first_nodes(const BlockSource<2>&);
-template std::vector<NodeId> first_nodes(const BlockSource<3>&);
+template BlockGraph graph_of(const BlockSource<2>&, BlockSpan);
+template BlockGraph graph_of(const BlockSource<3>&, BlockSpan);
 
 }  // namespace voussoir

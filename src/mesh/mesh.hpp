@@ -2,9 +2,12 @@
 //
 // A mesh is handed out block by block by a BlockSource, so that a rank builds
 // only the blocks it owns and those it touches, and a generated wall of a
-// million blocks never exists in one place. Numbers do not depend on ranks.
+// million blocks never exists in one place. A mesh from a file is on the rank
+// that has read it, and each of the others is brought what it asks for.
+// Numbers do not depend on ranks.
 #pragma once
 
+#include <Teuchos_Comm.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,7 +50,18 @@ struct Block {
   std::vector<int> sets;            ///< indices into BlockSource::block_sets(), ascending
 };
 
-/// Which blocks share vertices, in compressed rows: neighbours of block b are
+/// A block that shares vertices with another one, and how many.
+struct Neighbour {
+  BlockId block;
+  int shared_vertices;
+};
+
+/// Blocks from one number up to the one before another.
+struct BlockSpan {
+  BlockId from, to;
+};
+
+/// Which blocks share vertices, in compressed rows: neighbours of the first block plus b are
 /// neighbour[start[b]] .. neighbour[start[b + 1] - 1], in ascending order.
 struct BlockGraph {
   std::vector<int> start;
@@ -55,9 +69,10 @@ struct BlockGraph {
   std::vector<int> shared_vertices;  ///< per neighbour entry: number of vertices the two blocks share
 };
 
-/// A structure made of blocks, the same on every rank.
+/// A structure made of blocks.
 ///
-/// Every function is local (no communication) and gives the same answer on every rank.
+/// Every function but bring() is local (no communication), and what it says does not depend on the rank. Of blocks that
+/// are generated every rank can be asked; of those from a file the rank that has read them, and who was brought them.
 template <int dim>
 class BlockSource {
  public:
@@ -67,8 +82,20 @@ class BlockSource {
   /// Number of nodes of a block, without building it.
   virtual int node_count(BlockId) const = 0;
   virtual Block<dim> block(BlockId) const = 0;
-  /// Blocks that share at least one vertex.
-  virtual const BlockGraph& graph() const = 0;
+  /// Blocks that share at least one vertex with a block, ascending.
+  virtual std::vector<Neighbour> neighbours(BlockId) const = 0;
+  /// The rank that looks a block over and tells of it as long as blocks have no owners: every rank its share by number,
+  /// or the one that has read a file.
+  virtual int reader_of(BlockId b, int ranks) const {
+    return static_cast<int>(static_cast<long long>(b) * ranks / block_count());
+  }
+  /// All blocks that a rank is the reader of.
+  virtual BlockSpan read_by(int rank, int ranks) const {
+    const auto first_of = [&](long long r) { return static_cast<BlockId>((r * block_count() + ranks - 1) / ranks); };
+    return {first_of(rank), first_of(rank + 1LL)};
+  }
+  /// From now on this rank can be asked of these blocks, too. Collective.
+  virtual void bring(const std::vector<BlockId>&, const Teuchos::Comm<int>&) const {}
   /// Names of sets of blocks ("ring west"). The set "all" is implied and not listed.
   virtual const std::vector<std::string>& block_sets() const = 0;
   /// Names of sets of boundary facets ("foundation pier west").
@@ -81,8 +108,13 @@ class BlockSource {
   virtual std::string picture() const { return {}; }
 };
 
-/// First node of each block in the global numbering of nodes, and the total at the end: [blocks + 1].
+/// The rows of a span of blocks that this rank can be asked of.
 template <int dim>
-std::vector<NodeId> first_nodes(const BlockSource<dim>&);
+BlockGraph graph_of(const BlockSource<dim>&, BlockSpan);
+/// Of all blocks.
+template <int dim>
+BlockGraph graph_of(const BlockSource<dim>& source) {
+  return graph_of(source, {0, source.block_count()});
+}
 
 }  // namespace voussoir

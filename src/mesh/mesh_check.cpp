@@ -1,35 +1,29 @@
 #include "mesh/mesh_check.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/words.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/groups.hpp"
 
 namespace voussoir {
 namespace {
 
-/// Number of the group each block belongs to: the smallest block reached from it over joints.
+/// The smallest block that each of the blocks a rank reads is joined to, directly or through others. Collective.
 template <int dim>
-std::vector<BlockId> groups_of_joined_blocks(const BlockGraph& graph) {
-  std::vector<BlockId> group(graph.start.size() - 1, -1);
-  std::vector<BlockId> to_visit;
-  for (BlockId seed = 0; seed < static_cast<BlockId>(group.size()); ++seed) {
-    if (group[seed] >= 0) continue;
-    group[seed] = seed;
-    to_visit.push_back(seed);
-    while (!to_visit.empty()) {
-      const BlockId b = to_visit.back();
-      to_visit.pop_back();
-      for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) {
-        const BlockId other = graph.neighbour[k];
-        if (graph.shared_vertices[k] < dim || group[other] >= 0) continue;
-        group[other] = seed;
-        to_visit.push_back(other);
-      }
-    }
+std::vector<long long> groups_of_joined_blocks(const BlockSource<dim>& source, const BlockSpan& read,
+                                               const Teuchos::Comm<int>& comm) {
+  std::vector<long long> mine;
+  std::vector<HangsWith> pairs;
+  for (BlockId b = read.from; b < read.to; ++b) {
+    mine.push_back(b);
+    for (const auto& [other, shared] : source.neighbours(b))
+      if (shared >= dim) pairs.push_back({b, other, source.reader_of(other, comm.getSize())});
   }
-  return group;
+  return least_of_group(mine, pairs, comm);
 }
 
 /// The first of a group of blocks that nothing holds.
@@ -50,52 +44,54 @@ InputError without_support(const std::string& name, int blocks, bool meets_in_a_
 }  // namespace
 
 template <int dim>
-void check_supports(const BlockSource<dim>& source, const std::vector<FacetNames>& supported) {
+void check_supports(const BlockSource<dim>& source, const std::vector<FacetNames>& supported,
+                    const Teuchos::Comm<int>& comm) {
   if (supported.empty()) return;
   std::vector<FacetSet> sets;
   for (const FacetNames& names : supported) {
     const auto& known = source.facet_sets();
     if (std::find(known.begin(), known.end(), names.on) != known.end()) sets.push_back(facet_set(source, names));
   }
-  const BlockGraph& graph = source.graph();
-  const std::vector<BlockId> group = groups_of_joined_blocks<dim>(graph);
-  std::vector<char> held(group.size(), 0);
-  std::vector<int> size(group.size(), 0);
-  for (BlockId b = 0; b < source.block_count(); ++b) {
-    ++size[group[b]];
-    if (held[group[b]]) continue;
+  const auto read = source.read_by(comm.getRank(), comm.getSize());
+  const auto group = groups_of_joined_blocks(source, read, comm);
+  std::map<long long, std::array<double, 2>> mine;  // blocks of a group, and whether any is held
+  for (BlockId b = read.from; b < read.to; ++b) {
+    auto& [size, held] = mine[group[b - read.from]];
+    ++size;
+    if (held > 0) continue;
     const Block<dim> block = source.block(b);
     for (const TaggedFacet& facet : block.facets)
       for (const FacetSet& set : sets)
-        if (set.has(block, facet)) held[group[b]] = 1;
+        if (set.has(block, facet)) held = 1;
   }
-  for (BlockId b = 0; b < source.block_count(); ++b)
-    if (group[b] == b && !held[b])
-      throw without_support(source.block(b).name, size[b], graph.start[b + 1] > graph.start[b],
+  const auto all = totals_by_key(mine, comm);
+  agree(comm, [&] {
+    for (const auto& [first, sums] : all) {
+      const auto b = static_cast<BlockId>(first);
+      if (sums[1] > 0 || b < read.from || b >= read.to) continue;
+      throw without_support(source.block(b).name, static_cast<int>(sums[0]), !source.neighbours(b).empty(),
                             dim == 2 ? "curve" : "face", supported);
-}
-
-template <int dim>
-void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>& supported) {
-  static_assert(dim == 2, "borders of spatial blocks are not checked yet");
-  std::vector<Block<dim>> blocks;
-  for (BlockId b = 0; b < source.block_count(); ++b) {
-    blocks.push_back(source.block(b));
-    check_block(blocks.back());
-  }
-  check_borders(blocks);
-  check_supports(source, supported);
+    }
+  });
 }
 
 template <int dim>
 void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>& supported,
                   const Teuchos::Comm<int>& comm) {
-  on_first_rank(comm, [&] { check_blocks(source, supported); });
+  static_assert(dim == 2, "borders of spatial blocks are not checked yet");
+  on_first_rank(comm, [&] {
+    std::vector<Block<dim>> blocks;
+    for (BlockId b = 0; b < source.block_count(); ++b) {
+      blocks.push_back(source.block(b));
+      check_block(blocks.back());
+    }
+    check_borders(blocks);
+  });
+  check_supports(source, supported, comm);
 }
 
-template void check_supports(const BlockSource<2>&, const std::vector<FacetNames>&);
-template void check_supports(const BlockSource<3>&, const std::vector<FacetNames>&);
-template void check_blocks(const BlockSource<2>&, const std::vector<FacetNames>&);
+template void check_supports(const BlockSource<2>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
+template void check_supports(const BlockSource<3>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
 template void check_blocks(const BlockSource<2>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

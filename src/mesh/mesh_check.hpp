@@ -24,18 +24,15 @@ constexpr double smallest_corner_angle = 1.0;  // [degree]
 /// - between blocks: edges of three blocks, blocks on the same side of an edge, borders that touch or nearly touch
 ///   without matching nodes, blocks that overlap
 /// - `check_supports`
-template <int dim>
-void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported);
-
-/// The same on rank 0 for all ranks: every rank throws, or none. Collective.
+/// The first rank looks for all: every rank throws, or none. Collective.
 template <int dim>
 void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported, const Teuchos::Comm<int>&);
 
 /// Throws InputError for blocks that hold no facet of a supported set and are not joined, directly or through others,
 /// to one that does. Blocks are joined when they share `dim` vertices. An empty list of sets means that
-/// nothing is supported on purpose; then nothing is checked.
+/// nothing is supported on purpose; then nothing is checked. Each rank looks at the blocks it reads. Collective.
 template <int dim>
-void check_supports(const BlockSource<dim>&, const std::vector<FacetNames>& supported);
+void check_supports(const BlockSource<dim>&, const std::vector<FacetNames>& supported, const Teuchos::Comm<int>&);
 
 /// The first two groups of faults, on blocks at hand.
 void check_block(const Block<2>&);

@@ -7,10 +7,13 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/words.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/parcels.hpp"
+#include "mesh/partition_by_all.hpp"
 
 namespace voussoir {
 namespace {
@@ -129,11 +132,49 @@ std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& v
   return every_rank_has_a_block(rank_of_block, ranks) ? rank_of_block : cut_by_number(vertex_weights, ranks);
 }
 
-std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& vertex_weights,
-                           const Teuchos::Comm<int>& comm) {
+namespace {
+
+/// The first rank brings all rows together and sends each its blocks' ranks.
+std::vector<int> on_first(const BlockGraph& rows, const std::vector<double>& vertex_weights,
+                          const Teuchos::Comm<int>& comm) {
+  const int here = static_cast<int>(vertex_weights.size());
+  std::vector<int> lengths;
+  for (int b = 0; b < here; ++b) lengths.push_back(rows.start[b + 1] - rows.start[b]);
+  BlockGraph all;
+  lengths = gather_on_first(lengths, comm);
+  all.start.assign(lengths.size() + 1, 0);
+  std::partial_sum(lengths.begin(), lengths.end(), all.start.begin() + 1);
+  all.neighbour = gather_on_first(rows.neighbour, comm);
+  all.shared_vertices = gather_on_first(rows.shared_vertices, comm);
+  const auto weights = gather_on_first(vertex_weights, comm);
+  const auto counts = gather_on_first(std::vector<int>{here}, comm);
   std::vector<int> rank_of_block;
-  on_first_rank(comm, [&] { rank_of_block = partition(graph, vertex_weights, comm.getSize()); });
-  broadcast_values(comm, rank_of_block);
+  on_first_rank(comm, [&] { rank_of_block = partition(all, weights, comm.getSize()); });
+  std::vector<Parcel<int>> answer;
+  auto next = rank_of_block.begin();
+  for (std::size_t rank = 0; rank < counts.size(); next += counts[rank++])
+    answer.push_back({static_cast<int>(rank), std::vector<int>(next, next + counts[rank])});
+  const auto came = exchange_parcels(std::move(answer), comm);
+  return came.empty() ? std::vector<int>() : came.front().items;
+}
+
+}  // namespace
+
+std::vector<int> partition(const BlockGraph& rows, const std::vector<double>& vertex_weights, long long blocks,
+                           const Teuchos::Comm<int>& comm, const PartitionSettings& settings) {
+  VOUSSOIR_CHECK(rows.start.size() == vertex_weights.size() + 1);
+  if (comm.getSize() == 1) return std::vector<int>(vertex_weights.size(), 0);
+  const auto here = static_cast<long long>(vertex_weights.size());
+  if (blocks <= settings.most_on_first || largest_over_ranks(comm, here) == blocks)
+    return on_first(rows, vertex_weights, comm);
+  auto rank_of_block = divided_by_all(rows, vertex_weights, comm);
+  // Where it left a rank without blocks each takes those it reads, which are as many.
+  std::vector<Parcel<char>> notes;
+  std::vector<char> used(comm.getSize(), 0);
+  for (const int rank : rank_of_block)
+    if (!std::exchange(used[rank], 1)) notes.push_back({rank, {1}});
+  if (!all_of_ranks(comm, !exchange_parcels(std::move(notes), comm).empty()))
+    rank_of_block.assign(vertex_weights.size(), comm.getRank());
   return rank_of_block;
 }
 

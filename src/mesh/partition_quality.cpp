@@ -1,39 +1,27 @@
 #include "mesh/partition_quality.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
-#include <utility>
 
-#include "base/check.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
 
-PartitionQuality partition_quality(const BlockGraph& graph, const std::vector<int>& owner,
-                                   const std::vector<double>& work, int ranks) {
-  VOUSSOIR_CHECK(graph.start.size() == owner.size() + 1 && owner.size() == work.size());
+PartitionQuality partition_quality(const std::vector<RankShare>& shares) {
   PartitionQuality quality;
-  double all = 0, cut = 0;
-  std::set<std::pair<int, int>> meet;
-  std::vector<double> load(ranks, 0.0);
-  for (std::size_t b = 0; b < owner.size(); ++b) {
-    load[owner[b]] += work[b];
-    for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) {
-      const int other = owner[graph.neighbour[k]];
-      all += graph.shared_vertices[k];
-      if (other == owner[b]) continue;
-      cut += graph.shared_vertices[k];
-      meet.emplace(owner[b], other);
-    }
+  const auto ranks = static_cast<double>(shares.size());
+  RankShare sum;
+  double most = 0;
+  for (const auto& share : shares) {
+    sum.work += share.work;
+    sum.vertices += share.vertices;
+    sum.cut += share.cut;
+    sum.neighbours += share.neighbours;
+    most = std::max(most, share.work);
+    quality.neighbours = std::max(quality.neighbours, share.neighbours);
   }
-  if (all > 0) quality.cut = cut / all;
-  const double mean = std::accumulate(load.begin(), load.end(), 0.0) / ranks;
-  if (mean > 0) quality.imbalance = *std::max_element(load.begin(), load.end()) / mean;
-  std::vector<int> neighbours(ranks, 0);
-  for (const auto& pair : meet) ++neighbours[pair.first];
-  quality.neighbours = *std::max_element(neighbours.begin(), neighbours.end());
-  quality.mean_neighbours = static_cast<double>(meet.size()) / ranks;
+  if (sum.vertices > 0) quality.cut = sum.cut / sum.vertices;
+  if (sum.work > 0) quality.imbalance = most * ranks / sum.work;
+  quality.mean_neighbours = sum.neighbours / ranks;
   return quality;
 }
 

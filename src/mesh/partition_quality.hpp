@@ -15,10 +15,16 @@ struct PartitionQuality {
   double mean_neighbours = 0;
 };
 
-/// @param owner  rank of each block
-/// @param work   of each block, as the partition was given it
-PartitionQuality partition_quality(const BlockGraph&, const std::vector<int>& owner, const std::vector<double>& work,
-                                   int ranks);
+/// What a rank knows of that.
+struct RankShare {
+  double work = 0;      ///< of its blocks, as the partition was given it
+  double vertices = 0;  ///< that its blocks share with others, block by block
+  double cut = 0;       ///< of these with blocks of other ranks
+  int neighbours = 0;   ///< these ranks
+};
+
+/// @param shares  of every rank
+PartitionQuality partition_quality(const std::vector<RankShare>& shares);
 
 /// Largest of all ranks over the mean; 1 where there is nothing. Collective.
 double imbalance(const Teuchos::Comm<int>&, long long mine);

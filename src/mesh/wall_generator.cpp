@@ -25,7 +25,7 @@ class Wall final : public BlockSource<2> {
     return (e.to - e.from + 1) * (p_.cells_up + 1);
   }
   Block<2> block(BlockId) const override;
-  const BlockGraph& graph() const override;
+  std::vector<Neighbour> neighbours(BlockId) const override;
   const std::vector<std::string>& block_sets() const override { return block_sets_; }
   const std::vector<std::string>& facet_sets() const override { return facet_sets_; }
 
@@ -58,14 +58,13 @@ class Wall final : public BlockSource<2> {
   double x(int column) const { return p_.block_length * column / p_.cells_along; }
   double y(int row) const { return p_.block_height * row / p_.cells_up; }
   bool in_an_opening(Place) const;
-  void add_neighbours(Place, int course, BlockGraph&) const;
+  void add_neighbours(Place, int course, std::vector<Neighbour>&) const;
 
   WallParameters p_;
   std::vector<int> place_;   ///< per block: its number when no block is left out
   std::vector<BlockId> id_;  ///< per such number: block, or -1 when left out
   std::vector<std::string> block_sets_;
   std::vector<std::string> facet_sets_{"base", "top", "left", "right"};
-  mutable BlockGraph graph_;  ///< built when first asked for
 };
 
 void validate(const WallParameters& p) {
@@ -145,7 +144,7 @@ Block<2> Wall::block(BlockId b) const {
 }
 
 /// Blocks of one course that share vertices with the block at a place, in ascending order.
-void Wall::add_neighbours(Place p, int course, BlockGraph& graph) const {
+void Wall::add_neighbours(Place p, int course, std::vector<Neighbour>& all) const {
   if (course < 0 || course >= p_.courses) return;
   const Extent mine = extent(p);
   // In courses of equal and of shifted bond no block reaches further than one place to either side.
@@ -155,18 +154,15 @@ void Wall::add_neighbours(Place p, int course, BlockGraph& graph) const {
     const Extent its = extent({course, stone});
     const int columns = std::min(mine.to, its.to) - std::max(mine.from, its.from) + 1;
     if (other < 0 || columns < 1) continue;
-    graph.neighbour.push_back(other);
-    graph.shared_vertices.push_back(course == p.course ? p_.cells_up + 1 : columns);
+    all.push_back({other, course == p.course ? p_.cells_up + 1 : columns});
   }
 }
 
-const BlockGraph& Wall::graph() const {
-  if (graph_.start.empty())
-    graph_ = graph_of_blocks(block_count(), [&](BlockId b, BlockGraph& graph) {
-      const Place p = place(b);
-      for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, graph);
-    });
-  return graph_;
+std::vector<Neighbour> Wall::neighbours(BlockId b) const {
+  const Place p = place(b);
+  std::vector<Neighbour> all;
+  for (int course = p.course - 1; course <= p.course + 1; ++course) add_neighbours(p, course, all);
+  return all;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
 #include "dynamics/load_steps.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/partition.hpp"
 #include "model/loads_at_work.hpp"
@@ -49,7 +50,12 @@ Model::Model(const Model& at_rest, double inertia, double tolerance)
 }
 
 std::string Model::block_name(BlockId block) const {
-  return in_geometry([&](const auto& source, const auto&) { return source.block(block).name; });
+  const auto& comm = *structure().comm();
+  std::vector<std::string> name(1);
+  if (comm.getRank() == 0)
+    name[0] = in_geometry([&](const auto& source, const auto&) { return source.block(block).name; });
+  broadcast_strings(comm, name);
+  return name[0];
 }
 
 void Model::make_continuum() {

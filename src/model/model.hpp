@@ -46,10 +46,11 @@ class Model {
   }
   /// Of displacements: 2 in the plane, 3 in space.
   int components() const { return structure().components(); }
-  /// Which blocks may meet.
-  virtual const BlockGraph& graph() const = 0;
+  /// Blocks that share vertices with one that this rank owns, all of which it knows.
+  virtual std::vector<Neighbour> neighbours(BlockId) const = 0;
   /// In the whole structure, and what messages call one of them.
-  BlockId block_count() const { return static_cast<BlockId>(structure().owner_of_block().size()); }
+  BlockId block_count() const { return structure().total_blocks(); }
+  /// As the first rank, which can be asked of all blocks, calls it. Collective.
   std::string block_name(BlockId) const;
   const ContactPoints& points() const { return *points_; }
   /// The bonded continuum; not there for the model at rest when a scene has no load steps.

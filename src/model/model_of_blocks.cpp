@@ -14,7 +14,7 @@
 #include "blocks/tetrahedron.hpp"
 #include "dynamics/load_steps.hpp"
 #include "linalg/reduce.hpp"
-#include "mesh/partition.hpp"
+#include "mesh/block_share.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
 #include "model/scene_fit.hpp"
@@ -29,13 +29,6 @@ Material material_of(const Scene& scene, const BlockSource<dim>& source, const B
   for (const auto& [name, p] : scene.materials)
     if (in_set(source, block, p.blocks)) m = {p.young_modulus, p.poisson_ratio, p.density, p.thickness};
   return m;
-}
-
-template <int dim>
-std::vector<int> owners(const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
-  std::vector<double> weight(source.block_count());
-  for (BlockId b = 0; b < source.block_count(); ++b) weight[b] = static_cast<double>(dim) * source.node_count(b);
-  return partition(source.graph(), weight, comm);
 }
 
 /// Whether a support of the scene holds a facet.
@@ -66,7 +59,7 @@ ModelOfBlocks<dim>::ModelOfBlocks(const Scene& scene, const BlockSource<dim>& so
   {
     Phase phase("blocks");
     structure_ = std::make_unique<Structure<dim>>(
-        source, owners(source, *comm), scene.model,
+        source, share_out(source, *comm), scene.model,
         [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm, held_by(scene, source));
     if constexpr (dim == 3) cell_size_ = std::make_shared<const std::vector<double>>(cell_sizes(*structure_));
   }

@@ -15,7 +15,7 @@ class ModelOfBlocks : public Model {
   const BlockSource<dim>& source() const { return source_; }
   const Structure<dim>& structure() const override { return *structure_; }
   AnyGeometry geometry() const override { return Geometry<dim>{source_, *structure_}; }
-  const BlockGraph& graph() const override { return source_.graph(); }
+  std::vector<Neighbour> neighbours(BlockId b) const override { return source_.neighbours(b); }
   double move_geometry(const std::vector<double>& displacement) override;
   std::unique_ptr<const BlockSystem> mass() const override;
   std::unique_ptr<Model> of_time_step(const BlockSystem& mass, const MidpointRule&, double tolerance) const override;

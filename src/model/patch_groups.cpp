@@ -114,12 +114,17 @@ void PatchCutter::find_patches() {
 
 /// A patch goes to the rank that owns most of its blocks, the lowest of those that own as many.
 void PatchCutter::choose_owners() {
-  std::map<std::pair<int, int>, int> blocks;  // of a patch on a rank
-  for (std::size_t b = 0; b < block_.size(); ++b) ++blocks[{patch_[b], parts_.structure.owner_of_block()[block_[b]]}];
+  const auto& s = parts_.structure;
+  std::map<int, int> own;  // blocks of a patch
+  for (int b = 0; b < s.owned_blocks(); ++b)
+    if (const int patch = patch_of_block(s.nodes_of(b).id); patch >= 0) ++own[patch];
+  std::vector<int> mine;  // patch, rank and blocks there, one after the other
+  for (const auto& [patch, blocks] : own) mine.insert(mine.end(), {patch, s.comm()->getRank(), blocks});
   std::vector<int> most(owner_of_patch_.size(), 0);
-  for (const auto& [where, count] : blocks)
-    if (const auto [patch, rank] = where; count > most[patch]) {
-      most[patch] = count;
+  const auto all = all_gather(mine, *s.comm(), numbers_alone);
+  for (auto share = all.begin(); share != all.end(); share += 3)
+    if (const int patch = share[0], rank = share[1], blocks = share[2]; blocks > most[patch]) {
+      most[patch] = blocks;
       owner_of_patch_[patch] = rank;
     }
 }

@@ -6,6 +6,8 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "linalg/agree.hpp"
+#include "linalg/reduce.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace voussoir {
@@ -29,41 +31,59 @@ std::string words_of(const ConstructionParameters& c) {
   return words + (c.disappears.empty() ? " on" : " until " + in_quotes(c.disappears));
 }
 
-/// A block has one time of being there.
+/// What members of construction say of the blocks that a rank reads.
+struct ToldOfBlocks {
+  std::map<std::pair<int, int>, std::vector<std::string>> shared;  ///< names of stones of two members that differ
+  std::vector<char> some;                                          ///< per stage: a block is there
+};
+
 template <int dim>
-void check_times(const Scene& scene, const std::vector<Block<dim>>& blocks, const BlockSource<dim>& source) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::string>> shared;  // stones of two members that differ
+ToldOfBlocks told_of_blocks(const Scene& scene, const BlockSource<dim>& source, const BlockSpan& read) {
+  ToldOfBlocks told;
+  told.some.assign(scene.stages.size(), 0);
   const auto& members = scene.construction;
-  for (const auto& block : blocks)
+  for (BlockId n = read.from; n < read.to; ++n) {
+    const auto block = source.block(n);
     for (std::size_t i = 0; i < members.size(); ++i)
       for (std::size_t j = i + 1; j < members.size(); ++j) {
         const auto &a = members[i].parameters, &b = members[j].parameters;
         const bool alike = a.appears == b.appears && a.disappears == b.disappears;
         if (!alike && in_set(source, block, a.blocks) && in_set(source, block, b.blocks))
-          shared[{i, j}].push_back(block.name);
+          told.shared[{static_cast<int>(i), static_cast<int>(j)}].push_back(block.name);
       }
-  if (shared.empty()) return;
-  const auto& [pair, stones] = *shared.begin();
-  const auto &a = members[pair.first], &b = members[pair.second];
+    for (std::size_t stage = 0; stage < told.some.size(); ++stage)
+      if (!told.some[stage]) told.some[stage] = is_there(scene, source, block, stage);
+  }
+  return told;
+}
+
+/// A block has one time of being there. Collective.
+void check_times(const Scene& scene, const ToldOfBlocks& told, const Teuchos::Comm<int>& comm) {
+  const auto& members = scene.construction;
+  const int count = static_cast<int>(members.size()), none = count * count;
+  const auto first_pair =
+      told.shared.empty() ? none : told.shared.begin()->first.first * count + told.shared.begin()->first.second;
+  const int pair = least_over_ranks(comm, first_pair);
+  if (pair == none) return;
+  const auto found = told.shared.find({pair / count, pair % count});
+  const auto stones = found == told.shared.end() ? std::vector<std::string>() : found->second;
   constexpr std::size_t shown = 5;
-  std::vector<std::string> first(stones.begin(), stones.begin() + static_cast<long>(std::min(shown, stones.size())));
+  const auto first = first_texts(comm, stones, shown);
+  const auto all = total_over_ranks(comm, static_cast<long long>(stones.size()));
+  const auto &a = members[pair / count], &b = members[pair % count];
   throw InputError(
       scene.file + ": scene > construction > " + b.name + "\n  says that its stones are there " +
       words_of(b.parameters) + ", where scene > construction > " + a.name + " says " + words_of(a.parameters) +
       ". Both hold " + list_of(first) +
-      (stones.size() > shown ? " and " + std::to_string(stones.size() - shown) + " more" : "") +
+      (all > static_cast<long long>(shown) ? " and " + std::to_string(all - shown) + " more" : "") +
       ", and a stone is there from one stage to another once.\n  Give appears and disappears of a stone in "
       "one member, or sets that share no stones.");
 }
 
-/// Every stage has a block.
-template <int dim>
-void check_stages_have_blocks(const Scene& scene, const std::vector<Block<dim>>& blocks,
-                              const BlockSource<dim>& source) {
+/// Every stage has a block. Collective.
+void check_stages_have_blocks(const Scene& scene, const ToldOfBlocks& told, const Teuchos::Comm<int>& comm) {
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
-    bool some = false;
-    for (const auto& block : blocks) some |= is_there(scene, source, block, stage);
-    if (some) continue;
+    if (any_of_ranks(comm, told.some[stage] != 0)) continue;
     std::vector<std::string> members;
     for (const auto& member : scene.construction) members.push_back(member.name);
     throw InputError(scene.file + ": scene > steps > stages > " + scene.stages[stage].name +
@@ -73,12 +93,28 @@ void check_stages_have_blocks(const Scene& scene, const std::vector<Block<dim>>&
 }
 
 template <int dim>
-void check_construction(const Scene& scene, const BlockSource<dim>& source) {
-  if (scene.construction.empty()) return;
-  std::vector<Block<dim>> blocks;
-  for (BlockId b = 0; b < source.block_count(); ++b) blocks.push_back(source.block(b));
-  check_times(scene, blocks, source);
-  check_stages_have_blocks(scene, blocks, source);
+void check_materials(const Scene& scene, const BlockSource<dim>& source, const BlockSpan& read) {
+  for (BlockId b = read.from; b < read.to; ++b)
+    if (const auto block = source.block(b); !has_material(scene, source, block))
+      throw InputError(scene.file + ": scene > materials: no material for " + block.name +
+                       ".\n  Every block needs one: no material names a set this block is in.\n"
+                       "  Add one with blocks = \"all\" first; later ones override it.");
+}
+
+template <int dim>
+void check_laws(const Scene& scene, const BlockSource<dim>& source, const BlockSpan& read) {
+  for (BlockId b = read.from; b < read.to; ++b) {
+    const auto block = source.block(b);
+    for (const auto& beside : source.neighbours(b)) {
+      if (beside.shared_vertices < dim) continue;
+      const auto other = source.block(beside.block);
+      if (family_of(scene, source, block, other) >= 0) continue;
+      throw InputError(scene.file + ": scene > joints: no law for the joint between " + block.name + " and " +
+                       other.name +
+                       ".\n  Every joint needs one: no family names the sets of these blocks.\n"
+                       "  Add one with between = \"all\" and = \"all\" first; later ones override it.");
+    }
+  }
 }
 
 }  // namespace
@@ -95,34 +131,23 @@ bool is_there(const Scene& scene, const BlockSource<dim>& source, const Block<di
 }
 
 template <int dim>
-void check_fit(const Scene& scene, const BlockSource<dim>& source) {
+void check_fit(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
   check_names(scene, source.block_sets(), source.facet_sets());
-  check_construction(scene, source);
+  const auto read = source.read_by(comm.getRank(), comm.getSize());
+  if (!scene.construction.empty()) {
+    const auto told = told_of_blocks(scene, source, read);
+    check_times(scene, told, comm);
+    check_stages_have_blocks(scene, told, comm);
+  }
   bool material_for_all = false, law_for_all = false;
   for (const auto& [name, material] : scene.materials) material_for_all |= material.blocks == "all";
   for (const auto& [name, law] : scene.joints) law_for_all |= law.between == "all" && law.and_ == "all";
-  if (material_for_all && law_for_all) return;
-  std::vector<Block<dim>> blocks;
-  for (BlockId b = 0; b < source.block_count(); ++b) blocks.push_back(source.block(b));
-  for (const auto& block : blocks)
-    if (!has_material(scene, source, block))
-      throw InputError(scene.file + ": scene > materials: no material for " + block.name +
-                       ".\n  Every block needs one: no material names a set this block is in.\n"
-                       "  Add one with blocks = \"all\" first; later ones override it.");
-  const auto& graph = source.graph();
-  for (const auto& block : blocks)
-    for (int k = graph.start[block.id]; k < graph.start[block.id + 1]; ++k) {
-      const auto& other = blocks[graph.neighbour[k]];
-      if (graph.shared_vertices[k] < dim || family_of(scene, source, block, other) >= 0) continue;
-      throw InputError(scene.file + ": scene > joints: no law for the joint between " + block.name + " and " +
-                       other.name +
-                       ".\n  Every joint needs one: no family names the sets of these blocks.\n"
-                       "  Add one with between = \"all\" and = \"all\" first; later ones override it.");
-    }
+  if (!material_for_all) agree(comm, [&] { check_materials(scene, source, read); });
+  if (!law_for_all) agree(comm, [&] { check_laws(scene, source, read); });
 }
 
-template void check_fit(const Scene&, const BlockSource<2>&);
-template void check_fit(const Scene&, const BlockSource<3>&);
+template void check_fit(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);
+template void check_fit(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
 template bool is_there(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
 template bool is_there(const Scene&, const BlockSource<3>&, const Block<3>&, std::size_t);
 

@@ -7,10 +7,9 @@
 namespace voussoir {
 
 /// Throws InputError for sets that do not exist, a block without material, a joint without law, a block with two times
-/// of being there, a stage without blocks.
-/// Local, and the same on every rank.
+/// of being there, a stage without blocks. Each rank looks at the blocks it reads; all throw, or none. Collective.
 template <int dim>
-void check_fit(const Scene&, const BlockSource<dim>&);
+void check_fit(const Scene&, const BlockSource<dim>&, const Teuchos::Comm<int>&);
 
 /// True when a block is in the set of that name; "all" holds every block.
 template <int dim>
@@ -42,8 +41,8 @@ int family_of(const Scene& scene, const BlockSource<dim>& source, const Block<di
   return family;
 }
 
-extern template void check_fit(const Scene&, const BlockSource<2>&);
-extern template void check_fit(const Scene&, const BlockSource<3>&);
+extern template void check_fit(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);
+extern template void check_fit(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
 extern template bool is_there(const Scene&, const BlockSource<2>&, const Block<2>&, std::size_t);
 extern template bool is_there(const Scene&, const BlockSource<3>&, const Block<3>&, std::size_t);
 

@@ -31,8 +31,8 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
   std::unique_ptr<BlockSource<dim>> source;
   try {
     source = blocks_of<dim>(scene.mesh, *comm, trust);
-    check_fit(scene, *source);
-    check_sides(scene, *source);
+    check_fit(scene, *source, *comm);
+    check_sides(scene, *source, *comm);
     std::vector<FacetNames> supported;
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))
@@ -40,7 +40,7 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
     const bool from_file = scene.mesh.from_file() && dim == 2;
     if constexpr (dim == 2)
       if (from_file) check_blocks(*source, supported, *comm);
-    if (!from_file) check_supports(*source, supported);
+    if (!from_file) check_supports(*source, supported, *comm);
   } catch (const InputError& error) {
     std::string what = error.what();
     if (what.rfind(scene.file, 0) == 0) throw;

@@ -6,7 +6,9 @@
 
 #include "base/text.hpp"
 #include "base/words.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/gather.hpp"
+#include "linalg/shared_warnings.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
@@ -110,25 +112,25 @@ void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings&
 }
 
 /// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
+/// Collective.
 template <int dim>
-void warn_of_lone_stones(const Scene& scene, const BlockSource<dim>& source, Warnings& all) {
-  const auto& graph = source.graph();
-  const BlockId blocks = source.block_count();
+void warn_of_lone_stones(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm,
+                         Warnings& all) {
+  const auto read = source.read_by(comm.getRank(), comm.getSize());
   long long lone = 0;
-  BlockId first = 0;
-  for (BlockId b = blocks - 1; b >= 0; --b) {
-    const auto begin = graph.shared_vertices.begin();
-    const bool joined = std::any_of(begin + graph.start[b], begin + graph.start[b + 1], [](int n) { return n >= dim; });
-    if (joined) continue;
-    ++lone;
-    first = b;
+  std::vector<std::string> first;
+  for (BlockId b = read.from; b < read.to; ++b) {
+    const auto beside = source.neighbours(b);
+    if (std::any_of(beside.begin(), beside.end(), [](const auto& n) { return n.shared_vertices >= dim; })) continue;
+    if (lone++ == 0) first.push_back(source.block(b).name);
   }
-  if (lone == 0 || lone == blocks) return;  // where all stand alone there are no joints, which is said
+  lone = total_over_ranks(comm, lone);
+  first = first_texts(comm, first, 1);
+  if (lone == 0 || lone == source.block_count()) return;  // where all stand alone there are no joints, which is said
   const auto told = [](const Warning& w) { return w.what == "stones_without_joint"; };
   if (std::any_of(all.begin(), all.end(), told)) return;  // by the source, which knows how far they are from others
   all.push_back({"stones_without_joint", scene.file + ": scene > mesh", "", static_cast<double>(lone),
-                 source.block(first).name +
-                     (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
+                 first.front() + (lone > 1 ? " and " + std::to_string(lone - 1) + " more share" : " shares") +
                      " no joint with any other stone: nothing passes between, and nothing keeps stones from moving "
                      "through each other; let stones that touch share the " +
                      joint_word(dim) + " between them"});
@@ -141,7 +143,7 @@ void warn_of_idle_laws(const Scene& scene, const Model& model, Warnings& all) {
   const std::size_t laws = scene.joints.size();
   std::vector<long long> mine(2 * laws, 0);  // joints a law holds for; joints its sets name
   for (const Joint& joint : model.points().joints()) {
-    if (s.owner_of_block()[joint.block_i] != s.comm()->getRank()) continue;
+    if (joint.local_i >= s.owned_blocks()) continue;
     ++mine[joint.family];
     model.in_geometry([&](const auto& source, const auto& structure) {
       const auto& i = structure.blocks()[s.local_block(joint.block_i)].mesh;
@@ -214,26 +216,36 @@ void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
 }  // namespace
 
 template <int dim>
-Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source) {
-  Warnings all = source.warnings();
+Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  Warnings all = source.warnings(), more;
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
   append(all, unusual_values(scene));
-  warn_of_sizes(scene, source, all);
-  warn_of_lone_stones(scene, source, all);
+  // What looks at every stone of a file is for the first rank, which has read it.
+  on_first_rank(comm, [&] { warn_of_sizes(scene, source, more); });
+  broadcast_warnings(comm, more);
+  append(all, std::move(more));
+  warn_of_lone_stones(scene, source, comm, all);
   warn_of_strength_over_gaps(scene, all);
-  append(all, warnings_of_sides(scene, source));
-  if constexpr (dim == 3) append(all, warnings_of_stiff_stones(scene, source));
+  more.clear();
+  on_first_rank(comm, [&] {
+    append(more, warnings_of_sides(scene, source));
+    if constexpr (dim == 3) append(more, warnings_of_stiff_stones(scene, source));
+  });
+  broadcast_warnings(comm, more);
+  append(all, std::move(more));
   return all;
 }
 
-template Warnings mesh_warnings(const Scene&, const BlockSource<2>&);
-template Warnings mesh_warnings(const Scene&, const BlockSource<3>&);
+template Warnings mesh_warnings(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);
+template Warnings mesh_warnings(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
 
 Warnings input_warnings(const Scene& scene, const Model& model) {
   Warnings all;
   warn_of_no_joints(scene, model, all);
   warn_of_bonds(scene, model, all);
-  append(all, model.in_geometry([&](const auto& source, const auto&) { return mesh_warnings(scene, source); }));
+  append(all, model.in_geometry([&](const auto& source, const auto&) {
+    return mesh_warnings(scene, source, *model.structure().comm());
+  }));
   warn_of_idle_laws(scene, model, all);
   warn_of_raised_energies(scene, model, all);
   append(all, model.loads_at_work().warnings());

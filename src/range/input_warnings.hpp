@@ -8,9 +8,9 @@
 namespace voussoir {
 
 /// What scene and mesh tell: surfaces a format does not list, stones of a size no stone has, stones that touch no
-/// other, in the plane supports and pressures on both sides of a joint. Local, and the same on every rank.
+/// other, in the plane supports and pressures on both sides of a joint. The same on every rank. Collective.
 template <int dim>
-Warnings mesh_warnings(const Scene&, const BlockSource<dim>&);
+Warnings mesh_warnings(const Scene&, const BlockSource<dim>&, const Teuchos::Comm<int>&);
 
 /// The same, with what joints and loads tell. The same on every rank. Collective.
 Warnings input_warnings(const Scene&, const Model&);

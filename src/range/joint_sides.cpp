@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "linalg/agree.hpp"
+#include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
 
 namespace voussoir {
@@ -91,37 +93,46 @@ std::string how_to_say_it(const BlockSource<dim>& source, const Sides& sides) {
          (dim == 2 ? "put one of them into a physical surface of its own" : "put one of them into a group of its own");
 }
 
-/// The side that is named has facets.
+/// The side that is named has facets. Collective.
 template <int dim>
 void check_side(const std::string& where, const std::string& on, const std::string& blocks,
-                const BlockSource<dim>& source) {
-  if (blocks.empty() || blocks == "all" || has_facets(source, facet_set(source, {on, blocks}))) return;
+                const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  if (blocks.empty() || blocks == "all") return;
+  const auto read = source.read_by(comm.getRank(), comm.getSize());
+  if (any_of_ranks(comm, has_facets(source, facet_set(source, {on, blocks}), read))) return;
   throw InputError(where + " > blocks = " + in_quotes(blocks) + "\n  has no facet of " + in_quotes(on) +
                    " (the key says whose facets of the set are meant).\n"
                    "  Give a set of blocks on whose border that set lies, or leave the key out.");
 }
 
+/// What would act on both sides of a joint.
+template <int dim>
+void refuse_both_sides(const LoadParameters& load, const std::string& where, const FacetsOfLoad& facets,
+                       const BlockSource<dim>& source) {
+  const auto sides = both_sides(source, facets);
+  if (sides.stones.empty()) return;
+  std::string advice = how_to_say_it(source, sides);
+  advice[0] = 'S';
+  throw InputError(where + " > on = " + in_quotes(facets.on) + "\n  has both sides of " + in_words(source, sides) +
+                   ", so that the " + load.word() +
+                   " would act on the stones of either side (twice what it says in all).\n  " + advice +
+                   ". Where both are loaded on purpose give two loads.");
+}
+
 }  // namespace
 
 template <int dim>
-void check_sides(const Scene& scene, const BlockSource<dim>& source) {
+void check_sides(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
   for (const auto& [name, support] : scene.supports)
-    check_side(scene.file + ": scene > supports > " + name, support.on, support.blocks, source);
+    check_side(scene.file + ": scene > supports > " + name, support.on, support.blocks, source, comm);
   for (const auto& load : scene.loads) {
     const auto facets = load.facets();
     if (!facets) continue;
     const std::string where = scene.file + ": scene > loads > " + load.name;
-    check_side(where, facets->on, facets->blocks, source);
+    check_side(where, facets->on, facets->blocks, source, comm);
     // The named sets of generators lie on the outside.
-    if (!facets->adds_up || !scene.mesh.from_file()) continue;
-    const auto sides = both_sides(source, *facets);
-    if (sides.stones.empty()) continue;
-    std::string advice = how_to_say_it(source, sides);
-    advice[0] = 'S';
-    throw InputError(where + " > on = " + in_quotes(facets->on) + "\n  has both sides of " + in_words(source, sides) +
-                     ", so that the " + load.word() +
-                     " would act on the stones of either side (twice what it says in all).\n  " + advice +
-                     ". Where both are loaded on purpose give two loads.");
+    if (facets->adds_up && scene.mesh.from_file())
+      on_first_rank(comm, [&] { refuse_both_sides(load, where, *facets, source); });
   }
 }
 
@@ -154,8 +165,8 @@ Warnings warnings_of_sides(const Scene& scene, const BlockSource<dim>& source) {
   return all;
 }
 
-template void check_sides(const Scene&, const BlockSource<2>&);
-template void check_sides(const Scene&, const BlockSource<3>&);
+template void check_sides(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);
+template void check_sides(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
 template Warnings warnings_of_sides(const Scene&, const BlockSource<2>&);
 template Warnings warnings_of_sides(const Scene&, const BlockSource<3>&);
 

@@ -12,13 +12,13 @@
 namespace voussoir {
 
 /// Throws InputError for a load that would act on both sides of a joint and twice, and for a side (`blocks`) that no
-/// facet of the set is on. Local, and the same on every rank.
+/// facet of the set is on. Every rank throws, or none. Collective.
 template <int dim>
-void check_sides(const Scene&, const BlockSource<dim>&);
+void check_sides(const Scene&, const BlockSource<dim>&, const Teuchos::Comm<int>&);
 
 /// Supports that hold, and pressures that act on, both sides of joints without saying that both are meant
-/// (`blocks` = all; in space also `faces` of blocks that are named, by which stones are held whole). Local, and the
-/// same on every rank.
+/// (`blocks` = all; in space also `faces` of blocks that are named, by which stones are held whole). For the
+/// rank that has read the file.
 template <int dim>
 Warnings warnings_of_sides(const Scene&, const BlockSource<dim>&);
 

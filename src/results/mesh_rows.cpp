@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "linalg/gather.hpp"
+#include "linalg/numbering.hpp"
 #include "linalg/reduce.hpp"
 
 namespace voussoir {
@@ -14,16 +14,16 @@ namespace {
 // Round-off of a turned axis and more; less than an angle that anybody draws.
 constexpr double leaning = 1e-6;
 
-/// Things are numbered block by block, like nodes: the first of each block. Collective.
+/// Things are numbered block by block, like nodes: the first of each owned block. Collective.
 /// @param count  of a block
 template <int dim, class Count>
 std::vector<long long> first_of_each(const Structure<dim>& s, const Count& count) {
-  std::vector<long long> mine(s.owner_of_block().size(), 0);
-  for (int b = 0; b < s.owned_blocks(); ++b) mine[s.blocks()[b].mesh.id] = count(s.blocks()[b].mesh);
-  const auto all = total_of_list(*s.comm(), mine, WhyWhole{"a count per block, while rows of results are numbered"});
-  std::vector<long long> first(all.size() + 1, 0);
-  for (std::size_t b = 0; b < all.size(); ++b) first[b + 1] = first[b] + all[b];
-  return first;
+  std::vector<long long> blocks, counts;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    blocks.push_back(s.blocks()[b].mesh.id);
+    counts.push_back(count(s.blocks()[b].mesh));
+  }
+  return first_numbers(blocks, counts, s.total_blocks(), *s.comm()).first;
 }
 
 /// Of each cell its kind and its corners.
@@ -82,7 +82,7 @@ MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, cons
       rows.held.push_back(directions_held(held, dim, static_cast<std::size_t>(block.first_local) + i));
       rows.coordinates.insert(rows.coordinates.end(), block.mesh.position[i].begin(), block.mesh.position[i].end());
     }
-    add_cells(block, first[block.mesh.id], first_place[block.mesh.id], rows);
+    add_cells(block, first[b], first_place[b], rows);
   }
   return rows;
 }

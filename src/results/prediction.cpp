@@ -67,11 +67,8 @@ std::string steps_text(int steps, const std::string& kind, int solves) {
 template <int dim>
 Structure<dim> structure_to_count(const Scene& scene, const BlockSource<dim>& source,
                                   const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  std::vector<int> owner(source.block_count());
-  for (BlockId b = 0; b < source.block_count(); ++b)
-    owner[b] = static_cast<int>(static_cast<long long>(b) * comm->getSize() / source.block_count());
   return Structure<dim>(
-      source, owner, scene.model,
+      source, share_out(source, *comm), scene.model,
       [](const Block<dim>&) {
         return Material{1.0, 0.0, 1.0};
       },
@@ -113,7 +110,12 @@ class OfLinearCells final : public BlockSource<dim> {
     one.curved.clear();
     return one;
   }
-  const BlockGraph& graph() const override { return source_.graph(); }
+  std::vector<Neighbour> neighbours(BlockId b) const override { return source_.neighbours(b); }
+  int reader_of(BlockId b, int ranks) const override { return source_.reader_of(b, ranks); }
+  BlockSpan read_by(int rank, int ranks) const override { return source_.read_by(rank, ranks); }
+  void bring(const std::vector<BlockId>& blocks, const Teuchos::Comm<int>& comm) const override {
+    source_.bring(blocks, comm);
+  }
   const std::vector<std::string>& block_sets() const override { return source_.block_sets(); }
   const std::vector<std::string>& facet_sets() const override { return source_.facet_sets(); }
 

@@ -1,6 +1,7 @@
 #include "results/shares_of_ranks.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "linalg/gather.hpp"
 
@@ -8,14 +9,23 @@ namespace voussoir {
 
 PartitionQuality partition_quality(const Model& model) {
   const auto& structure = model.structure();
-  std::vector<double> work(structure.owner_of_block().size(), 0.0);
+  const int me = structure.comm()->getRank();
+  RankShare mine;
+  std::set<int> beside;
   for (int b = 0; b < structure.owned_blocks(); ++b) {
     const auto& block = structure.nodes_of(b);
-    work[block.id] = structure.components() * block.nodes;
+    mine.work += structure.components() * block.nodes;
+    for (const auto& [other, shared] : model.neighbours(block.id)) {
+      const int owner = structure.owner_of(structure.local_block(other));
+      mine.vertices += shared;
+      if (owner == me) continue;
+      mine.cut += shared;
+      beside.insert(owner);
+    }
   }
-  return partition_quality(model.graph(), structure.owner_of_block(),
-                           total_of_list(*structure.comm(), work, WhyWhole{"a number per block, told once of a run"}),
-                           structure.comm()->getSize());
+  mine.neighbours = static_cast<int>(beside.size());
+  return partition_quality(
+      all_gather(std::vector<RankShare>{mine}, *structure.comm(), WhyWhole{"four numbers of each rank"}));
 }
 
 double imbalance_of_selected(const Model& model, const ContactState& state) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "linalg/fail_together.hpp"
 #include "model/construction.hpp"
 #include "model/model_of_blocks.hpp"
 #include "output/output_folder.hpp"
@@ -226,7 +227,8 @@ RunSummary limit_run(const Scene& scene, const BlockSource<dim>& source, const s
   Teuchos::Time clock("limit analysis", true);
   const auto unsolved = without_load_steps(scene);
   ModelOfBlocks<dim> model(unsolved, source, comm);
-  auto summary = LimitRun<dim>(scene, model, folder, say).answer();
+  LimitRun<dim> limits(scene, model, folder, say);
+  auto summary = fail_together(*comm, [&] { return limits.answer(); });
   summary.scene = scene.file;
   summary.seconds["total"] = clock.totalElapsedTime(true);
   summary.peak_memory = peak_memory_per_rank(*comm);

@@ -57,7 +57,9 @@ class BlocksIn final : public SceneBlocks {
   BlockId count() const override { return source_->block_count(); }
   std::vector<std::string> report() const override { return source_->report(); }
   std::string picture() const override { return source_->picture(); }
-  Warnings warnings(const Scene& scene) const override { return mesh_warnings(scene, *source_); }
+  Warnings warnings(const Scene& scene, const Comm& comm) const override {
+    return mesh_warnings(scene, *source_, *comm);
+  }
   void place_loads(const Scene& scene, const Comm& comm) const override {
     voussoir::place_loads(scene, *source_, comm);
   }

@@ -30,8 +30,8 @@ class SceneBlocks {
   virtual std::vector<std::string> report() const = 0;
   /// Of it, as SVG on the first rank; "" where there is none.
   virtual std::string picture() const = 0;
-  /// What scene and mesh leave open.
-  virtual Warnings warnings(const Scene&) const = 0;
+  /// What scene and mesh leave open. Collective.
+  virtual Warnings warnings(const Scene&, const Comm&) const = 0;
   /// Makes all loads where they act, and forgets them: InputError where one cannot be.
   virtual void place_loads(const Scene&, const Comm&) const = 0;
   /// What a run would cost.

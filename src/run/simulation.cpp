@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/words.hpp"
+#include "linalg/fail_together.hpp"
 #include "model/loads_at_work.hpp"
 #include "output/output_folder.hpp"
 #include "range/input_warnings.hpp"
@@ -22,7 +23,7 @@ using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& options, const SceneBlocks& blocks,
                                          const Comm& comm, std::ostream& say) {
   if (!options.validate && !options.dry_run) return {};
-  for (const auto& w : blocks.warnings(scene)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
+  for (const auto& w : blocks.warnings(scene, comm)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
   if (options.validate) {
     blocks.place_loads(scene, comm);
     say << "The scene is valid: " << counted(blocks.count(), "block") << ".\n";
@@ -92,9 +93,11 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
            "again.\n";
     return {};
   }
-  for (const auto& warning : input_warnings(scene, model)) run.warn(warning);
-  if (goes_on) write_scene_file(scene, options.folder, *comm);
-  return run_to_the_end(run, scene, model, options.folder, hard.get(), say);
+  return fail_together(*comm, [&] {  // before the files of the run are closed, which takes all ranks
+    for (const auto& warning : input_warnings(scene, model)) run.warn(warning);
+    if (goes_on) write_scene_file(scene, options.folder, *comm);
+    return run_to_the_end(run, scene, model, options.folder, hard.get(), say);
+  });
 }
 
 }  // namespace voussoir

@@ -92,10 +92,11 @@ BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust) {
 std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm,
                                                   Trust trust) {
   BlockList<3> list;
-  on_first_rank(comm, [&] { list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p)); });
-  list.quadratic = p.element == StoneElement::quadratic;
-  broadcast_blocks(comm, list);
-  return make_source(std::move(list));
+  on_first_rank(comm, [&] {
+    list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p));
+    list.quadratic = p.element == StoneElement::quadratic;
+  });
+  return make_source_on_first(std::move(list), comm);
 }
 
 }  // namespace voussoir

@@ -54,7 +54,7 @@ class StonesByLot : public BlockSource<dim> {
     if (lot(b, -1) < 0.5) block.sets.push_back(static_cast<int>(sets_.size()) - 1);
     return block;
   }
-  const BlockGraph& graph() const override { return given_.graph(); }
+  std::vector<Neighbour> neighbours(BlockId b) const override { return given_.neighbours(b); }
   const std::vector<std::string>& block_sets() const override { return sets_; }
   const std::vector<std::string>& facet_sets() const override { return given_.facet_sets(); }
 

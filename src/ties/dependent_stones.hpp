@@ -8,7 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "mesh/mesh.hpp"
+#include "base/ids.hpp"
+#include "ties/dependence.hpp"
 
 namespace voussoir {
 
@@ -19,11 +20,8 @@ using BlockSums = std::array<double, 12>;
 /// The dependants of blocks, each chain of dependence as a tree.
 class DependentStones {
  public:
-  /// @param supported  per block of the structure: 1 where a support holds it
-  /// @param absent     per block: 1 where it is not there; empty for none
-  /// @param of_facet   vertices of a facet, the least that blocks share which hold anything of each other
-  DependentStones(const BlockGraph&, const std::vector<int>& supported, const std::vector<int>& absent,
-                  int of_facet = 2);
+  /// @param all  of all ranks, in any order
+  explicit DependentStones(const std::vector<Dependence>& all);
 
   /// Blocks that depend on another one, ascending.
   const std::vector<BlockId>& dependants() const { return dependants_; }

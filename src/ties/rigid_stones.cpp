@@ -38,14 +38,32 @@ std::vector<char> absent_here(const Model& model) {
 
 DependentStones dependent_stones(const Model& model, const std::vector<char>& absent) {
   const auto& s = model.structure();
-  const auto blocks = static_cast<long>(s.owner_of_block().size());
-  std::vector<int> mine(2 * blocks, 0);  // is a block held, is it absent
   const int dim = model.components();
-  for (std::size_t i = 0; i < model.held().size(); ++i)
-    if (model.held()[i]) mine[s.nodes_of(s.block_of_node()[i / dim]).id] = 1;
-  for (std::size_t b = 0; b < absent.size(); ++b) mine[blocks + s.nodes_of(static_cast<int>(b)).id] = absent[b];
-  const auto all = largest_of_list(*s.comm(), mine, WhyWhole{"two marks per block"});
-  return {model.graph(), {all.begin(), all.begin() + blocks}, {all.begin() + blocks, all.end()}, dim};
+  std::vector<double> there(s.nodes(), 1.0);  // of their blocks
+  for (int n = 0; n < s.owned_nodes(); ++n)
+    if (!absent.empty() && absent[s.block_of_node()[n]]) there[n] = 0;
+  s.node_exchange().update(there, 1);
+  const auto is_there = [&](int block) { return there[s.nodes_of(block).first_local] > 0; };
+  std::vector<char> supported(s.owned_blocks(), 0);
+  for (std::size_t i = 0; i < dim * static_cast<std::size_t>(s.owned_nodes()); ++i)
+    if (model.held()[i]) supported[s.block_of_node()[i / dim]] = 1;
+  std::vector<BlockId> stones;
+  std::vector<HoldEachOther> pairs, across;
+  for (int b = 0; b < s.owned_blocks(); ++b) {
+    if (!is_there(b)) continue;
+    const BlockId id = s.nodes_of(b).id;
+    stones.push_back(id);
+    if (supported[b]) pairs.push_back({the_ground, id});
+    for (const auto& [other, shared] : model.neighbours(id)) {
+      const int local = s.local_block(other);
+      if (shared < dim || !is_there(local)) continue;  // those that share no facet hold nothing of each other
+      (local < s.owned_blocks() ? pairs : across).push_back({id, other});
+    }
+  }
+  const OwnStones own(std::move(stones), pairs, across);
+  const HeldStones known(all_gather(own.at_borders(), *s.comm(),
+                                    WhyWhole{"stones at the borders of ranks, and what holds them together"}));
+  return DependentStones(all_gather(own.dependences(known), *s.comm(), WhyWhole{"stones that hang on one other"}));
 }
 
 }  // namespace voussoir

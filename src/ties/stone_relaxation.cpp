@@ -267,7 +267,7 @@ RelaxedStones StoneRelaxation<dim>::relax(const std::vector<double>& bearable, i
   if (!known_.empty()) take_back();
   double least = force;  // [N] that all stones which lack too much have lacked together
   // A push crosses a stone in a sweep, and may have to cross the whole structure before anything gets better.
-  const auto across = static_cast<int>(std::sqrt(static_cast<double>(model_.structure().owner_of_block().size())));
+  const auto across = static_cast<int>(std::sqrt(static_cast<double>(model_.structure().total_blocks())));
   const int patience = std::max(numbers_.patience, across);
   int sweep = 0;
   for (int last_progress = 0;; ++sweep) {

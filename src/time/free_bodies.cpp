@@ -1,55 +1,50 @@
 #include "time/free_bodies.hpp"
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
-#include <numeric>
+#include <map>
 
 #include "base/check.hpp"
-#include "linalg/gather.hpp"
+#include "base/sort_unique.hpp"
+#include "linalg/groups.hpp"
+#include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 
 namespace voussoir {
 namespace {
 
-constexpr WhyWhole of_bodies{"sums of bodies that nothing holds"};
-
-/// Lowest number of a block of the same body, per block of the structure; -1 where a support holds the body.
-/// Collective.
-std::vector<int> bodies_of(const Model& model, const std::vector<char>& selected) {
+/// Blocks of this rank that something ties, each pair with its joint.
+std::vector<HangsWith> tied_pairs(const Model& model, const std::vector<char>& selected) {
   const auto& s = model.structure();
-  const int dim = s.components();
-  const auto& graph = model.graph();
-  const auto blocks = s.owner_of_block().size();
-  const auto id_of = [&](int node) { return s.nodes_of(s.block_of_node()[node]).id; };
-  std::vector<int> mine(graph.neighbour.size() + blocks, 0), all(mine.size());  // tied pairs, held blocks
-  for (int k = 0; k < model.points().owned(); ++k) {
-    if (selected[k]) continue;
-    const BlockId i = model.points().joint_of(k).block_i, j = model.points().joint_of(k).block_j;
-    for (int e = graph.start[i]; e < graph.start[i + 1]; ++e)
-      if (graph.neighbour[e] == j) mine[e] = 1;
+  std::vector<HangsWith> pairs;
+  int last = -1;  // joint that is told of: points of a joint follow each other
+  for (int k = 0; k < model.points().size(); ++k) {
+    if (selected[k] || model.points().points()[k].joint == last) continue;
+    last = model.points().points()[k].joint;
+    const auto& joint = model.points().joints()[last];
+    if (joint.local_i < s.owned_blocks()) pairs.push_back({joint.block_i, joint.block_j, s.owner_of(joint.local_j)});
+    if (joint.local_j < s.owned_blocks()) pairs.push_back({joint.block_j, joint.block_i, s.owner_of(joint.local_i)});
   }
-  for (std::size_t i = 0; i < model.held().size(); ++i)
-    if (model.held()[i]) mine[graph.neighbour.size() + id_of(static_cast<int>(i) / dim)] = 1;
-  all = largest_of_list(*s.comm(), mine, WhyWhole{"two numbers per pair of neighbours and block"});
-  std::vector<int> body(blocks);
-  std::iota(body.begin(), body.end(), 0);
-  const auto first_of = [&](int b) {
-    while (body[b] != b) b = body[b] = body[body[b]];
-    return b;
-  };
-  for (std::size_t b = 0; b < blocks; ++b)
-    for (int e = graph.start[b]; e < graph.start[b + 1]; ++e) {
-      if (!all[e]) continue;
-      const int i = first_of(static_cast<int>(b)), j = first_of(graph.neighbour[e]);
-      body[std::max(i, j)] = std::min(i, j);
-    }
-  std::vector<char> held(blocks, 0);
-  for (std::size_t b = 0; b < blocks; ++b)
-    if (all[graph.neighbour.size() + b]) held[first_of(static_cast<int>(b))] = 1;
-  std::vector<int> free(blocks);
-  for (std::size_t b = 0; b < blocks; ++b)
-    free[b] = held[first_of(static_cast<int>(b))] ? -1 : first_of(static_cast<int>(b));
-  return free;
+  return pairs;
+}
+
+/// Lowest number of a block of the same body, per local block; -1 where a support holds the body. Collective.
+std::vector<long long> bodies_of(const Model& model, const std::vector<char>& selected) {
+  const auto& s = model.structure();
+  std::vector<long long> mine;
+  for (int b = 0; b < s.owned_blocks(); ++b) mine.push_back(s.nodes_of(b).id);
+  const auto least = least_of_group(mine, tied_pairs(model, selected), *s.comm());
+  std::map<long long, std::array<double, 1>> holds;
+  for (const auto body : least) holds[body] = {0};
+  const auto held_here = model.components() * static_cast<std::size_t>(s.owned_nodes());
+  for (std::size_t i = 0; i < held_here; ++i)
+    if (model.held()[i]) holds[least[s.block_of_node()[i / model.components()]]] = {1};
+  holds = totals_by_key(holds, *s.comm());
+  std::vector<long long> of_node(s.nodes(), -1), body;
+  for (int n = 0; n < s.owned_nodes(); ++n)
+    if (const auto first = least[s.block_of_node()[n]]; !(holds.at(first)[0] > 0)) of_node[n] = first;
+  s.node_exchange().update(of_node);
+  for (int b = 0; b < s.local_blocks(); ++b) body.push_back(of_node[s.nodes_of(b).first_local]);
+  return body;
 }
 
 }  // namespace
@@ -59,42 +54,51 @@ FreeBodies::FreeBodies(const Model& model, const BlockSystem& mass, const std::v
   VOUSSOIR_EXPECT(is_per_point(model, selected) && "selected: per point");
   VOUSSOIR_EXPECT(mass.nodes() == model.structure().nodes() && "mass: of the structure at rest");
   const auto first = bodies_of(model, selected);
-  std::vector<int> number(first.size(), -1);  // of bodies that begin with a block
-  int count = 0;
-  for (std::size_t b = 0; b < first.size(); ++b)
-    if (first[b] == static_cast<int>(b)) number[b] = count++;
-  for (int b = 0; b < mass.local_blocks(); ++b) {
-    const int body = first[mass.nodes_of(b).id];
-    body_.push_back(body < 0 ? -1 : number[body]);
-  }
-  find_turns(model, count);
-  find_inertia(count);
+  first_block_.assign(first.begin(), first.end());
+  sort_unique(first_block_);
+  if (!first_block_.empty() && first_block_.front() < 0) first_block_.erase(first_block_.begin());
+  for (const auto block : first)
+    body_.push_back(block < 0 ? -1
+                              : static_cast<int>(std::lower_bound(first_block_.begin(), first_block_.end(), block) -
+                                                 first_block_.begin()));
+  find_turns(model);
+  find_inertia();
+}
+
+/// Of all ranks, for the bodies that this rank has a part of. Collective.
+template <std::size_t n>
+std::vector<std::array<double, n>> FreeBodies::totals(const std::vector<std::array<double, n>>& mine) const {
+  std::map<long long, std::array<double, n>> sums;
+  for (std::size_t b = 0; b < mine.size(); ++b) sums[first_block_[b]] = mine[b];
+  std::vector<std::array<double, n>> all;
+  for (const auto& [first, total] : totals_by_key(sums, *mass_.comm())) all.push_back(total);
+  return all;
 }
 
 /// Weights of bodies, and how nodes move when they turn about their mass centres. Collective.
-void FreeBodies::find_turns(const Model& model, int count) {
+void FreeBodies::find_turns(const Model& model) {
   const int dim = mass_.components();
   const auto& of_node = mass_.block_of_node();
   std::vector<double> along(static_cast<std::size_t>(dim) * mass_.nodes(), 0.0), weight;
   for (std::size_t i = 0; i < along.size(); i += dim) along[i] = 1;
   mass_.apply_stiffness(along, weight);
-  std::vector<double> sums(4 * count, 0.0);  // mass and its moments
+  std::vector<std::array<double, 4>> sums(first_block_.size(), std::array<double, 4>{});  // mass and its moments
   const auto arm_of = [&](int n) { return model.structure().place(n) - model.structure().centre(); };
   for (int n = 0; n < mass_.owned_nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
     const auto arm = arm_of(n);
-    sums[4 * b] += weight[dim * n];
-    for (int c = 0; c < dim; ++c) sums[4 * b + 1 + c] += weight[dim * n] * arm[c];
+    sums[b][0] += weight[dim * n];
+    for (int c = 0; c < dim; ++c) sums[b][1 + c] += weight[dim * n] * arm[c];
   }
-  sums = total_of_list(*mass_.comm(), sums, of_bodies);
-  for (int b = 0; b < count; ++b) weight_.push_back(sums[4 * b]);
+  sums = totals(sums);
+  for (const auto& sum : sums) weight_.push_back(sum[0]);
   turn_.assign(turns_, std::vector<double>(along.size(), 0.0));
   for (int n = 0; n < mass_.nodes(); ++n) {
     const int b = body_[of_node[n]];
     if (b < 0) continue;
     auto arm = arm_of(n);
-    for (int c = 0; c < dim; ++c) arm[c] -= sums[4 * b + 1 + c] / sums[4 * b];
+    for (int c = 0; c < dim; ++c) arm[c] -= sums[b][1 + c] / sums[b][0];
     for (int r = 0; r < turns_; ++r) {
       Vector<3> axis{};
       axis[turns_ == 1 ? 2 : r] = 1;
@@ -105,18 +109,20 @@ void FreeBodies::find_turns(const Model& model, int count) {
 }
 
 /// Of bodies against turns about their mass centres. Collective.
-void FreeBodies::find_inertia(int count) {
+void FreeBodies::find_inertia() {
   const int dim = mass_.components();
-  std::vector<double> sums(9 * count, 0.0), momentum;
+  std::vector<std::array<double, 9>> sums(first_block_.size(), std::array<double, 9>{});
+  std::vector<double> momentum;
   for (int r = 0; r < turns_; ++r) {
     mass_.apply_stiffness(turn_[r], momentum);
     for (int i = 0; i < dim * mass_.owned_nodes(); ++i)
       if (const int b = body_[mass_.block_of_node()[i / dim]]; b >= 0)
-        for (int q = 0; q < turns_; ++q) sums[9 * b + 3 * q + r] += turn_[q][i] * momentum[i];
+        for (int q = 0; q < turns_; ++q) sums[b][3 * q + r] += turn_[q][i] * momentum[i];
   }
-  sums = total_of_list(*mass_.comm(), sums, of_bodies);
-  inertia_.resize(count);
-  for (std::size_t k = 0; k < sums.size(); ++k) inertia_[k / 9][k % 9 / 3][k % 3] = sums[k];
+  sums = totals(sums);
+  inertia_.resize(sums.size());
+  for (std::size_t b = 0; b < sums.size(); ++b)
+    for (std::size_t k = 0; k < 9; ++k) inertia_[b][k / 3][k % 3] = sums[b][k];
 }
 
 /// Turns of a body [1/s] that has a moment of momentum.
@@ -132,27 +138,26 @@ Vector<3> FreeBodies::remove_motion(std::vector<double>& velocity) const {
   const auto& of_node = mass_.block_of_node();
   std::vector<double> momentum;
   mass_.apply_stiffness(velocity, momentum);
-  std::vector<double> sums(6 * weight_.size(), 0.0);  // momentum, and its moment about the mass centre
+  std::vector<std::array<double, 6>> sums(weight_.size(), std::array<double, 6>{});  // and moments about mass centres
+  Vector<3> together{};
   for (int i = 0; i < dim * mass_.owned_nodes(); ++i) {
     const int b = body_[of_node[i / dim]];
     if (b < 0) continue;
-    sums[6 * b + i % dim] += momentum[i];
-    for (int r = 0; r < turns_; ++r) sums[6 * b + 3 + r] += turn_[r][i] * momentum[i];
+    sums[b][i % dim] += momentum[i];
+    together[i % dim] += momentum[i];
+    for (int r = 0; r < turns_; ++r) sums[b][3 + r] += turn_[r][i] * momentum[i];
   }
-  sums = total_of_list(*mass_.comm(), sums, of_bodies);
+  sums = totals(sums);
   std::vector<Vector<3>> turns;
   for (std::size_t b = 0; b < weight_.size(); ++b)
-    turns.push_back(turns_of(static_cast<int>(b), {sums[6 * b + 3], sums[6 * b + 4], sums[6 * b + 5]}));
+    turns.push_back(turns_of(static_cast<int>(b), {sums[b][3], sums[b][4], sums[b][5]}));
   for (int i = 0; i < dim * mass_.nodes(); ++i)
     if (const int b = body_[of_node[i / dim]]; b >= 0) {
-      double moved = sums[6 * b + i % dim] / weight_[b];
+      double moved = sums[b][i % dim] / weight_[b];
       for (int r = 0; r < turns_; ++r) moved += turns[b][r] * turn_[r][i];
       velocity[i] -= moved;
     }
-  Vector<3> all{};
-  for (std::size_t b = 0; b < weight_.size(); ++b)
-    for (int c = 0; c < dim; ++c) all[c] += sums[6 * b + c];
-  return all;
+  return total_of_each(*mass_.comm(), together);
 }
 
 }  // namespace voussoir

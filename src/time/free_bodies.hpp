@@ -22,12 +22,16 @@ class FreeBodies {
   Vector<3> remove_motion(std::vector<double>& velocity) const;
 
  private:
-  void find_turns(const Model&, int count);
-  void find_inertia(int count);
+  void find_turns(const Model&);
+  void find_inertia();
+  template <std::size_t n>
+  std::vector<std::array<double, n>> totals(const std::vector<std::array<double, n>>& mine) const;
   Vector<3> turns_of(int body, const Vector<3>& moment) const;
 
   const BlockSystem& mass_;
-  const int turns_;        ///< ways to turn: one in the plane, three in space
+  const int turns_;  ///< ways to turn: one in the plane, three in space
+  /// Of the bodies that this rank has a block of, which all lists of bodies hold in this order: their first block.
+  std::vector<long long> first_block_;
   std::vector<int> body_;  ///< per local block; -1 where a support holds it
   /// [m] velocity of node copies when bodies turn about their mass centres at 1 rad/s, by way to turn
   std::vector<std::vector<double>> turn_;

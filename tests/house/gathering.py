@@ -21,22 +21,18 @@ SMALL = {
     "src/loads/deck.cpp", "src/loads/point_load.cpp", "src/model/patch_groups.cpp", "src/range/input_warnings.cpp",
     "src/range/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/range/space/slip_in_space.cpp", "src/results/acting_loads.cpp", "src/results/mechanism_words.cpp",
     "src/results/observations.cpp", "src/ties/tie_balance.cpp",
+    "src/linalg/shared_warnings.hpp",  # of a mesh
+    "src/results/shares_of_ranks.cpp",  # four numbers of each rank
+    "src/ties/rigid_stones.cpp",  # stones at the borders of ranks, and those that hang on one other
     "src/loads/time_series.cpp",  # a record of the ground
     "src/output/even_rows.cpp", "src/output/result_json.cpp",  # a number of each rank
 }
 WHOLE = {
-    "src/joints/contact_points.cpp": "a count per block while the mesh is read",
-    "src/mesh/block_list.cpp": "meshes of files",
-    "src/mesh/partition.cpp": "the owner of each block",
     "src/range/plane/stone_overlap.cpp": "a box per stone at every step, once stones have moved",
     "src/range/space/overlap_in_space.cpp": "a number per stone at recorded steps, once stones have moved",
     "src/range/space/stone_surfaces.cpp": "surfaces of stones at recorded steps, once stones have moved",
     "src/range/turn_range.cpp": "stones and joints at every step, once stones have moved",
-    "src/results/mesh_rows.cpp": "a count per block, once",
-    "src/results/shares_of_ranks.cpp": "a number per block, once",
     "src/run/rigid_limits.cpp": "stones and points of a limit analysis",
-    "src/ties/rigid_stones.cpp": "two marks per block when stones come or go",
-    "src/time/free_bodies.cpp": "marks per pair of neighbours at every selection in time steps",
 }
 
 

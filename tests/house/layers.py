@@ -36,7 +36,7 @@ SEES = {
 PURE = {"joints/contact_law.hpp", "joints/damage.hpp", "joints/point_freedom.hpp", "joints/softening.hpp"}
 
 # What ranks tell each other: all folders but base may see it.
-RANKS = {"linalg/agree.hpp", "linalg/gather.hpp", "linalg/mpi_handle.hpp", "linalg/reduce.hpp"}
+RANKS = {f"linalg/{name}.hpp" for name in ("agree", "fail_together", "gather", "groups", "mpi_handle", "numbering", "parcels", "reduce", "shared_warnings")}
 
 # Libraries with one owner: each is included by at most one source file and by no header. gmsh meshes drawings and fills
 # stones, two pieces of work with nothing in common: sources that know it are named so.

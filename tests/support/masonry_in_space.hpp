@@ -22,7 +22,7 @@ class MasonryInSpace {
         internals_(std::move(internals)),
         source_(make_source(std::move(stones.list))),
         structure_(
-            *source_, std::vector<int>(ground_.size(), 0), nearly_rigid(),
+            *source_, share_out(*source_, *Tpetra::getDefaultComm()), nearly_rigid(),
             [](const Block<3>&) {
               return Material{young, 0.2, density};
             },

@@ -87,7 +87,8 @@ Structure<3> structure_of(const Block<3>& block, const Material& material, bool 
   list.quadratic = quadratic;
   const auto source = make_source(std::move(list));
   return Structure<3>(
-      *source, {0}, {}, [&](const Block<3>&) { return material; }, Teuchos::rcp(new Teuchos::SerialComm<int>), held);
+      *source, {{0}, {}, {}}, {}, [&](const Block<3>&) { return material; }, Teuchos::rcp(new Teuchos::SerialComm<int>),
+      held);
 }
 
 std::vector<double> solved(const LocalCsr& k, const std::vector<char>& held, const std::vector<double>& force) {

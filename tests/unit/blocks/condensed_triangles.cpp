@@ -49,7 +49,8 @@ Structure<2> structure_of(const Block<2>& block, const Material& material, bool 
   model.thickness = thickness;
   const auto source = make_source(std::move(list));
   return Structure<2>(
-      *source, {0}, model, [&](const Block<2>&) { return material; }, Teuchos::rcp(new Teuchos::SerialComm<int>),
+      *source, {{0}, {}, {}}, model, [&](const Block<2>&) { return material; },
+      Teuchos::rcp(new Teuchos::SerialComm<int>),
       [held](const Block<2>&, const TaggedFacet& f) { return f.set == held; });
 }
 

@@ -55,7 +55,7 @@ inline std::unique_ptr<BlockSource<3>> two_cubes(int n) {
 /// E = 1e9 Pa, nu = 0.2.
 inline Structure<3> structure_of(const BlockSource<3>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   return Structure<3>(
-      source, partition(source.graph(), std::vector<double>(source.block_count(), 1.0), *comm), {},
+      source, share_out(source, *comm), {},
       [](const Block<3>&) {
         return Material{1e9, 0.2, 2000};
       },

@@ -47,9 +47,8 @@ inline std::vector<std::array<int, 2>> rectangle(int i, int j, int nx, int ny) {
 /// E = 1e9 Pa, nu = 0.2, density 2000 kg/m3; blocks divided as the program does.
 inline Structure<2> structure_of(const BlockSource<2>& source, const Teuchos::RCP<const Teuchos::Comm<int>>& comm,
                                  const ModelParameters& model = {}, const Material& material = {1e9, 0.2, 2000}) {
-  const std::vector<double> weight(source.block_count(), 1.0);
   return Structure<2>(
-      source, partition(source.graph(), weight, *comm), model, [material](const Block<2>&) { return material; }, comm);
+      source, share_out(source, *comm), model, [material](const Block<2>&) { return material; }, comm);
 }
 
 /// The same block with each of its quadrilaterals cut into two triangles.

@@ -24,22 +24,25 @@ std::unique_ptr<BlockSource<2>> wall() {
 /// Stones of several kinds.
 Material alternating(const Block<2>& block) { return {1e9 * (1 + block.id % 3), 0.1 * (1 + block.id % 2), 2000}; }
 
+/// The first node of each block, and the total at the end.
+std::vector<NodeId> first_nodes(const BlockSource<2>& source) {
+  std::vector<NodeId> first{0};
+  for (BlockId b = 0; b < source.block_count(); ++b) first.push_back(first.back() + source.node_count(b));
+  return first;
+}
+
 Structure<2> wall_structure(const BlockSource<2>& source, const Comm& comm) {
-  const std::vector<double> weight(source.block_count(), 1.0);
-  return Structure<2>(source, partition(source.graph(), weight, *comm), {Plane::stress, 0.4}, alternating, comm);
+  return Structure<2>(source, share_out(source, *comm), {Plane::stress, 0.4}, alternating, comm);
 }
 
 TEUCHOS_UNIT_TEST(Structure, TheHaloIsEveryNeighbourOfOwnedBlocksAndNothingElse) {
   const auto source = wall();
   const auto s = wall_structure(*source, everyone());
-  const auto& graph = source->graph();
-  std::vector<BlockId> owned;
+  const auto share = share_out(*source, *everyone());
+  const std::vector<BlockId>& owned = share.owned;
   std::set<BlockId> halo;
-  for (BlockId b = 0; b < source->block_count(); ++b)
-    if (s.owner_of_block()[b] == everyone()->getRank()) {
-      owned.push_back(b);
-      halo.insert(graph.neighbour.begin() + graph.start[b], graph.neighbour.begin() + graph.start[b + 1]);
-    }
+  for (const BlockId b : owned)
+    for (const auto& beside : source->neighbours(b)) halo.insert(beside.block);
   for (BlockId b : owned) halo.erase(b);
   std::vector<BlockId> ids, expected = owned;
   expected.insert(expected.end(), halo.begin(), halo.end());

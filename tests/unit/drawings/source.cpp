@@ -22,13 +22,14 @@ std::string file_with(const std::string& name, const std::string& text) {
   return path;
 }
 
-TEUCHOS_UNIT_TEST(DrawingSource, EveryRankHasTheBlocksOfTheFirst) {
+TEUCHOS_UNIT_TEST(DrawingSource, EveryRankIsBroughtTheBlocksOfTheFirst) {
   auto p = asked(0, 0.5);
   p.file = file_with("two.csv", "stone,x,y\na,0,0\na,1,0\na,1,1\na,0,1\nb,1,0\nb,2,0\nb,2,1\nb,1,1\n");
   const auto source = read_drawn_blocks(p, *Tpetra::getDefaultComm());
   TEST_EQUALITY(source->block_count(), 2);
+  source->bring({0, 1}, *Tpetra::getDefaultComm());
   TEST_EQUALITY(source->block(1).position.size(), 9u);
-  TEST_EQUALITY(source->graph().shared_vertices.at(0), 3);
+  TEST_EQUALITY(graph_of(*source).shared_vertices.at(0), 3);
   TEST_EQUALITY(source->report().back(), "2 stones of quadrilaterals, 0 of triangles: 18 nodes, 8 cells");
   TEST_EQUALITY(source->picture().empty(), Tpetra::getDefaultComm()->getRank() != 0);
 }

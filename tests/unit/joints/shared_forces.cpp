@@ -174,7 +174,7 @@ struct ThreeInSpace {
   explicit ThreeInSpace(const Comm& comm)
       : source(make_wall_in_space(stones())),
         structure(
-            *source, std::vector<int>(3, 0), {},
+            *source, share_of_owners(*source, {0, 0, 0}, comm->getRank()), {},
             [](const Block<3>&) {
               return Material{1e9, 0.2, 2000};
             },

@@ -68,9 +68,8 @@ TEUCHOS_UNIT_TEST(InertiaForce, IsMassTimesAccelerationAndIsAdded) {
 
 TEUCHOS_UNIT_TEST(InertiaForce, KnowsTheDensityOfEachBlock) {
   const auto source = wall();
-  const std::vector<double> weight(source->block_count(), 1.0);
   const Structure<2> s(
-      *source, partition(source->graph(), weight, *everyone()), {Plane::stress, thickness},
+      *source, share_out(*source, *everyone()), {Plane::stress, thickness},
       [](const Block<2>& b) {
         return Material{1e9, 0.2, b.id < 4 ? 3000.0 : 1000.0};
       },

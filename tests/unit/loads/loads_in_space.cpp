@@ -38,9 +38,8 @@ struct Wall {
     return p;
   }
   static Structure<3> structure_of(const BlockSource<3>& source) {
-    const std::vector<double> weight(source.block_count(), 1.0);
     return Structure<3>(
-        source, partition(source.graph(), weight, *everyone()), {},
+        source, share_out(source, *everyone()), {},
         [](const Block<3>&) {
           return Material{1e9, 0.2, density};
         },

@@ -108,10 +108,11 @@ TEUCHOS_UNIT_TEST(Wall, AMillionBlocksAreCountedWithoutBuildingThem) {
   const auto source = make_wall(wall(1000, 1000));
   TEST_EQUALITY(source->block_count(), 1000500);
   TEST_EQUALITY(source->block(1000499).name, "block 1000499 (course 999, stone 1000)");
-  TEST_EQUALITY(source->graph().start.size(), 1000501u);
+  const auto graph = graph_of(*source);
+  TEST_EQUALITY(graph.start.size(), 1000501u);
   // n blocks and n + 1 blocks in turn: 500 (n - 1) + 500 n head joints, and 2 n bed joints between any two courses,
   // each seen from both sides.
-  TEST_EQUALITY(source->graph().neighbour.size(), 2u * (500 * 999 + 500 * 1000 + 999 * 2000));
+  TEST_EQUALITY(graph.neighbour.size(), 2u * (500 * 999 + 500 * 1000 + 999 * 2000));
 }
 
 TEUCHOS_UNIT_TEST(Arch, CoincidentNodesShareVerticesAndTheGraphCountsThem) {

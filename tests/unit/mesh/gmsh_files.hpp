@@ -5,6 +5,7 @@
 #include <Tpetra_Core.hpp>
 #include <fstream>
 #include <memory>
+#include <numeric>
 #include <string>
 
 #include "mesh/gmsh_reader.hpp"
@@ -16,7 +17,11 @@ namespace voussoir::test {
 inline const std::string geo_folder = repository("/tests/unit/mesh/geo/");
 
 inline std::unique_ptr<BlockSource<2>> read(const GmshParameters& p, Trust trust = Trust::no) {
-  return read_gmsh(p, *Tpetra::getDefaultComm(), trust);
+  auto source = read_gmsh(p, *Tpetra::getDefaultComm(), trust);
+  std::vector<BlockId> all(source->block_count());
+  std::iota(all.begin(), all.end(), 0);
+  source->bring(all, *Tpetra::getDefaultComm());  // every test looks at all blocks on every rank
+  return source;
 }
 
 inline GmshParameters geo(const std::string& name) {

@@ -23,7 +23,7 @@ TEUCHOS_UNIT_TEST(Gmsh, SurfacesBecomeBlocksInTheOrderOfTheirTags) {
   TEST_EQUALITY(source->block(0).name, "surface 4 (group 7, both)");
   TEST_EQUALITY(source->block(1).name, "surface 17 (west, both)");
   // The shared curve of 1 m in elements of 0.5 m has three nodes.
-  TEST_ASSERT(source->graph().shared_vertices == (std::vector<int>{3, 3}));
+  TEST_ASSERT(graph_of(*source).shared_vertices == (std::vector<int>{3, 3}));
 }
 
 TEUCHOS_UNIT_TEST(Gmsh, PhysicalGroupsBecomeSetsAndAnInnerCurveBelongsToBothBlocks) {
@@ -45,7 +45,7 @@ TEUCHOS_UNIT_TEST(Gmsh, NumbersOfTheSceneReachTheFileAndDoNotOutliveIt) {
   p.geometry["width"] = 2.5;
   const auto finer = read(p);
   TEST_FLOATING_EQUALITY(width_of(finer->block(1)), 2.5, 1e-15);
-  TEST_EQUALITY(finer->graph().shared_vertices[0], 9);
+  TEST_EQUALITY(graph_of(*finer).shared_vertices[0], 9);
   const auto again = read(geo("two_stones.geo"));
   TEST_EQUALITY(again->node_count(1), as_written->node_count(1));
   TEST_FLOATING_EQUALITY(width_of(again->block(1)), 1.0, 1e-15);
@@ -64,7 +64,7 @@ TEUCHOS_UNIT_TEST(Gmsh, StonesMeshedApartShareVerticesWhereTheirNodesCoincide) {
   // The beds are 1e-11 m apart at one end, edges are 0.14 m: 7e-11 of an edge, below one millionth.
   const auto source = read(geo("meshed_apart.geo"));
   check_source(*source, out, success);
-  TEST_ASSERT(source->graph().shared_vertices == (std::vector<int>{6, 6}));
+  TEST_ASSERT(graph_of(*source).shared_vertices == (std::vector<int>{6, 6}));
   TEST_EQUALITY(facet_midpoints(*source, "bed").size(),
                 10u);  // tagged on one of two coincident curves: both blocks have it
 }

@@ -59,7 +59,7 @@ TEUCHOS_UNIT_TEST(Units, TheElementSizeStaysInMetres) {
   p.unit = 0.3048;
   p.element_size = 0.3048 / 8;
   const auto in_feet = read(p);
-  TEST_EQUALITY(in_feet->graph().shared_vertices[0], 9);  // eight cells along a joint of a foot
+  TEST_EQUALITY(graph_of(*in_feet).shared_vertices[0], 9);  // eight cells along a joint of a foot
   p.unit = 1;
   p.element_size = 1.0 / 8;
   TEST_EQUALITY(in_feet->node_count(0), read(p)->node_count(0));

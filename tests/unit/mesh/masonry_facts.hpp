@@ -130,7 +130,7 @@ inline void check_source(const BlockSource<3>& source, Teuchos::FancyOStream& ou
       TEST_ASSERT(facet.count == 4 && facet.set >= 0 && facet.set < int(source.facet_sets().size()));
   }
   TEST_EQUALITY(places.size(), place.size());
-  const auto& graph = source.graph();
+  const auto graph = graph_of(source);
   std::size_t entry = 0;
   for (BlockId a = 0; a < source.block_count(); ++a) {
     for (BlockId b = 0; b < source.block_count(); ++b) {

@@ -47,7 +47,7 @@ struct Sketch {
 
 std::string fault(BlockList<2> list) {
   const auto source = make_source(std::move(list));
-  return input_error([&] { check_blocks(*source, {"ground"}); });
+  return input_error([&] { check_blocks(*source, {"ground"}, *Tpetra::getDefaultComm()); });
 }
 std::string fault(const Sketch& sketch) { return fault(sketch.blocks()); }
 
@@ -63,10 +63,16 @@ TEUCHOS_UNIT_TEST(MeshCheck, LeavesGoodMeshesAlone) {
   ArchParameters arch;
   arch.pier_height = 2;
   arch.voussoirs = 9;
-  TEST_EQUALITY(input_error([&] { check_blocks(*make_wall(wall), {"base"}); }), "");
-  TEST_EQUALITY(input_error([&] { check_blocks(*make_arch(arch), {"springing left", "springing right"}); }), "");
+  TEST_EQUALITY(input_error([&] { check_blocks(*make_wall(wall), {"base"}, *Tpetra::getDefaultComm()); }), "");
+  TEST_EQUALITY(input_error([&] {
+                  check_blocks(*make_arch(arch), {"springing left", "springing right"}, *Tpetra::getDefaultComm());
+                }),
+                "");
   arch.cells = CellType::triangle;
-  TEST_EQUALITY(input_error([&] { check_blocks(*make_arch(arch), {"springing left", "springing right"}); }), "");
+  TEST_EQUALITY(input_error([&] {
+                  check_blocks(*make_arch(arch), {"springing left", "springing right"}, *Tpetra::getDefaultComm());
+                }),
+                "");
 }
 
 TEUCHOS_UNIT_TEST(MeshCheck, LeavesOpenJointsAndWedgesAlone) {
@@ -232,7 +238,7 @@ TEUCHOS_UNIT_TEST(MeshCheck, StonesThatHoldOnlyEachOther) {
             "mesh: surface 3 (stones) and 1 more block joined to it have no support");
   WallParameters wall;
   wall.openings["slot"] = {-1, 9, 0.25, 0.5};  // all of course 1
-  TEST_SAYS(input_error([&] { check_supports(*make_wall(wall), {"base"}); }),
+  TEST_SAYS(input_error([&] { check_supports(*make_wall(wall), {"base"}, *Tpetra::getDefaultComm()); }),
             "mesh: block 8 (course 2, stone 0) and 50 more blocks joined to it have no support");
 }
 
@@ -242,7 +248,7 @@ TEUCHOS_UNIT_TEST(MeshCheck, AStoneThatStandsOnAPoint) {
 
 TEUCHOS_UNIT_TEST(MeshCheck, WithoutAnySupportedSetNothingNeedsSupport) {
   const auto source = make_source(two_stones().stone(3, 1, 4, 2, 2, 2).blocks());
-  TEST_EQUALITY(input_error([&] { check_blocks(*source, {}); }), "");
+  TEST_EQUALITY(input_error([&] { check_blocks(*source, {}, *Tpetra::getDefaultComm()); }), "");
 }
 
 TEUCHOS_UNIT_TEST(MeshCheck, EveryRankThrowsTheSame) {

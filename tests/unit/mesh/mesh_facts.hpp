@@ -19,12 +19,10 @@ inline void check_source(const BlockSource<2>& source, Teuchos::FancyOStream& ou
   std::map<VertexId, Vector<2>> position;
   std::set<Vector<2>> places;
   std::vector<std::set<VertexId>> vertices;
-  const std::vector<NodeId> first = first_nodes(source);
   for (BlockId b = 0; b < source.block_count(); ++b) {
     const Block<2> block = source.block(b);
     TEST_EQUALITY(block.id, b);
     TEST_EQUALITY(int(block.position.size()), source.node_count(b));
-    TEST_EQUALITY(first[b + 1] - first[b], NodeId(block.position.size()));
     TEST_EQUALITY(block.vertex.size(), block.position.size());
     vertices.emplace_back(block.vertex.begin(), block.vertex.end());
     TEST_EQUALITY(vertices.back().size(), block.vertex.size());
@@ -44,7 +42,7 @@ inline void check_source(const BlockSource<2>& source, Teuchos::FancyOStream& ou
   }
   TEST_EQUALITY(places.size(), position.size());
 
-  const BlockGraph& graph = source.graph();
+  const BlockGraph graph = graph_of(source);
   TEST_EQUALITY(int(graph.start.size()), source.block_count() + 1);
   std::size_t entry = 0;
   for (BlockId a = 0; a < source.block_count(); ++a) {

@@ -42,14 +42,14 @@ std::vector<Line> squares(int group_below, int entity_below, int group_above, in
 }
 
 std::string fault(const GmshParameters& p) {
-  return input_error([&] { check_blocks(*read(p), {}); });
+  return input_error([&] { check_blocks(*read(p), {}, *Tpetra::getDefaultComm()); });
 }
 
 TEUCHOS_UNIT_TEST(MshFormats, StonesWithSurfacesOfTheirOwnAreRead) {
   const auto source = read(format_2("own.msh", squares(1, 1, 2, 2)));
   check_source(*source, out, success);
   TEST_EQUALITY(source->block(1).name, "surface 2 (stone)");
-  TEST_ASSERT(source->graph().shared_vertices == (std::vector<int>{2, 2}));
+  TEST_ASSERT(graph_of(*source).shared_vertices == (std::vector<int>{2, 2}));
 }
 
 TEUCHOS_UNIT_TEST(MshFormats, StonesOfTwoGroupsThatNameOneSurfaceAreRefused) {

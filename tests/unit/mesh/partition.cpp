@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "linalg/gather.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/partition_quality.hpp"
 
@@ -66,30 +67,50 @@ int shared_vertices_cut(const BlockGraph& graph, const std::vector<int>& rank_of
   return cut / 2;
 }
 
+/// From what each rank would say.
+PartitionQuality quality_of(const BlockGraph& graph, const std::vector<int>& owner, const std::vector<double>& work,
+                            int ranks) {
+  std::vector<RankShare> shares(ranks);
+  std::vector<std::set<int>> beside(ranks);
+  for (std::size_t b = 0; b < owner.size(); ++b) {
+    auto& share = shares[owner[b]];
+    share.work += work[b];
+    for (int k = graph.start[b]; k < graph.start[b + 1]; ++k) {
+      const int other = owner[graph.neighbour[k]];
+      share.vertices += graph.shared_vertices[k];
+      if (other == owner[b]) continue;
+      share.cut += graph.shared_vertices[k];
+      beside[owner[b]].insert(other);
+    }
+  }
+  for (int rank = 0; rank < ranks; ++rank) shares[rank].neighbours = static_cast<int>(beside[rank].size());
+  return partition_quality(shares);
+}
+
 TEUCHOS_UNIT_TEST(Partition, OneRankOwnsEverything) {
   const Work work = wall(4, 4);
-  const std::vector<int> ranks = partition(work.source->graph(), work.weights, 1);
+  const std::vector<int> ranks = partition(graph_of(*work.source), work.weights, 1);
   TEST_ASSERT(ranks == std::vector<int>(18, 0));
 }
 
 TEUCHOS_UNIT_TEST(Partition, FewRanksGetConnectedPartsOfEqualWork) {
   const Work work = wall(16, 16);
   for (const int ranks : {2, 3, 4}) {
-    const std::vector<int> rank_of_block = partition(work.source->graph(), work.weights, ranks);
-    TEST_EQUALITY(pieces(work.source->graph(), rank_of_block), ranks);
+    const std::vector<int> rank_of_block = partition(graph_of(*work.source), work.weights, ranks);
+    TEST_EQUALITY(pieces(graph_of(*work.source), rank_of_block), ranks);
     // METIS allows 3 %; one block of 264 among 4 ranks is another 1.5 %.
     TEST_COMPARE(imbalance(rank_of_block, work.weights, ranks), <=, 1.05);
-    TEST_ASSERT(rank_of_block == partition(work.source->graph(), work.weights, ranks));
+    TEST_ASSERT(rank_of_block == partition(graph_of(*work.source), work.weights, ranks));
   }
 }
 
 TEUCHOS_UNIT_TEST(Partition, ItsQualityIsCutImbalanceAndNeighbours) {
   const Work work = wall(16, 16);
-  const auto& graph = work.source->graph();
+  const auto graph = graph_of(*work.source);
   const int all = std::accumulate(graph.shared_vertices.begin(), graph.shared_vertices.end(), 0) / 2;
   for (const int ranks : {1, 2, 4}) {
     const std::vector<int> rank_of_block = partition(graph, work.weights, ranks);
-    const auto quality = partition_quality(graph, rank_of_block, work.weights, ranks);
+    const auto quality = quality_of(graph, rank_of_block, work.weights, ranks);
     TEST_FLOATING_EQUALITY(quality.cut + 1, 1 + shared_vertices_cut(graph, rank_of_block) / double(all), 1e-12);
     TEST_FLOATING_EQUALITY(quality.imbalance, imbalance(rank_of_block, work.weights, ranks), 1e-12);
     if (ranks < 4) TEST_EQUALITY(quality.neighbours, ranks - 1);
@@ -97,7 +118,7 @@ TEUCHOS_UNIT_TEST(Partition, ItsQualityIsCutImbalanceAndNeighbours) {
   // Courses dealt out by hand: the middle ranks have two neighbours, and the last has twice the blocks.
   std::vector<int> by_course(264);
   for (int b = 0; b < 264; ++b) by_course[b] = std::min(b / 33, 6);
-  const auto quality = partition_quality(graph, by_course, std::vector<double>(264, 1.0), 7);
+  const auto quality = quality_of(graph, by_course, std::vector<double>(264, 1.0), 7);
   TEST_EQUALITY(quality.neighbours, 2);
   TEST_FLOATING_EQUALITY(quality.mean_neighbours, 12.0 / 7, 1e-12);
   TEST_FLOATING_EQUALITY(quality.imbalance, 66 * 7 / 264.0, 1e-12);
@@ -107,8 +128,8 @@ TEUCHOS_UNIT_TEST(Partition, CutsAcrossTheShortSideOfALongWall) {
   // Four courses of sixteen blocks: an upright cut severs two head joints and the bed joints of about three blocks,
   // at most 4 x 3 + 3 x 3 = 21 shared vertices; a level one sixteen blocks, 16 x 2 x 3 = 96.
   const Work work = wall(4, 16);
-  const std::vector<int> rank_of_block = partition(work.source->graph(), work.weights, 2);
-  TEST_COMPARE(shared_vertices_cut(work.source->graph(), rank_of_block), <=, 24);
+  const std::vector<int> rank_of_block = partition(graph_of(*work.source), work.weights, 2);
+  TEST_COMPARE(shared_vertices_cut(graph_of(*work.source), rank_of_block), <=, 24);
 }
 
 TEUCHOS_UNIT_TEST(Partition, HeavyBlocksAreSpread) {
@@ -117,14 +138,14 @@ TEUCHOS_UNIT_TEST(Partition, HeavyBlocksAreSpread) {
   const auto arch = make_arch(p);
   std::vector<double> weights(10, 1e12);  // far above what 32 bits count
   weights[0] = 9e12;
-  const std::vector<int> rank_of_block = partition(arch->graph(), weights, 2);
+  const std::vector<int> rank_of_block = partition(graph_of(*arch), weights, 2);
   TEST_COMPARE(imbalance(rank_of_block, weights, 2), <=, 1.12);  // 9 : 9, or 10 : 8 by one block
 }
 
 TEUCHOS_UNIT_TEST(Partition, EveryRankHasABlockWhenThereAreJustEnough) {
   const Work work = wall(2, 3);  // 7 blocks
   for (int ranks = 2; ranks <= 7; ++ranks) {
-    const std::vector<int> rank_of_block = partition(work.source->graph(), work.weights, ranks);
+    const std::vector<int> rank_of_block = partition(graph_of(*work.source), work.weights, ranks);
     TEST_EQUALITY(int(std::set<int>(rank_of_block.begin(), rank_of_block.end()).size()), ranks);
   }
 }
@@ -136,7 +157,7 @@ TEUCHOS_UNIT_TEST(Partition, OneBlockHeavierThanAllOthersStillLeavesABlockForEve
   const auto arch = make_arch(p);
   std::vector<double> weights(107, 30.0);
   weights[0] *= 50;
-  const std::vector<int> rank_of_block = partition(arch->graph(), weights, 6);
+  const std::vector<int> rank_of_block = partition(graph_of(*arch), weights, 6);
   TEST_EQUALITY(int(std::set<int>(rank_of_block.begin(), rank_of_block.end()).size()), 6);
 }
 
@@ -158,7 +179,7 @@ TEUCHOS_UNIT_TEST(Partition, CutsJointsWithFewSharedVertices) {
 
 TEUCHOS_UNIT_TEST(Partition, MoreRanksThanBlocksLeavesTheLastEmpty) {
   const Work work = wall(1, 3);
-  TEST_ASSERT((partition(work.source->graph(), work.weights, 5) == std::vector<int>{0, 1, 2}));
+  TEST_ASSERT((partition(graph_of(*work.source), work.weights, 5) == std::vector<int>{0, 1, 2}));
 }
 
 TEUCHOS_UNIT_TEST(Partition, BlocksThatDoNotTouchAreDividedByNumber) {
@@ -168,11 +189,49 @@ TEUCHOS_UNIT_TEST(Partition, BlocksThatDoNotTouchAreDividedByNumber) {
   TEST_ASSERT((partition(graph, {9, 1, 1, 1, 1, 1}, 3) == std::vector<int>{0, 1, 1, 1, 2, 2}));
 }
 
-TEUCHOS_UNIT_TEST(Partition, AllRanksGetTheSameAnswer) {
+/// Of the blocks that each rank reads, divided by all; and of all blocks, as the first rank divides them.
+struct Divided {
+  std::vector<int> together, by_first;
+};
+
+Divided divided(const Work& work, const PartitionSettings& settings) {
   const auto comm = Tpetra::getDefaultComm();
-  const Work work = wall(5, 5);
-  TEST_ASSERT(partition(work.source->graph(), work.weights, *comm) ==
-              partition(work.source->graph(), work.weights, comm->getSize()));
+  const auto read = work.source->read_by(comm->getRank(), comm->getSize());
+  const auto mine =
+      partition(graph_of(*work.source, read), {work.weights.begin() + read.from, work.weights.begin() + read.to},
+                work.source->block_count(), *comm, settings);
+  return {all_gather(mine, *comm, WhyWhole{"a test"}),
+          partition(graph_of(*work.source), work.weights, comm->getSize())};
+}
+
+TEUCHOS_UNIT_TEST(Partition, TheFirstRankDividesForAll) {
+  const auto found = divided(wall(5, 5), {});
+  TEST_ASSERT(found.together == found.by_first);
+}
+
+TEUCHOS_UNIT_TEST(Partition, AllRanksDivideWhatIsTooMuchForOne) {
+  const int ranks = Tpetra::getDefaultComm()->getSize();
+  const Work work = wall(40, 40);
+  PartitionSettings settings;
+  settings.most_on_first = 0;
+  const auto found = divided(work, settings);
+  const auto graph = graph_of(*work.source);
+  TEST_EQUALITY(int(std::set<int>(found.together.begin(), found.together.end()).size()), ranks);
+  TEST_COMPARE(imbalance(found.together, work.weights, ranks), <=, 1.1);
+  const int cut = shared_vertices_cut(graph, found.together), least = shared_vertices_cut(graph, found.by_first);
+  out << "vertices cut " << cut << ", by the first rank " << least << "\n";
+  TEST_COMPARE(cut, <=, 2 * least);
+  if (ranks > 1) TEST_ASSERT(cut > 0);
+  TEST_ASSERT(found.together == divided(work, settings).together);
+}
+
+TEUCHOS_UNIT_TEST(Partition, NoRankIsLeftWithoutBlocksByAll) {
+  PartitionSettings settings;
+  settings.most_on_first = 0;
+  for (const int stones : {4, 5, 9}) {
+    const auto owners = divided(wall(1, stones), settings).together;
+    TEST_EQUALITY(int(std::set<int>(owners.begin(), owners.end()).size()), Tpetra::getDefaultComm()->getSize());
+  }
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void check(const WallInSpaceParameters& p, Teuchos::FancyOStream& out, bool& suc
   TEST_FLOATING_EQUALITY(
       whole, p.blocks_per_course * p.block_length * p.thickness * (p.courses * p.block_height + p.ground_height),
       1e-13);
-  const auto& graph = source->graph();
+  const auto graph = graph_of(*source);
   std::size_t entry = 0;
   for (BlockId a = 0; a < source->block_count(); ++a) {
     for (BlockId b = 0; b < source->block_count(); ++b) {

@@ -10,6 +10,7 @@
 
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
+#include "mesh/generators.hpp"
 #include "nonlinear/residuals.hpp"
 #include "nonlinear/stuck_stones.hpp"
 #include "support/tied_wall.hpp"
@@ -118,8 +119,12 @@ TEUCHOS_UNIT_TEST(StuckStones, APatchThatIsTooLargeIsNotTried) {
 
 /// The rank that owns most of the stones within two joints of one, or -1 where no rank owns three more than any other.
 int owner_of_most(const WallAtRest& w, BlockId stone) {
-  const auto& graph = w.wall.model().graph();
-  const auto& owner = w.wall.model().structure().owner_of_block();
+  const auto source = make_wall(w.wall.scene().mesh.wall);
+  const auto graph = graph_of(*source);
+  const auto& s = w.wall.model().structure();
+  std::vector<int> mine(s.total_blocks(), 0), owner(mine);
+  for (int b = 0; b < s.owned_blocks(); ++b) mine[s.nodes_of(b).id] = s.comm()->getRank();
+  Teuchos::reduceAll(*s.comm(), Teuchos::REDUCE_SUM, s.total_blocks(), mine.data(), owner.data());
   std::set<BlockId> near{stone};
   for (int ring = 0; ring < 2; ++ring)
     for (const BlockId b : std::set<BlockId>(near))

@@ -50,24 +50,21 @@ class MeetingStones : public BlockSource<2> {
     BlockList<2> list;
     for (const auto& s : stones) list.blocks.push_back(block_of(static_cast<BlockId>(list.blocks.size()), s));
     listed_ = make_source<2>(std::move(list));
-    graph_.start = {0};
-    for (BlockId b = 0; b < block_count(); ++b) {
-      for (BlockId other = 0; other < block_count(); ++other)
-        if (other != b) graph_.neighbour.push_back(other);
-      graph_.start.push_back(static_cast<int>(graph_.neighbour.size()));
-    }
-    graph_.shared_vertices.assign(graph_.neighbour.size(), 1);
   }
   BlockId block_count() const override { return listed_->block_count(); }
   int node_count(BlockId b) const override { return listed_->node_count(b); }
   Block<2> block(BlockId b) const override { return listed_->block(b); }
-  const BlockGraph& graph() const override { return graph_; }
+  std::vector<Neighbour> neighbours(BlockId b) const override {
+    std::vector<Neighbour> all;
+    for (BlockId other = 0; other < block_count(); ++other)
+      if (other != b) all.push_back({other, 1});
+    return all;
+  }
   const std::vector<std::string>& block_sets() const override { return listed_->block_sets(); }
   const std::vector<std::string>& facet_sets() const override { return listed_->facet_sets(); }
 
  private:
   std::unique_ptr<BlockSource<2>> listed_;
-  BlockGraph graph_;
 };
 
 inline std::vector<int> dealt_out(int blocks, const Teuchos::Comm<int>& comm) {
@@ -95,7 +92,7 @@ struct PressedStones {
         way(slid),
         source(stones),
         structure(
-            source, dealt_out(source.block_count(), *comm), {},
+            source, share_of_owners(source, dealt_out(source.block_count(), *comm), comm->getRank()), {},
             [](const Block<2>&) {
               return Material{young, poisson, 2000};
             },

@@ -6,6 +6,7 @@
 #include "range/joint_sides.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_Core.hpp>
 
 #include "base/error.hpp"
 #include "mesh/block_list.hpp"
@@ -87,13 +88,13 @@ TEUCHOS_UNIT_TEST(JointSides, APressureOnBothSidesIsToldAndATractionRefused) {
   const auto said = warnings_of_sides(scene, *source);
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "pressure_on_both_sides");
-  check_sides(scene, *source);
+  check_sides(scene, *source, *Tpetra::getDefaultComm());
   auto& traction = std::get<TractionParameters>(scene.loads.back().kind);
   traction.pressure = 0;
   traction.tx = 1000;
-  TEST_THROW(check_sides(scene, *source), InputError);
+  TEST_THROW(check_sides(scene, *source, *Tpetra::getDefaultComm()), InputError);
   traction.blocks = "stones left";
-  check_sides(scene, *source);
+  check_sides(scene, *source, *Tpetra::getDefaultComm());
   TEST_ASSERT(warnings_of_sides(scene, *source).empty());
 }
 
@@ -154,7 +155,7 @@ TEUCHOS_UNIT_TEST(JointSides, InSpaceAreThoseOfASurface) {
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "pressure_on_both_sides");
   std::get<TractionParameters>(scene.loads.back().kind).tz = 1000;
-  TEST_THROW(check_sides(scene, *source), InputError);
+  TEST_THROW(check_sides(scene, *source, *Tpetra::getDefaultComm()), InputError);
 }
 
 TEUCHOS_UNIT_TEST(JointSides, InSpaceAreReachedByALoadThatActsThere) {
@@ -176,13 +177,13 @@ TEUCHOS_UNIT_TEST(JointSides, InSpaceAreReachedByALoadThatActsThere) {
   CrowdParameters crowd;  // nobody stands on an upright face
   crowd.x_from = -9, crowd.x_to = 9;
   said(crowd);
-  check_sides(scene, *source);
+  check_sides(scene, *source, *Tpetra::getDefaultComm());
 }
 
 TEUCHOS_UNIT_TEST(JointSides, ASideWithoutFacetsIsRefused) {
   const auto source = two_squares();
-  TEST_THROW(check_sides(held("end", "stones left"), *source), InputError);
-  check_sides(held("end", "stones"), *source);
+  TEST_THROW(check_sides(held("end", "stones left"), *source, *Tpetra::getDefaultComm()), InputError);
+  check_sides(held("end", "stones"), *source, *Tpetra::getDefaultComm());
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
   TEST_EQUALITY(read->block_count(), 3);
   TEST_ASSERT(!read->report().empty());
   TEST_ASSERT((read->block_sets() == std::vector<std::string>{"L", "inner", "below"}));
+  read->bring({0, 1, 2}, *comm);
   double sum = 0;
   for (BlockId b = 0; b < 3; ++b) {
     const auto block = read->block(b);
@@ -46,7 +47,7 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
       sum += static_cast<double>(block.vertex[n]) + block.position[n][0];
   }
   TEST_EQUALITY(largest_over_ranks(*comm, sum), least_over_ranks(*comm, sum));
-  TEST_EQUALITY(read->graph().neighbour.size(), 6u);
+  TEST_EQUALITY(graph_of(*read).neighbour.size(), 6u);
 }
 
 TEUCHOS_UNIT_TEST(StoneSource, RefusesOnEveryRank) {

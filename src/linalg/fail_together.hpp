@@ -1,0 +1,41 @@
+// The end of a rank that fails alone.
+#pragma once
+
+#include <Teuchos_Comm.hpp>
+#include <exception>
+#include <iostream>
+
+#include "base/error.hpp"
+#include "linalg/mpi_handle.hpp"
+
+namespace voussoir {
+
+/// Says that memory is short. With several ranks all of them end here, since the others wait for this one.
+inline void end_out_of_memory(const Teuchos::Comm<int>& comm) {
+  std::cerr << out_of_memory_message << "\n" << std::flush;
+  if (comm.getSize() > 1) MPI_Abort(mpi_handle(comm), exit_resource);
+}
+
+/// Does work while things are held that all ranks let go together, such as open files. What all ranks throw alike
+/// passes through. An exception of this rank alone must not: what is let go on its way out would wait for the others,
+/// which wait for this rank elsewhere. So with several ranks the program ends where it is caught.
+template <class Work>
+auto fail_together(const Teuchos::Comm<int>& comm, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const ConvergenceError&) {
+    throw;
+  } catch (const ResourceError&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (comm.getSize() == 1) throw;
+    if (is_out_of_memory(error)) end_out_of_memory(comm);
+    std::cerr << error.what() << "\n" << std::flush;
+    MPI_Abort(mpi_handle(comm), 1);
+    throw;
+  }
+}
+
+}  // namespace voussoir
