@@ -21,6 +21,8 @@ SMALL = {
     "src/loads/deck.cpp", "src/loads/point_load.cpp", "src/model/patch_groups.cpp", "src/range/input_warnings.cpp",
     "src/range/coarse_joints.cpp", "src/range/plane/slip_range.cpp", "src/range/space/slip_in_space.cpp", "src/results/acting_loads.cpp", "src/results/mechanism_words.cpp",
     "src/results/observations.cpp", "src/ties/tie_balance.cpp",
+    "src/range/boxes_of_ranks.hpp",  # a box of each rank
+    "src/range/plane/stone_overlap.cpp", "src/range/space/overlap_in_space.cpp",  # stones that lie in each other
     "src/linalg/shared_warnings.hpp",  # of a mesh
     "src/results/shares_of_ranks.cpp",  # four numbers of each rank
     "src/ties/rigid_stones.cpp",  # stones at the borders of ranks, and those that hang on one other
@@ -28,9 +30,6 @@ SMALL = {
     "src/output/even_rows.cpp", "src/output/result_json.cpp",  # a number of each rank
 }
 WHOLE = {
-    "src/range/plane/stone_overlap.cpp": "a box per stone at every step, once stones have moved",
-    "src/range/space/overlap_in_space.cpp": "a number per stone at recorded steps, once stones have moved",
-    "src/range/space/stone_surfaces.cpp": "surfaces of stones at recorded steps, once stones have moved",
     "src/range/turn_range.cpp": "stones and joints at every step, once stones have moved",
     "src/run/rigid_limits.cpp": "stones and points of a limit analysis",
 }

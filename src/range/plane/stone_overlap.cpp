@@ -6,12 +6,15 @@
 #include <tuple>
 
 #include "base/check.hpp"
+#include "base/sort_unique.hpp"
 #include "base/text.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "linalg/gather.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/box_tree.hpp"
 #include "model/plane/plane_model.hpp"
+#include "range/boxes_of_ranks.hpp"
 #include "range/plane/stone_places.hpp"
 #include "range/range_parameters.hpp"
 
@@ -25,6 +28,7 @@ constexpr double well_inside = 1e-3;
 /// Where a stone is and how it has moved: what tells quickly that two of them cannot overlap.
 struct StoneBox {
   BlockId block;
+  int owner;
   Box<2> place, motion;  ///< [m] of its nodes: where they are, how they have moved
   double side;           ///< [m] the shortest of its cells
   double swollen;        ///< [m] by which a small rotation makes it larger than it is
@@ -50,7 +54,7 @@ double tolerance(const StoneBox& a, const StoneBox& b, double share) {
 }
 
 Box<2> motions_here(const PlaneModel& model, const StepEnd& end) {
-  Box<2> all{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  auto all = empty_box<2>();
   const auto& u = end.state.displacement;
   for (int n = 0; n < model.structure().owned_nodes(); ++n)
     all.add({{u[2 * n], u[2 * n + 1]}, {u[2 * n], u[2 * n + 1]}});
@@ -74,8 +78,7 @@ std::vector<StoneBox> boxes_here(const PlaneModel& model, const StepEnd& end,
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!end.absent.empty() && end.absent[b]) continue;
     const auto& block = s.blocks()[b];
-    StoneBox box{block.mesh.id, {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}}, {}, 0, 0};
-    box.motion = box.place;
+    StoneBox box{block.mesh.id, s.comm()->getRank(), empty_box<2>(), empty_box<2>(), 0, 0};
     for (int n = block.first_local; n < block.first_local + static_cast<int>(block.mesh.position.size()); ++n) {
       const auto x = place_now(s, u, n);
       const Vector<2> moved{u[2 * n], u[2 * n + 1]};
@@ -93,13 +96,33 @@ std::vector<StoneBox> boxes_here(const PlaneModel& model, const StepEnd& end,
   return boxes;
 }
 
-/// Pairs of stones whose boxes overlap and that have moved far enough against each other.
-std::vector<std::pair<int, int>> suspects(const std::vector<StoneBox>& stones) {
+/// Those of this rank, and of others those that are where this rank has some. Collective.
+std::vector<StoneBox> boxes_near(const PlaneModel& model, const StepEnd& end,
+                                 const std::vector<double>& shortest_side) {
+  const auto& comm = *model.structure().comm();
+  auto stones = boxes_here(model, end, shortest_side);
+  auto around = empty_box<2>();
+  for (const auto& stone : stones) around.add(stone.place);
+  const auto boxes = boxes_of_ranks(around, comm);
+  Post<StoneBox> post(comm);
+  for (int rank = 0; rank < comm.getSize(); ++rank)
+    for (const auto& stone : stones)
+      if (rank != comm.getRank() && boxes[rank].overlaps(stone.place)) post.add(rank, stone);
+  const auto others = std::move(post).send_all();
+  stones.insert(stones.end(), others.begin(), others.end());
+  std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+  return stones;
+}
+
+/// Pairs of stones whose boxes overlap and that have moved far enough against each other, of which the lower is one of
+/// this rank.
+std::vector<std::pair<int, int>> suspects(const std::vector<StoneBox>& stones, int rank) {
   std::vector<Box<2>> boxes;
   for (const auto& stone : stones) boxes.push_back(stone.place);
   const BoxTree<2> tree(std::move(boxes));
   std::vector<std::pair<int, int>> pairs;
-  for (int a = 0; a < static_cast<int>(stones.size()); ++a)
+  for (int a = 0; a < static_cast<int>(stones.size()); ++a) {
+    if (stones[a].owner != rank) continue;
     tree.visit_overlaps(stones[a].place, [&](int b) {
       if (b <= a) return;
       const double least = tolerance(stones[a], stones[b], RangeParameters::counts_as_touching);
@@ -107,6 +130,7 @@ std::vector<std::pair<int, int>> suspects(const std::vector<StoneBox>& stones) {
           largest_difference(stones[a].motion, stones[b].motion) > least)
         pairs.emplace_back(a, b);
     });
+  }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -119,41 +143,32 @@ std::map<BlockId, Outline> outlines_of(const PlaneModel& model, const StepEnd& e
     OutlineEdge edge;
   };
   const auto& s = model.structure();
-  std::vector<BlockId> wanted;
-  for (const auto& [a, b] : pairs) wanted.insert(wanted.end(), {stones[a].block, stones[b].block});
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  std::vector<EdgeOfBlock> mine;
-  for (const BlockId block : wanted) {
-    const int local = s.local_block(block);
-    if (local < 0 || local >= s.owned_blocks()) continue;
-    for (const auto& edge : outline_now(s, end.state.displacement, local)) mine.push_back({block, edge});
-  }
+  std::vector<std::pair<BlockId, int>> wanted;
+  for (const auto& [a, b] : pairs)
+    for (const int stone : {a, b}) wanted.emplace_back(stones[stone].block, stones[stone].owner);
+  sort_unique(wanted);
+  Post<BlockId> ask(*s.comm());
+  for (const auto& [block, owner] : wanted) ask.add(owner, block);
+  Post<EdgeOfBlock> answer(*s.comm());
+  for (const auto& asked : std::move(ask).send())
+    for (const BlockId block : asked.items)
+      for (const auto& edge : outline_now(s, end.state.displacement, s.local_block(block)))
+        answer.add(asked.rank, {block, edge});
   std::map<BlockId, Outline> outlines;
-  for (const auto& [block, edge] :
-       all_gather(mine, *s.comm(), WhyWhole{"outlines of stones that may lie in each other"}))
-    outlines[block].push_back(edge);
+  for (const auto& [block, edge] : std::move(answer).send_all()) outlines[block].push_back(edge);
   return outlines;
 }
 
-struct AllowedGap {
-  BlockId block_i, block_j;
-  double gap;  ///< [m]
-};
-
-/// Joints that stand open where the drawing has them closed: by that much their stones may lie in each other as drawn.
-/// Collective.
+/// Joints of this rank that stand open where the drawing has them closed: by that much [m] their stones may lie in each
+/// other as drawn.
 std::map<std::pair<BlockId, BlockId>, double> gaps_as_drawn(const PlaneModel& model) {
   const auto& points = model.points();
-  std::vector<AllowedGap> mine;
+  std::map<std::pair<BlockId, BlockId>, double> gaps;
   for (int k = 0; k < points.owned() && !model.initial_gap().empty(); ++k) {
     const double gap = model.initial_gap()[k];
     const auto& joint = points.joints()[points.points()[k].joint];
-    if (gap > 0) mine.push_back({joint.block_i, joint.block_j, gap});
-  }
-  std::map<std::pair<BlockId, BlockId>, double> gaps;
-  for (const auto& [i, j, gap] : all_gather(mine, *model.structure().comm(), WhyWhole{"points that begin open"})) {
-    auto& known = gaps[{std::min(i, j), std::max(i, j)}];
+    if (!(gap > 0)) continue;
+    auto& known = gaps[{joint.block_i, joint.block_j}];
     known = std::max(known, gap);
   }
   return gaps;
@@ -174,17 +189,13 @@ RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, cons
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
   if (spread(model, end) <= RangeParameters::counts_as_touching * smallest_side) return {};
   const auto& comm = *model.structure().comm();
-  auto stones = all_gather(boxes_here(model, end, shortest_side), comm,
-                           WhyWhole{"a box per stone, of a structure that has moved"});
-  std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
-  const auto pairs = suspects(stones);
-  if (pairs.empty()) return {};
+  const auto stones = boxes_near(model, end, shortest_side);
+  const auto pairs = suspects(stones, comm.getRank());
   const auto outlines = outlines_of(model, end, stones, pairs);
   const auto gaps = gaps_as_drawn(model);
   std::vector<Overlap> mine;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (static_cast<int>(k % comm.getSize()) != comm.getRank()) continue;
-    const auto &a = stones[pairs[k].first], &b = stones[pairs[k].second];
+  for (const auto& [first, second] : pairs) {
+    const auto &a = stones[first], &b = stones[second];
     const auto gap = gaps.find({a.block, b.block});
     const double as_drawn = gap == gaps.end() ? 0.0 : gap->second;
     const double depth =

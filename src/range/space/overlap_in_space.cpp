@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
+#include "range/boxes_of_ranks.hpp"
 #include "range/range_parameters.hpp"
 #include "range/space/stone_surfaces.hpp"
 #include "range/stone_names.hpp"
@@ -32,16 +35,60 @@ double spread(const SpaceModel& model, const StepEnd& end) {
   return norm(Vector<3>{all[0] + all[1], all[2] + all[3], all[4] + all[5]});
 }
 
-/// [m] By which a small rotation makes every stone larger, as surfaces_of_all() has them. Collective.
-std::vector<double> growth_of_all(const SpaceModel& model, const StepEnd& end) {
-  const auto& s = model.structure();
-  std::vector<double> growth;
-  for (int b = 0; b < s.owned_blocks(); ++b) {
-    if (!end.absent.empty() && end.absent[b]) continue;
-    const double turn = norm(turn_of(s, b, end.state.displacement));
-    growth.push_back(turn * turn / 2 * extent(surface_now(s, end.state.displacement, b).points));
+struct GrownStone {
+  BlockId block;
+  double growth;  ///< [m] by which a small rotation makes it larger
+};
+
+std::vector<GrownStone> growth_here(const SpaceModel& model, const StepEnd& end,
+                                    const std::vector<PlacedSurface>& here) {
+  std::vector<GrownStone> all;
+  for (const auto& stone : here) {
+    const double turn =
+        norm(turn_of(model.structure(), model.structure().local_block(stone.block), end.state.displacement));
+    all.push_back({stone.block, turn * turn / 2 * extent(stone.surface.points)});
   }
-  return all_gather(growth, *s.comm(), WhyWhole{"a number per stone, of a structure that has moved"});
+  return all;
+}
+
+/// Of stones that surfaces_in() has brought. Collective.
+std::map<BlockId, double> growth_in(const Box<3>& mine, const SpaceModel& model, const StepEnd& end,
+                                    const std::vector<PlacedSurface>& here) {
+  const auto& comm = *model.structure().comm();
+  const auto boxes = boxes_of_ranks(mine, comm);
+  const auto grown = growth_here(model, end, here);
+  Post<GrownStone> post(comm);
+  for (int rank = 0; rank < comm.getSize(); ++rank)
+    for (std::size_t k = 0; k < here.size(); ++k)
+      if (boxes[rank].overlaps(here[k].box)) post.add(rank, grown[k]);
+  std::map<BlockId, double> growth;
+  for (const auto& [block, by] : std::move(post).send_all()) growth[block] = by;
+  return growth;
+}
+
+struct Overlap {
+  BlockId a, b;  ///< ascending
+  double depth;  ///< [m]
+};
+
+/// Overlaps of the stones of this rank with those of higher numbers. Collective.
+std::vector<Overlap> overlaps_here(const SpaceModel& model, const StepEnd& end, double touching) {
+  const auto& s = model.structure();
+  const auto here = surfaces_here(model, end);
+  auto around = empty_box<3>();
+  for (const auto& stone : here) around.add(stone.box);
+  auto stones = surfaces_in(around, model, end);
+  const auto growth = growth_in(around, model, end, here);
+  std::vector<StoneSurface> surfaces;
+  for (auto& stone : stones) surfaces.push_back(std::move(stone.surface));
+  std::vector<Overlap> found;
+  for (const auto& overlap : overlaps(surfaces, touching)) {
+    const auto [a, b] = std::minmax(stones[overlap.stone[0]].block, stones[overlap.stone[1]].block);
+    const int local = s.local_block(a);
+    if (local < 0 || local >= s.owned_blocks()) continue;  // another rank's to tell
+    if (overlap.depth > touching + growth.at(a) + growth.at(b)) found.push_back({a, b, overlap.depth});
+  }
+  return found;
 }
 
 }  // namespace
@@ -50,27 +97,16 @@ RangeFindings look_at_overlaps(const SpaceModel& model, const StepEnd& end, doub
   const double touching = RangeParameters::counts_as_touching * smallest_side;
   // Stones do not lie in each other as drawn: deeper than they have moved against each other they cannot be.
   if (spread(model, end) <= touching) return {};
-  auto stones = surfaces_of_all(model, end, [](const Box<3>&) { return true; });
-  const auto growth = growth_of_all(model, end);
-  std::vector<StoneSurface> surfaces;
-  for (auto& stone : stones) surfaces.push_back(std::move(stone.surface));
-  auto found = overlaps(surfaces, touching);
-  const auto allowed = [&](const StoneOverlap& o) {
-    return o.depth <= touching + growth[o.stone[0]] + growth[o.stone[1]];
-  };
-  found.erase(std::remove_if(found.begin(), found.end(), allowed), found.end());
+  const auto found = all_gather(overlaps_here(model, end, touching), *model.structure().comm(),
+                                WhyWhole{"stones that lie in each other"});
   if (found.empty()) return {};
-  const auto key = [&](const StoneOverlap& o) {
-    const auto a = stones[o.stone[0]].block, b = stones[o.stone[1]].block;
-    return std::make_tuple(-o.depth, std::min(a, b), std::max(a, b));
-  };
-  const auto& worst =
-      *std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  const auto [depth, a, b] = key(worst);
+  const auto key = [](const Overlap& o) { return std::make_tuple(-o.depth, o.a, o.b); };
+  const auto& [a, b, depth] =
+      *std::min_element(found.begin(), found.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
   RangeFindings findings;
   findings.warnings.push_back(
-      {"stones_overlap", names_of(model, a, b), end.when, worst.depth,
-       "these stones lie " + three_digits(worst.depth) +
+      {"stones_overlap", names_of(model, a, b), end.when, depth,
+       "these stones lie " + three_digits(depth) +
            " m in each other: contact is known between stones that are drawn touching, along the "
            "joint they are drawn with; from where they met on, forces and motions are not those "
            "of stones that press each other" +

@@ -8,6 +8,7 @@
 #include "base/words.hpp"
 #include "linalg/gather.hpp"
 #include "model/handed_over.hpp"
+#include "range/boxes_of_ranks.hpp"
 #include "range/range_parameters.hpp"
 #include "range/space/stone_surfaces.hpp"
 #include "range/stone_names.hpp"
@@ -127,7 +128,7 @@ void look_at_stones(const SpaceModel& model, const StepEnd& end, OwnSlip& slip,
 }
 
 Box<3> box_around(const SpaceModel& model, const StepEnd& end, const OwnSlip& slip) {
-  Box<3> box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  auto box = empty_box<3>();
   for (std::size_t n = 0; n < slip.cells.size(); ++n)
     for (const Side side : {Side::i, Side::j}) {
       const auto x = place_now(model.structure(), end.state.displacement,
@@ -181,10 +182,10 @@ std::vector<LongSlip> slips_of_all(const SpaceModel& model, const StepEnd& end) 
   const auto past_an_end = [](const LongSlip& slip) { return slip.past_an_end(); };
   if (std::any_of(slips.begin(), slips.end(), past_an_end)) {
     // Where a slip has passed an end, stones of any rank may be.
-    const auto others = surfaces_of_all(model, end, [&](const Box<3>& box) {
-      return std::any_of(slips.begin(), slips.end(),
-                         [&](const LongSlip& slip) { return slip.past_an_end() && slip.around.overlaps(box); });
-    });
+    auto around = empty_box<3>();
+    for (const auto& slip : mine)
+      if (slip.told.past_an_end()) around.add(slip.told.around);
+    const auto others = surfaces_in(around, model, end);
     for (auto& slip : mine)
       if (slip.told.past_an_end()) look_at_stones(model, end, slip, others);
     slips = gathered();

@@ -1,7 +1,6 @@
 // Surfaces of stones in space where a displacement has moved them.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "mesh/box_tree.hpp"
@@ -29,9 +28,10 @@ struct PlacedSurface {
   Box<3> box;
 };
 
-/// Those of all ranks that are there and wanted by the box around them, the same on every rank. Collective.
-std::vector<PlacedSurface> surfaces_of_all(const SpaceModel&, const StepEnd&,
-                                           const std::function<bool(const Box<3>&)>& wanted);
+/// Those of this rank that are there, ascending.
+std::vector<PlacedSurface> surfaces_here(const SpaceModel&, const StepEnd&);
+/// Those of all ranks that are there and lie in a box of this rank, or reach into it, ascending. Collective.
+std::vector<PlacedSurface> surfaces_in(const Box<3>& mine, const SpaceModel&, const StepEnd&);
 
 /// Border of a local block, its faces outward.
 StoneSurface surface_now(const Structure<3>&, const std::vector<double>& u, int block);
