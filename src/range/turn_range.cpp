@@ -7,7 +7,9 @@
 
 #include "base/check.hpp"
 #include "base/text.hpp"
+#include "linalg/agree.hpp"
 #include "linalg/gather.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 #include "range/joint_network.hpp"
 #include "range/stone_names.hpp"
@@ -21,8 +23,6 @@ namespace {
 constexpr double worth_telling = 0.1, past_balance = 1;
 // Joints that carry less than this share of the largest force say nothing: that is what solvers leave.
 constexpr double negligible = 1e-6;
-
-constexpr WhyWhole whole_network{"all stones and joints, of a structure that has moved"};
 
 /// The sum of (turn x arm) x force.
 Vector<3> moment_added(const Vector<3>& turn, const Virial& of) {
@@ -44,7 +44,7 @@ Vector<dim> in_dim(const Vector<3>& v) {
   return part;
 }
 
-/// All stones and joints, numbered alike on every rank, as springs.
+/// All stones and joints as springs, on the first rank; none on the others.
 template <int dim>
 struct Network {
   using Dim = std::integral_constant<int, dim>;
@@ -56,8 +56,8 @@ struct Network {
 
   Network(const ModelOfBlocks<dim>& model, const StepEnd& end) {
     const auto& comm = *model.structure().comm();
-    stones = all_gather(stones_here(model, end), comm, whole_network);
-    joints = all_gather(joints_here(model, end), comm, whole_network);
+    stones = gather_on_first(stones_here(model, end), comm);
+    joints = gather_on_first(joints_here(model, end), comm);
     std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
     std::sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) {
       return std::tie(a.block_i, a.block_j, a.middle) < std::tie(b.block_i, b.block_j, b.middle);
@@ -188,15 +188,31 @@ bool small_motion(const ModelOfBlocks<dim>& model, const StepEnd& end, double sm
   return largest_over_ranks(comm, turn) <= worth_telling * friction;
 }
 
-/// Which of the two stones of a joint has turned more, how far, and what that is of what the joint can bear.
+/// The joint that is asked for the largest share of what it bears.
+struct WorstJoint {
+  BlockId block_i, block_j;
+  BlockId turned;  ///< of these the stone that has turned more
+  double turn;     ///< [rad] how far
+  double share;
+  long long others;   ///< joints of which it is worth telling
+  bool past_balance;  ///< what stands on some joint is past its point of balance
+};
+
+/// For the first rank; none where nothing is worth telling.
 template <int dim>
-std::string what_turned(const ModelOfBlocks<dim>& model, const Network<dim>& network, std::size_t joint, double share) {
+std::vector<WorstJoint> worst_joint(Network<dim>& network, bool in_time) {
+  const auto touches = network.touching();
+  if (in_time) network.bear_loads();
+  const auto share = network.shares();
+  const auto worst = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
+  if (share.empty() || !(share[worst] > worth_telling)) return {};
+  const auto others = std::count_if(share.begin(), share.end(), [](double s) { return s > worth_telling; }) - 1;
+  bool past = false;
+  for (std::size_t k = 0; k < share.size(); ++k) past |= share[k] >= past_balance && touches[k];
   const auto turn = [&](BlockId b) { return network.stones[network.stone_of(b)].turn; };
-  const auto& r = network.joints[joint];
+  const auto& r = network.joints[worst];
   const BlockId more = norm(turn(r.block_i)) > norm(turn(r.block_j)) ? r.block_i : r.block_j;
-  return model.block_name(more) + " has turned by " + three_digits(dim == 2 ? turn(more)[2] : norm(turn(more))) +
-         " rad, " + three_digits(100 * share) + " % of what joint " + names_of(model, r.block_i, r.block_j) +
-         " can bear before what stands on it topples or slides";
+  return {{r.block_i, r.block_j, more, dim == 2 ? turn(more)[2] : norm(turn(more)), share[worst], others, past}};
 }
 
 }  // namespace
@@ -206,29 +222,28 @@ RangeFindings look_at_turns(const ModelOfBlocks<dim>& model, const StepEnd& end,
   VOUSSOIR_EXPECT(smallest_half_joint > 0 && "half a joint: of some length");
   const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
   if (followed || model.points().total() == 0 || small_motion(model, end, smallest_half_joint)) return {};
+  const auto& comm = *model.structure().comm();
   Network<dim> network(model, end);
-  const auto touches = network.touching();
-  if (end.in_time) network.bear_loads();
-  const auto share = network.shares();
-  const auto worst = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
-  if (share.empty() || !(share[worst] > worth_telling)) return {};
-  const auto others = std::count_if(share.begin(), share.end(), [](double s) { return s > worth_telling; }) - 1;
-  const std::string what = what_turned(model, network, worst, share[worst]);
+  std::vector<WorstJoint> found_first;
+  on_first_rank(comm, [&] { found_first = worst_joint(network, end.in_time); });
+  const auto told = all_gather(found_first, comm, WhyWhole{"the joint that is worst off"});
+  if (told.empty()) return {};
+  const auto& worst = told.front();
+  const std::string joint = names_of(model, worst.block_i, worst.block_j);
+  const std::string what = model.block_name(worst.turned) + " has turned by " + three_digits(worst.turn) + " rad, " +
+                           three_digits(100 * worst.share) + " % of what joint " + joint +
+                           " can bear before what stands on it topples or slides";
   const std::string advice = end.in_time || dim == 3 ? "" : "; model > rotations = finite follows the stones";
-  const auto& joint = network.joints[worst];
   RangeFindings found;
-  found.warnings.push_back(
-      {"turn_beyond_first_order", names_of(model, joint.block_i, joint.block_j), end.when, share[worst],
-       what + ": small rotations, which are all that is computed" +
-           (end.in_time ? " in time"
-            : dim == 3  ? " in space"
-                        : "") +
-           ", overrate what holds it by that share" + advice + and_in_others(static_cast<std::size_t>(others))});
-  for (std::size_t k = 0; k < share.size(); ++k)
-    if (share[k] >= past_balance && touches[k]) {
-      found.out_of_range = what + ": it is past its point of balance, and small rotations would let it stand" + advice;
-      break;
-    }
+  found.warnings.push_back({"turn_beyond_first_order", joint, end.when, worst.share,
+                            what + ": small rotations, which are all that is computed" +
+                                (end.in_time ? " in time"
+                                 : dim == 3  ? " in space"
+                                             : "") +
+                                ", overrate what holds it by that share" + advice +
+                                and_in_others(static_cast<std::size_t>(worst.others))});
+  if (worst.past_balance)
+    found.out_of_range = what + ": it is past its point of balance, and small rotations would let it stand" + advice;
   return found;
 }
 

@@ -9,15 +9,13 @@
 #include "base/check.hpp"
 #include "blocks/supports.hpp"
 #include "linalg/agree.hpp"
-#include "linalg/gather.hpp"
+#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
 
 namespace voussoir {
 namespace {
-
-constexpr WhyWhole whole_programme{"all stones and points of a linear programme"};
 
 template <int dim>
 struct StoneRow {
@@ -130,6 +128,36 @@ std::vector<PointRow<dim>> points_of(const ModelOfBlocks<dim>& model, const Rigi
   return rows;
 }
 
+/// For the first rank, of what all have sent.
+/// @param points  ascending: those of a joint follow each other
+template <int dim>
+RigidStructure<dim> structure_of(std::vector<StoneRow<dim>> stones, const std::vector<PointRow<dim>>& points,
+                                 const std::vector<SupportRow<dim>>& supports) {
+  std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
+  RigidStructure<dim> rigid;
+  for (const auto& row : stones) rigid.stones.push_back(row.stone);
+  const auto number = [&](BlockId block) {
+    const auto at = std::lower_bound(stones.begin(), stones.end(), block,
+                                     [](const StoneRow<dim>& a, BlockId b) { return a.block < b; });
+    return static_cast<int>(at - stones.begin());
+  };
+  int joint = -1;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    auto c = points[k].contact;
+    if (k == 0 || points[k - 1].block_i != points[k].block_i || points[k - 1].block_j != points[k].block_j) ++joint;
+    c.stone_i = number(points[k].block_i);
+    c.stone_j = number(points[k].block_j);
+    c.joint = joint;
+    rigid.contacts.push_back(c);
+  }
+  for (const auto& row : supports) {
+    auto support = row.support;
+    support.stone = number(row.block);
+    rigid.supports.push_back(support);
+  }
+  return rigid;
+}
+
 }  // namespace
 
 template <int dim>
@@ -142,40 +170,26 @@ RigidLimits<dim>::RigidLimits(const ModelOfBlocks<dim>& model, const RigidTask& 
   const auto& comm = *s.comm();
   std::vector<StoneRow<dim>> own;
   for (int b = 0; b < s.owned_blocks(); ++b) own.push_back(stone_of(s, b, task));
-  const auto supports = all_gather(supports_of(model, own), comm, WhyWhole{"supports of a scene"});
-  auto stones = all_gather(own, comm, whole_programme);
-  auto points = all_gather(points_of(model, task), comm, whole_programme);
-  std::sort(stones.begin(), stones.end(), [](const auto& a, const auto& b) { return a.block < b.block; });
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  RigidStructure<dim> rigid;
-  for (const auto& row : stones) {
-    rigid.stones.push_back(row.stone);
-    middle_.push_back(row.stone.middle);
+  const auto supports = gather_on_first(supports_of(model, own), comm);
+  const auto stones = gather_on_first(own, comm);
+  auto points = gather_on_first(points_of(model, task), comm);
+  std::vector<BlockId> blocks;
+  for (int b = 0; b < s.local_blocks(); ++b) {
+    middle_.push_back(stone_of(s, b, {}).stone.middle);
+    blocks.push_back(s.nodes_of(b).id);
   }
-  const auto number = [&](BlockId block) {
-    const auto at = std::lower_bound(stones.begin(), stones.end(), block,
-                                     [](const StoneRow<dim>& a, BlockId b) { return a.block < b; });
-    return static_cast<int>(at - stones.begin());
-  };
-  int joint = -1;
-  for (std::size_t k = 0; k < points.size(); ++k) {  // points of a joint follow each other
-    auto c = points[k].contact;
-    if (k == 0 || points[k - 1].block_i != points[k].block_i || points[k - 1].block_j != points[k].block_j) ++joint;
-    c.stone_i = number(points[k].block_i);
-    c.stone_j = number(points[k].block_j);
-    c.joint = joint;
-    rigid.contacts.push_back(c);
-    ids_.push_back(points[k].id);
-  }
-  for (const auto& row : supports) {
-    auto support = row.support;
-    support.stone = number(row.block);
-    rigid.supports.push_back(support);
-  }
-  on_first_rank(comm, [&] { analysis_ = std::make_unique<const LimitAnalysis<dim>>(std::move(rigid)); });
+  std::vector<PointId> ids;
+  for (const auto& point : model.points().points()) ids.push_back(point.id);
+  blocks_of_rank_ = exchange_parcels<BlockId>({{0, std::move(blocks)}}, comm);
+  points_of_rank_ = exchange_parcels<PointId>({{0, std::move(ids)}}, comm);
+  on_first_rank(comm, [&] {
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    for (const auto& row : points) ids_.push_back(row.id);
+    analysis_ = std::make_unique<const LimitAnalysis<dim>>(structure_of(stones, points, supports));
+  });
 }
 
-/// The first rank asks, the others are told; all but the mechanism itself, for which its motion stands.
+/// The first rank asks, the others are told; what it found of stones and points goes by on_nodes() and on_points().
 template <int dim>
 template <class Ask>
 LimitAnswer<dim> RigidLimits<dim>::ask_first_rank(const Ask& ask) const {
@@ -183,22 +197,12 @@ LimitAnswer<dim> RigidLimits<dim>::ask_first_rank(const Ask& ask) const {
   LimitAnswer<dim> answer;
   on_first_rank(comm, [&] { answer = ask(*analysis_); });
   if (comm.getSize() == 1) return answer;
-  double head[6] = {static_cast<double>(answer.verdict),
-                    answer.factor,
-                    answer.out_of_balance,
-                    static_cast<double>(answer.iterations),
-                    answer.motion.empty() ? 0.0 : 1.0,
-                    answer.dilates ? 1.0 : 0.0};
-  Teuchos::broadcast(comm, 0, 6, head);
+  double head[5] = {static_cast<double>(answer.verdict), answer.factor, answer.out_of_balance,
+                    static_cast<double>(answer.iterations), answer.dilates ? 1.0 : 0.0};
+  Teuchos::broadcast(comm, 0, 5, head);
   answer.verdict = static_cast<LimitVerdict>(static_cast<int>(head[0]));
   answer.factor = head[1], answer.out_of_balance = head[2], answer.iterations = static_cast<int>(head[3]);
-  answer.motion.resize(head[4] > 0 ? middle_.size() : 0);
-  answer.dilates = head[5] > 0;
-  answer.force.resize(ids_.size());
-  if (!answer.motion.empty())
-    Teuchos::broadcast(comm, 0, static_cast<int>(freedoms<dim> * answer.motion.size()), answer.motion.front().data());
-  if (!answer.force.empty())
-    Teuchos::broadcast(comm, 0, static_cast<int>(dim * answer.force.size()), answer.force.front().data());
+  answer.dilates = head[4] > 0;
   return answer;
 }
 
@@ -288,31 +292,44 @@ std::vector<std::array<ReactionRange, dim>> RigidLimits<dim>::reactions(int supp
 template <int dim>
 std::vector<double> RigidLimits<dim>::on_nodes(const LimitAnswer<dim>& answer) const {
   const auto& s = model_.structure();
+  using Motion = typename decltype(answer.motion)::value_type;
+  std::vector<Parcel<Motion>> parcels;
+  if (!answer.motion.empty())
+    for (const auto& [rank, blocks] : blocks_of_rank_) {
+      parcels.push_back({rank, {}});
+      for (const BlockId b : blocks) parcels.back().items.push_back(answer.motion[b]);
+    }
+  const auto came = exchange_parcels(std::move(parcels), *s.comm());
   std::vector<double> motion(dim * static_cast<std::size_t>(s.nodes()), 0.0);
-  if (answer.motion.empty()) return motion;
-  for (int n = 0; n < s.nodes(); ++n) {
-    const auto block = static_cast<std::size_t>(s.blocks()[s.block_of_node()[n]].mesh.id);
-    const auto v = velocity_at(answer.motion[block], place_of(s, n) - middle_[block]);
-    std::copy(v.begin(), v.end(), &motion[dim * n]);
-  }
   double largest = 0;
-  for (int n = 0; n < s.owned_nodes(); ++n) largest = std::max(largest, length(of_node<dim>(motion, n)));
+  for (int n = 0; n < s.nodes() && !came.empty(); ++n) {
+    const int block = s.block_of_node()[n];
+    const auto v = velocity_at(came.front().items[block], place_of(s, n) - middle_[block]);
+    std::copy(v.begin(), v.end(), &motion[dim * n]);
+    if (n < s.owned_nodes()) largest = std::max(largest, length(v));
+  }
   largest = largest_over_ranks(*s.comm(), largest);
-  for (auto& m : motion) m /= largest;
+  for (auto& m : motion) m /= largest > 0 ? largest : 1.0;
   return motion;
 }
 
 template <int dim>
 PointField RigidLimits<dim>::on_points(const LimitAnswer<dim>& answer) const {
-  const auto& points = model_.points().points();
-  PointField force(dim * points.size(), 0.0);
-  if (answer.force.empty()) return force;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto at = std::lower_bound(ids_.begin(), ids_.end(), points[k].id);
-    if (at == ids_.end() || *at != points[k].id) continue;
-    const auto& f = answer.force[static_cast<std::size_t>(at - ids_.begin())];
-    std::copy(f.begin(), f.end(), &force[dim * k]);
-  }
+  std::vector<Parcel<Vector<dim>>> parcels;
+  if (!answer.force.empty())
+    for (const auto& [rank, points] : points_of_rank_) {
+      parcels.push_back({rank, {}});
+      for (const PointId id : points) {
+        const auto at = std::lower_bound(ids_.begin(), ids_.end(), id);
+        const bool known = at != ids_.end() && *at == id;
+        parcels.back().items.push_back(known ? answer.force[static_cast<std::size_t>(at - ids_.begin())]
+                                             : Vector<dim>{});
+      }
+    }
+  PointField force(dim * model_.points().points().size(), 0.0);
+  for (const auto& parcel : exchange_parcels(std::move(parcels), *model_.structure().comm()))
+    for (std::size_t k = 0; k < parcel.items.size(); ++k)
+      std::copy(parcel.items[k].begin(), parcel.items[k].end(), &force[dim * k]);
   return force;
 }
 

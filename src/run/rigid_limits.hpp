@@ -1,7 +1,8 @@
 // Limit analysis of a model: its stones as rigid bodies, its contact points with their laws, its loads and supports.
 //
-// Stones stand where the model has them: as drawn, or with finite rotations where it has followed them to. One rank
-// solves, all know the answer.
+// Stones stand where the model has them: as drawn, or with finite rotations where it has followed them to. The first
+// rank has all of them and solves, since the library of linear programmes works on one; the others are told the answer,
+// and of stones and points what they have of them.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "linalg/parcels.hpp"
 #include "model/model_of_blocks.hpp"
 #include "run/limit_theorem.hpp"
 #include "statics/limit_analysis.hpp"
@@ -21,8 +23,7 @@ class RigidLimits {
   /// Collective.
   RigidLimits(const ModelOfBlocks<dim>&, const RigidTask&);
 
-  /// As those of LimitAnalysis; the same answers on every rank. Collective. Those of joints are by number of the point
-  /// in the whole structure, those of stones by number of the block.
+  /// As those of LimitAnalysis; the same on every rank, but for motions and forces, which the first has. Collective.
   LimitAnswer<dim> largest_factor(double largest) const;
   LimitAnswer<dim> largest_borne(double largest) const;
   LimitAnswer<dim> bears(double factor) const;
@@ -34,9 +35,9 @@ class RigidLimits {
   std::optional<double> without_dilatancy(double largest, const LimitAnswer<dim>& associated) const;
   std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
 
-  /// The motion of an answer on local nodes [m], largest 1.
+  /// The motion of an answer on local nodes [m], largest 1; zero without a motion. Collective.
   std::vector<double> on_nodes(const LimitAnswer<dim>&) const;
-  /// Forces on local points [N].
+  /// Forces on local points [N]. Collective.
   PointField on_points(const LimitAnswer<dim>&) const;
 
  private:
@@ -46,9 +47,12 @@ class RigidLimits {
   bool first_rank_says(const Ask& ask) const;
 
   const ModelOfBlocks<dim>& model_;
-  std::vector<Vector<dim>> middle_;                     ///< [m] of all blocks, from the middle of the structure
-  std::vector<PointId> ids_;                            ///< of the points of the answers, ascending
-  std::unique_ptr<const LimitAnalysis<dim>> analysis_;  ///< on the first rank
+  std::vector<Vector<dim>> middle_;  ///< [m] of local blocks, from the middle of the structure
+  // On the first rank.
+  std::vector<Parcel<BlockId>> blocks_of_rank_;  ///< that a rank has, in its order
+  std::vector<Parcel<PointId>> points_of_rank_;
+  std::vector<PointId> ids_;  ///< of the points of the answers, ascending
+  std::unique_ptr<const LimitAnalysis<dim>> analysis_;
 };
 
 /// What they say, as a run asks.

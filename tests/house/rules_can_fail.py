@@ -170,9 +170,16 @@ class ListsOfAllRanks(unittest.TestCase):
                       "Teuchos::reduceAll(comm, how, static_cast<int>(a.size()), a.data(), b.data());"):
             self.assertEqual(len(self.problems(wrong)), 1, wrong)
             self.assertEqual(gathering.problems_of(pathlib.Path("src/loads/b.cpp"), wrong, {"src/loads/b.cpp"}), [], wrong)
-        for right in ("// all_gather(mine)", "total_over_ranks(comm, mine);", "gather_on_first(mine, comm);",
+        for right in ("// all_gather(mine)", "total_over_ranks(comm, mine);",
                       "Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &mine, &all);"):
             self.assertEqual(self.problems(right), [], right)
+
+    def test_only_those_who_are_named_bring_them_to_the_first_rank(self):
+        for wrong in ("const auto all = gather_on_first(mine, comm);",
+                      "for (const auto& p : exchange_parcels<int>({{0, mine}}, comm)) use(p);"):
+            self.assertEqual(len(self.problems(wrong)), 1, wrong)
+            self.assertEqual(gathering.problems_of(pathlib.Path("src/a.cpp"), wrong, set(), {"src/a.cpp"}), [], wrong)
+        self.assertEqual(self.problems("exchange_parcels<int>({{owner, mine}}, comm)"), [])
 
     def test_sums_of_a_fixed_few_are_of_no_list(self):
         few = "std::array<double, 2> mine{}; const auto all = total_of_each(comm, mine);"
