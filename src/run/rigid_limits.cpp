@@ -128,6 +128,17 @@ std::vector<PointRow<dim>> points_of(const ModelOfBlocks<dim>& model, const Rigi
   return rows;
 }
 
+/// By support, and there by block, as one rank finds them: of many answers that are as good a programme gives the one
+/// that its order leads to.
+template <int dim>
+void sort_as_on_one_rank(std::vector<SupportRow<dim>>& rows) {
+  const auto key = [](const SupportRow<dim>& row) {
+    const int name = row.support.name;
+    return std::make_pair(name < 0 ? std::numeric_limits<int>::max() : name, row.block);
+  };
+  std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+}
+
 /// For the first rank, of what all have sent.
 /// @param points  ascending: those of a joint follow each other
 template <int dim>
@@ -170,7 +181,7 @@ RigidLimits<dim>::RigidLimits(const ModelOfBlocks<dim>& model, const RigidTask& 
   const auto& comm = *s.comm();
   std::vector<StoneRow<dim>> own;
   for (int b = 0; b < s.owned_blocks(); ++b) own.push_back(stone_of(s, b, task));
-  const auto supports = gather_on_first(supports_of(model, own), comm);
+  auto supports = gather_on_first(supports_of(model, own), comm);
   const auto stones = gather_on_first(own, comm);
   auto points = gather_on_first(points_of(model, task), comm);
   std::vector<BlockId> blocks;
@@ -185,6 +196,7 @@ RigidLimits<dim>::RigidLimits(const ModelOfBlocks<dim>& model, const RigidTask& 
   on_first_rank(comm, [&] {
     std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
     for (const auto& row : points) ids_.push_back(row.id);
+    sort_as_on_one_rank(supports);
     analysis_ = std::make_unique<const LimitAnalysis<dim>>(structure_of(stones, points, supports));
   });
 }
