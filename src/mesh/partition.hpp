@@ -10,7 +10,7 @@ namespace voussoir {
 
 struct PartitionSettings {
   /// Blocks up to which the first rank divides them for all, by METIS. Their graph takes some 80 bytes a block there,
-  /// less with a million than the libraries of a process, and METIS 2 s; PT-Scotch cuts a fifth more (README.md).
+  /// less with a million than the libraries of a process, and METIS 2 s; PT-Scotch makes less even parts (shares.md).
   long long most_on_first = 1000000;
 };
 

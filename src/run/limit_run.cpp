@@ -90,12 +90,12 @@ class LimitRun {
     if (at_rest.verdict == LimitVerdict::refused) {
       summary.message =
           "no forces that joints admit balance the loads, so that no equilibrium exists, by the static theorem";
-      falls(limits, at_rest, 0, 0);
+      falls(limits, at_rest, 0, at_rest);
     } else if (at_rest.verdict == LimitVerdict::unknown) {
       summary.message = "the linear programme could not be solved exactly enough to prove anything";
     } else {
       stands(limits);
-      if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits);
+      if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits, at_rest);
     }
     return summary;
   }
@@ -152,30 +152,33 @@ class LimitRun {
     }
   }
 
-  /// How far the pattern of a load factor search can be raised.
-  void raise(const RigidLimits<dim>& limits) {
+  /// How far the pattern of a load factor search can be raised. In space forces within cones are looked for first, from
+  /// those that balance the loads before; the programme of pyramids around the cones begins where they end.
+  void raise(const RigidLimits<dim>& limits, const LimitAnswer<dim>& at_rest) {
     const auto& search = scene_.load_factor;
     auto& summary = recorder_.summary();
-    const auto limit = limits.largest_factor(search.largest);
-    if (stopped("how far the pattern can be raised is not known")) return;
+    LimitAnswer<dim> borne;
+    if (dim == 3) borne = limits.largest_borne(search.largest, at_rest);
+    if (dim == 3 && stopped("how far the pattern can be raised is not known")) return;
+    const bool to_the_end = borne.verdict == LimitVerdict::unlimited;
+    const auto limit = to_the_end ? borne : limits.largest_factor(search.largest, borne);
+    if (stopped(dim == 2 ? std::string("how far the pattern can be raised is not known")
+                         : "forces balance " + six_digits(borne.factor) +
+                               " times the pattern, above which factor no equilibrium exists is not known"))
+      return;
     summary.collapse = CollapseSummary{search.pattern, NAN, INFINITY, true, {}, INFINITY, INFINITY};
     auto& found = *summary.collapse;
     if (limit.verdict == LimitVerdict::limited) {
       found.certified = found.upper = limit.factor;
       if (const auto estimate = limits.without_dilatancy(search.largest, limit)) found.estimate = *estimate;
-      const double borne = dim == 2 ? limit.factor : limits.largest_borne(search.largest).factor;
-      if (dim == 3 && stopped("above " + six_digits(limit.factor) +
-                              " times the pattern no equilibrium exists, by the static theorem; up to which factor "
-                              "forces can balance it is not known"))
-        return;
-      summary.rigid->borne = borne;
+      summary.rigid->borne = dim == 2 ? limit.factor : borne.factor;
       summary.message =
           "above " + six_digits(limit.factor) +
           " times the pattern no equilibrium exists, by the static theorem; rigid stones whose slip dilates stand up "
           "to " +
           (dim == 2 ? "there" : six_digits(summary.rigid->borne) + " times it at least") +
           (std::isfinite(found.estimate) ? ", an estimate where it does not is " + six_digits(found.estimate) : "");
-      falls(limits, limit, limit.factor, borne);
+      falls(limits, limit, limit.factor, dim == 2 ? least_at(limits, limit) : known(borne, limit));
     } else if (limit.verdict == LimitVerdict::unlimited) {
       found.lower = search.largest;
       summary.message +=
@@ -188,19 +191,24 @@ class LimitRun {
     }
   }
 
-  /// The motion in which it falls, with the forces that balance as much of the loads as can be: where some factor is
-  /// borne those that press least just below it, since at the limit any may stand for all.
-  void falls(const RigidLimits<dim>& limits, const LimitAnswer<dim>& answer, double factor, double borne) {
+  /// Of the forces that balance loads just below a limit those that press least: at the limit any may stand for all.
+  LimitAnswer<dim> least_at(const RigidLimits<dim>& limits, const LimitAnswer<dim>& limit) const {
+    auto least = limits.least_pressed(limit.factor * (1 - LimitAnalysisParameters::no_motion));
+    return least.verdict == LimitVerdict::unlimited ? std::move(least) : limit;
+  }
+
+  static const LimitAnswer<dim>& known(const LimitAnswer<dim>& borne, const LimitAnswer<dim>& otherwise) {
+    return borne.verdict == LimitVerdict::limited ? borne : otherwise;
+  }
+
+  /// The motion in which it falls, with forces that balance as much of the loads as can be.
+  void falls(const RigidLimits<dim>& limits, const LimitAnswer<dim>& answer, double factor,
+             const LimitAnswer<dim>& forces) {
     auto raised = factors_;
     for (const auto& [load, share] : scene_.load_factor.pattern) raised[load] += factor * share;
     recorder_.set_loads(raised, 0);
     const auto mechanism = limits.on_nodes(answer);
     auto state = step_.initial_state();
-    auto forces = answer;
-    if (borne > 0) {
-      auto least = limits.least_pressed(borne * (1 - LimitAnalysisParameters::no_motion));
-      if (least.verdict == LimitVerdict::unlimited) forces = std::move(least);
-    }
     state.lambda = limits.on_points(forces);
     recorder_.record_forces(state.lambda, std::string(stage) + ": limit", factor);
     recorder_.record_mechanism(mechanism, state, stage, factor);

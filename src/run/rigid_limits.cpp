@@ -228,13 +228,13 @@ bool RigidLimits<dim>::first_rank_says(const Ask& ask) const {
 }
 
 template <int dim>
-LimitAnswer<dim> RigidLimits<dim>::largest_factor(double largest) const {
-  return ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.largest_factor(largest); });
+LimitAnswer<dim> RigidLimits<dim>::largest_factor(double largest, const LimitAnswer<dim>& begin) const {
+  return ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.largest_factor(largest, begin.basis); });
 }
 
 template <int dim>
-LimitAnswer<dim> RigidLimits<dim>::largest_borne(double largest) const {
-  return ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.largest_borne(largest); });
+LimitAnswer<dim> RigidLimits<dim>::largest_borne(double largest, const LimitAnswer<dim>& begin) const {
+  return ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.largest_borne(largest, begin.basis, true); });
 }
 
 template <int dim>

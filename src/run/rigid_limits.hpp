@@ -24,8 +24,10 @@ class RigidLimits {
   RigidLimits(const ModelOfBlocks<dim>&, const RigidTask&);
 
   /// As those of LimitAnalysis; the same on every rank, but for motions and forces, which the first has. Collective.
-  LimitAnswer<dim> largest_factor(double largest) const;
-  LimitAnswer<dim> largest_borne(double largest) const;
+  /// @param begin  where the programme begins: that of another answer, if it had one
+  LimitAnswer<dim> largest_factor(double largest, const LimitAnswer<dim>& begin = {}) const;
+  /// With the least forces that balance a hair less.
+  LimitAnswer<dim> largest_borne(double largest, const LimitAnswer<dim>& begin) const;
   LimitAnswer<dim> bears(double factor) const;
   LimitAnswer<dim> refuses(double factor) const;
   bool borne_at_any_factor() const;

@@ -191,7 +191,9 @@ template <int dim>
 LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& terms, bool* balanced_unraised,
                                                   ProgrammeBasis* basis) const {
   LimitAnswer<dim> answer;
-  const bool begun = basis && !basis->empty();
+  ProgrammeBasis own;
+  if (!basis) basis = &own;
+  const bool begun = !basis->empty();
   for (const double most : {endless, Numbers::most_force}) {
     auto p = programme({terms.share_of_joints, most, terms.pyramid, false, terms.finer});
     p.largest = largest * raised_unit_ / unit_;
@@ -201,6 +203,8 @@ LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& t
     const auto found = solve(p, basis);
     *balanced_unraised = found.end != ProgrammeEnd::infeasible;
     answer = judge(p, found, largest);
+    answer.basis = *basis;
+    if (terms.least && answer.verdict == LimitVerdict::limited) tell_least(p, answer);
     if (found.end != ProgrammeEnd::optimal || answer.verdict != LimitVerdict::unknown) break;
   }
   if (!begun || answer.verdict != LimitVerdict::unknown) return answer;
@@ -237,11 +241,20 @@ LimitAnswer<dim> LimitAnalysis<dim>::with_forces(double largest, LimitAnswer<dim
   return found;
 }
 
+/// A basis of the same stones under other loads: the column of the factor, the last one, begins at no raised load.
 template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest) const {
+ProgrammeBasis LimitAnalysis<dim>::for_raising(ProgrammeBasis basis) const {
+  const auto rows = static_cast<std::size_t>(freedoms<dim>) * s_.stones.size();
+  if (basis.size() > rows) rest_at_lower_bound(basis[basis.size() - rows - 1]);
+  return basis;
+}
+
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest, const ProgrammeBasis& begin) const {
   VOUSSOIR_EXPECT(largest > 0 && "largest factor: positive");
   bool balanced_unraised = true;
-  auto answer = raised_up_to(largest, {}, &balanced_unraised);
+  auto basis = for_raising(begin);
+  auto answer = raised_up_to(largest, {}, &balanced_unraised, &basis);
   if (balanced_unraised) return in_motion(largest, with_forces(largest, std::move(answer)));
   answer = refuses(0);
   if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
@@ -249,11 +262,13 @@ LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest) const {
 }
 
 template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::largest_borne(double largest) const {
+LimitAnswer<dim> LimitAnalysis<dim>::largest_borne(double largest, const ProgrammeBasis& begin, bool least) const {
   bool balanced = true;
   Terms terms;
   terms.pyramid = Pyramid::within;
-  auto answer = raised_up_to(largest, terms, &balanced);
+  terms.least = least;
+  auto basis = for_raising(begin);
+  auto answer = raised_up_to(largest, terms, &balanced, &basis);
   answer.mechanism.clear();
   return answer;
 }

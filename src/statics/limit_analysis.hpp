@@ -36,6 +36,7 @@ struct LimitAnswer {
   std::vector<Vector<dim>> force;      ///< [N] per contact, normal and tangential, where loads are balanced
   double out_of_balance = 0;           ///< [-] of those forces, relative to the largest load of a stone
   int iterations = 0;                  ///< of the simplex method
+  ProgrammeBasis basis;                ///< of its programme, where another of the same stones may begin
 };
 
 /// Range of a reaction over all admissible forces [N]; no numbers where it has no end.
@@ -51,10 +52,13 @@ class LimitAnalysis {
   const RigidStructure<dim>& structure() const { return s_; }
   /// The largest factor of raised loads, up to a largest one, that can be balanced together with the fixed loads. In
   /// space no equilibrium exists above it.
-  LimitAnswer<dim> largest_factor(double largest) const;
+  /// @param begin  the basis of another answer, where the programme begins; none where there is none
+  LimitAnswer<dim> largest_factor(double largest, const ProgrammeBasis& begin = {}) const;
   /// The largest factor for which admissible forces are found that balance the loads, and these: in the plane that
   /// above, in space up to a thousandth less. No verdict where not even the fixed loads are.
-  LimitAnswer<dim> largest_borne(double largest) const;
+  /// @param least  tell the forces with the least sum of normal forces, of those that balance a hair less: at the limit
+  ///               any may stand for all
+  LimitAnswer<dim> largest_borne(double largest, const ProgrammeBasis& begin = {}, bool least = false) const;
   /// Whether dry joints balance the raised loads alone. Then these can be raised without end wherever fixed loads are
   /// borne: forces of dry joints add up to forces of dry joints.
   bool borne_at_any_factor() const;
@@ -94,6 +98,7 @@ class LimitAnalysis {
     Pyramid pyramid = Pyramid::around;
     bool sliding = false;  ///< friction with hardly any slope beside a bound on shear that the caller sets
     bool finer = true;     ///< pyramids are made finer where it matters
+    bool least = false;    ///< forces that balance a hair less than the limit, with the least sum of normal forces
   };
   /// What a mechanism proves: the factor of raised loads [-], and their power along it [N m].
   struct Bound {
@@ -115,6 +120,9 @@ class LimitAnalysis {
                                 ProgrammeBasis* basis = nullptr) const;
   LimitAnswer<dim> with_forces(double largest, LimitAnswer<dim>) const;
   LimitAnswer<dim> least_of_joints(double share_of_joints, const ProgrammeBasis&) const;
+  void seek_least(Programme&) const;
+  void tell_least(Programme&, LimitAnswer<dim>&) const;
+  ProgrammeBasis for_raising(ProgrammeBasis) const;
   LimitAnswer<dim> in_motion(double largest, LimitAnswer<dim>) const;
   void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer<dim>&) const;
   std::optional<Bound> bound_of(const Programme&, const std::vector<Wrench<dim>>& mechanism) const;

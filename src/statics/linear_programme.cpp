@@ -70,6 +70,12 @@ struct LinearProgramme::Parts {
   }
 };
 
+void rest_at_lower_bound(unsigned char& status) {
+  constexpr unsigned char kind = 7;  // bits of a status that say which it is
+  if ((status & kind) != ClpSimplex::basic)
+    status = static_cast<unsigned char>((status & ~kind) | ClpSimplex::atLowerBound);
+}
+
 void end_linear_programmes_when(bool (*asked)()) { asked_to_stop = asked; }
 
 LinearProgramme::LinearProgramme() : parts_(std::make_unique<Parts>()) {

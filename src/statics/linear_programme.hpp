@@ -24,6 +24,9 @@ struct ProgrammeSolution {
   int iterations = 0;
 };
 
+/// A column that rests at its upper bound, as a basis has it, rests at its lower bound instead; one of the basis stays.
+void rest_at_lower_bound(unsigned char& status);
+
 /// While a programme is solved CLP asks so, every tenth of a second; once the answer is yes it ends as one that failed,
 /// and so does every other from then on.
 void end_linear_programmes_when(bool (*asked_to_stop)());

@@ -84,11 +84,27 @@ LimitAnswer<dim> LimitAnalysis<dim>::least_of_joints(double share_of_joints, con
   auto p = programme({share_of_joints, endless, Pyramid::within, false});
   const double all = raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, all, all);
+  seek_least(p);
+  p.lp.start_from(basis);
+  return judge(p, p.lp.maximise(), 1);
+}
+
+template <int dim>
+void LimitAnalysis<dim>::seek_least(Programme& p) const {
+  p.lp.set_cost(p.factor_column, 0);
   for (std::size_t k = 0; k < p.forces.size(); ++k)
     for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g)
       p.lp.set_cost(p.columns[k][g], -p.forces[k].generators[g].direction[0]);
-  p.lp.start_from(basis);
-  return judge(p, p.lp.maximise(), 1);
+}
+
+/// By the pyramids that have been made finer for the limit: those at the start may not bear as much.
+template <int dim>
+void LimitAnalysis<dim>::tell_least(Programme& p, LimitAnswer<dim>& answer) const {
+  const double below = answer.factor * (1 - Numbers::no_motion), factor = below * raised_unit_ / unit_;
+  p.lp.set_column(p.factor_column, factor, factor);
+  seek_least(p);
+  const auto least = judge(p, p.lp.maximise(), below);
+  if (least.verdict == LimitVerdict::unlimited) answer.force = least.force;
 }
 
 /// Forces that balance loads are found first, without a cost and without an end, which costs the simplex method several
@@ -135,6 +151,10 @@ template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*) const;
 template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*) const;
 template LimitAnswer<2> LimitAnalysis<2>::least_of_joints(double, const ProgrammeBasis&) const;
 template LimitAnswer<3> LimitAnalysis<3>::least_of_joints(double, const ProgrammeBasis&) const;
+template void LimitAnalysis<2>::seek_least(Programme&) const;
+template void LimitAnalysis<3>::seek_least(Programme&) const;
+template void LimitAnalysis<2>::tell_least(Programme&, LimitAnswer<2>&) const;
+template void LimitAnalysis<3>::tell_least(Programme&, LimitAnswer<3>&) const;
 template bool LimitAnalysis<2>::is_rows() const;
 template bool LimitAnalysis<3>::is_rows() const;
 template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double) const;

@@ -112,6 +112,16 @@ class LimitsInSpace(program.SceneTest):
         free = beds[beds > 0]
         self.assertTrue(np.all(np.isclose(free, 1.0, atol=1e-5) | np.isclose(free, 0.5, atol=1e-5)), beds)
 
+    def test_forces_that_are_drawn_are_those_of_one_rank(self):
+        # Of many forces that balance, a programme gives those that the order of its rows leads to.
+        text = (pathlib.Path(__file__).resolve().parents[2] / "xml" / "wall-with-returns.xml").read_text(encoding="utf-8")
+        forces = []
+        for ranks in (1, 2):
+            run = self.run_scene(text, "--limit-analysis", out=f"drawn {ranks}", ranks=ranks)
+            with h5py.File(run.folder / "fields.h5") as file:
+                forces.append(file["steps/0001/joint_force_N"][()])
+        self.assertLess(np.abs(forces[1] - forces[0]).max(), 1e-9 * np.abs(forces[0]).max())
+
     def test_a_prism_tips_and_slides(self):
         for degrees, friction, limit, finer in ((0, 0.6, 0.5, 1e-6), (30, 0.6, 0.5 / math.cos(math.radians(30)), 1e-6),
                                                 (45, 0.6, 0.3 / math.sin(math.radians(45)), 1e-6), (17, 0.2, 0.2, 1.5e-3)):
