@@ -372,7 +372,7 @@ RigidVerdict RigidTheorem<dim>::largest_factor(const RigidTask& task, double lar
   const RigidLimits<dim> limits(model_, task);
   const auto answer = limits.largest_factor(largest);
   auto told = verdict_of(limits, answer);
-  if (estimates && !told.mechanism.empty())
+  if (estimates && answer.verdict == LimitVerdict::limited)  // whether a rank has nodes that move or none
     told.without_dilatancy = limits.without_dilatancy(largest, answer).value_or(told.without_dilatancy);
   return told;
 }

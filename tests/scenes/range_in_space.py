@@ -132,7 +132,7 @@ class RangeInSpace(program.SceneTest):
         stones = {"ground": ((-1, -0.5, -0.3), (2, 1, 0)), "thrown": ((0, 0, 0), (0.6, 0.6, 0.3)),
                   "other": ((0.7, 0, 0), (1.3, 0.6, 0.3))}
         depths = [self.told(self.throw(stones, 2.0, 0.2, out=f"meet {ranks}", ranks=ranks), "stones_overlap")
-                  for ranks in (1, 2, 3)]
+                  for ranks in (1, 2, 5)]
         self.assertLess(0.05, depths[0])
         for depth in depths[1:]:
             self.assertLess(abs(depth - depths[0]), 1e-6)
