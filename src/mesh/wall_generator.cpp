@@ -19,7 +19,9 @@ class Wall final : public BlockSource<2> {
  public:
   explicit Wall(const WallParameters&);
 
-  BlockId block_count() const override { return static_cast<BlockId>(place_.size()); }
+  BlockId block_count() const override {
+    return p_.openings.empty() ? number({p_.courses, 0}) : static_cast<BlockId>(place_.size());
+  }
   int node_count(BlockId b) const override {
     const Extent e = extent(place(b));
     return (e.to - e.from + 1) * (p_.cells_up + 1);
@@ -45,9 +47,9 @@ class Wall final : public BlockSource<2> {
   }
   Place place(BlockId b) const {
     VOUSSOIR_EXPECT(b >= 0 && b < block_count());
-    const int pair = 2 * p_.blocks_per_course + 1;
-    const int rest = place_[b] % pair, odd = rest >= p_.blocks_per_course ? 1 : 0;
-    return {place_[b] / pair * 2 + odd, rest - odd * p_.blocks_per_course};
+    const int pair = 2 * p_.blocks_per_course + 1, at = p_.openings.empty() ? b : place_[b];
+    const int rest = at % pair, odd = rest >= p_.blocks_per_course ? 1 : 0;
+    return {at / pair * 2 + odd, rest - odd * p_.blocks_per_course};
   }
   Extent extent(Place p) const {
     const int columns = p_.blocks_per_course * p_.cells_along;
@@ -57,10 +59,13 @@ class Wall final : public BlockSource<2> {
   }
   double x(int column) const { return p_.block_length * column / p_.cells_along; }
   double y(int row) const { return p_.block_height * row / p_.cells_up; }
+  /// -1 for a block that is left out.
+  BlockId block_at(Place p) const { return p_.openings.empty() ? number(p) : id_[number(p)]; }
   bool in_an_opening(Place) const;
   void add_neighbours(Place, int course, std::vector<Neighbour>&) const;
 
   WallParameters p_;
+  // Where openings may leave blocks out; empty in a wall without.
   std::vector<int> place_;   ///< per block: its number when no block is left out
   std::vector<BlockId> id_;  ///< per such number: block, or -1 when left out
   std::vector<std::string> block_sets_;
@@ -93,9 +98,10 @@ void validate(const WallParameters& p) {
 
 Wall::Wall(const WallParameters& p) : p_(p) {
   validate(p_);
+  for (int course = 0; course < p_.courses; ++course) block_sets_.push_back("course " + std::to_string(course));
+  if (p_.openings.empty()) return;
   id_.assign(static_cast<std::size_t>(number({p_.courses, 0})), -1);
   for (int course = 0; course < p_.courses; ++course) {
-    block_sets_.push_back("course " + std::to_string(course));
     for (int stone = 0; stone < stones(course); ++stone) {
       if (in_an_opening({course, stone})) continue;
       id_[number({course, stone})] = static_cast<BlockId>(place_.size());
@@ -150,7 +156,7 @@ void Wall::add_neighbours(Place p, int course, std::vector<Neighbour>& all) cons
   // In courses of equal and of shifted bond no block reaches further than one place to either side.
   for (int stone = std::max(p.stone - 1, 0); stone <= std::min(p.stone + 1, stones(course) - 1); ++stone) {
     if (course == p.course && stone == p.stone) continue;
-    const BlockId other = id_[number({course, stone})];
+    const BlockId other = block_at({course, stone});
     const Extent its = extent({course, stone});
     const int columns = std::min(mine.to, its.to) - std::max(mine.from, its.from) + 1;
     if (other < 0 || columns < 1) continue;
