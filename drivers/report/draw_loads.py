@@ -19,6 +19,7 @@ COLOURS = (RED, BLUE, PURPLE, "#7a5200", "#00615c", "#5c5c5c")
 ARROWS = 24          # of one load: more are a black band
 ALONG_EDGE, CONCENTRATED, REACTION = 0.07, 0.12, 0.13  # of the span: the longest arrow
 MOST_MOVES = 60      # of a label that makes way, 4 points each
+MARGIN = 2           # pixels between a label and what it leaves free
 SMALL = 1e-3         # of the largest force of a load: not drawn
 POINTS = ("point load", "moving train")  # kinds that act at points
 
@@ -97,7 +98,8 @@ def line_of(arrow, length):
     return arrow.at - length * way, arrow.at
 
 
-def draw_arrow(axes, tail, tip, colour, width=1.3, head=9):
+def draw_arrow(axes, words, tail, tip, colour, width=1.3, head=9):
+    words.leave_free(tail, tip)
     axes.annotate("", xy=tip, xytext=tail, annotation_clip=False, zorder=6,
                   arrowprops=dict(arrowstyle="-|>", color=colour, lw=width, shrinkA=0, shrinkB=0, mutation_scale=head))
 
@@ -126,8 +128,14 @@ class Words:
         """@param stones  [n, 2] m, places that words leave free where there is room beside them"""
         self.figure, self.axes = figure, axes
         self.stones = axes.transData.transform(stones)
+        self.arrows = np.empty((0, 2))
         bar = axes.get_window_extent(figure.canvas.get_renderer())  # the scale bar stands at its lower left corner
         self.taken = [Bbox.from_extents(bar.x0, bar.y0 - 14, bar.x0 + 0.35 * bar.width, bar.y0 + 8)]
+
+    def leave_free(self, tail, tip):
+        """Words do not stand on an arrow."""
+        ends = self.axes.transData.transform([tail, tip])
+        self.arrows = np.concatenate([self.arrows, np.linspace(*ends, 20)])
 
     def add(self, at, outward, text, colour):
         shift = np.where(np.abs(outward) > 0.3 * np.linalg.norm(outward), np.sign(outward), 0)
@@ -141,19 +149,19 @@ class Words:
         over = (min(width - box.x1, 0) - min(box.x0, 0)) * 72 / self.figure.dpi
         if over:  # on the paper first, and not on its own arrow
             x, y = label.get_position()
-            label.set_position((x + over, y + (14 if shift[1] == 0 else 0)))
+            label.set_position((x + over, y))
         x, y = label.get_position()
-        for off_stones in (True, False):
+        ways = (step,) if shift[1] else (1, -1)  # beside an arrow there is room above and below
+        for around in (np.concatenate([self.stones, self.arrows]), self.arrows, np.empty((0, 2))):
             for k in range(MOST_MOVES):
-                label.set_position((x, y + 4 * step * k))
-                box = label.get_window_extent(renderer)
-                if not any(box.overlaps(other) for other in self.taken) and not (off_stones and self.on_stones(box)):
-                    self.taken.append(box)
-                    return
+                for way in ways:
+                    label.set_position((x, y + 4 * way * k))
+                    box = label.get_window_extent(renderer)
+                    beside = np.all((around > box.min - MARGIN) & (around < box.max + MARGIN), axis=1)
+                    if not beside.any() and not any(box.overlaps(other) for other in self.taken):
+                        self.taken.append(box)
+                        return
         self.taken.append(box)
-
-    def on_stones(self, box):
-        return bool(np.any(np.all((self.stones > box.min) & (self.stones < box.max), axis=1)))
 
     def make_room(self):
         """Lets the paper grow by what stands beyond its upper and lower edge."""
@@ -173,7 +181,7 @@ def draw_load(axes, words, load, x, edges, colour, whole):
     tails = []
     for arrow in arrows:
         tail, tip = line_of(arrow, longest * np.linalg.norm(arrow.force) / largest)
-        draw_arrow(axes, tail, tip, colour, 1.0 if per_length else 1.8, 7 if per_length else 12)
+        draw_arrow(axes, words, tail, tip, colour, 1.0 if per_length else 1.8, 7 if per_length else 12)
         tails.append((tail if tip is arrow.at else tip, arrow))
     if not tails:
         return []
@@ -220,7 +228,7 @@ def draw_loads(mesh, edges, loads, reactions, folder):
     placed = [load for load in loads if len(load.node)]
     room = room_for(placed, reactions, x, edges, whole)
     # Words stand above and beside arrows: letters are as high on any structure, so room is in shares of the paper.
-    margin = (0.10 if PAPER.is_narrow else 0.05) * whole
+    margin = (0.15 if PAPER.is_narrow else 0.05) * whole
     box = limits(x, *([room] if len(room) else []))
     figure, axes = drawing((box[0] - margin, box[1] + margin, box[2] - margin, box[3] + 2 * margin))
     fill_cells(axes, x, mesh, STONE_PALE)
@@ -230,14 +238,19 @@ def draw_loads(mesh, edges, loads, reactions, folder):
     for k, load in enumerate(placed):
         draw_load(axes, words, load, x, edges, COLOURS[k % len(COLOURS)], whole)
     largest = max((np.linalg.norm(force) for _, force, _ in reactions), default=0.0)
-    for name, force, at in reactions:
+    shown = [row for row in reactions if np.linalg.norm(row[1]) >= SMALL * largest]
+    tails = []
+    for _, force, at in shown:
         size = np.linalg.norm(force)
-        if size < SMALL * largest:
-            continue
-        tail = at - REACTION * whole * (0.4 + 0.6 * size / largest) * force / size
-        draw_arrow(axes, tail, at, GREEN, 2.0, 13)
-        parts = [f"{force_text(abs(part))} {direction(np.eye(2)[k] * part)}" for k, part in enumerate(force) if abs(part) > SMALL * size]
-        words.add(tail, tail - at, f"{visible(name)}: " + ",\n".join(parts), "#00664b")
+        tails.append(at - REACTION * whole * (0.4 + 0.6 * size / largest) * force / size)
+        draw_arrow(axes, words, tails[-1], at, GREEN, 2.0, 13)
+    for tail, (name, force, at) in zip(tails, shown):
+        size = np.linalg.norm(force)
+        parts = [(force_text(abs(part)), direction(np.eye(2)[k] * part)) for k, part in enumerate(force) if abs(part) > SMALL * size]
+        # What comes from aside has little room beside the stones, and words of one line need the most.
+        between = "\n" if len(parts) == 1 and abs(force[0]) > abs(force[1]) else " "
+        inner = between if PAPER.is_narrow else " "
+        words.add(tail, tail - at, f"{visible(name)}:{between}" + ",\n".join(inner.join(part) for part in parts), "#00664b")
     words.make_room()
     if reactions:
         entries.append(line_entry("reaction of a support", GREEN, 2.0))
@@ -280,7 +293,7 @@ def draw_loads_in_space(mesh, edges, loads, axes_seen, folder):
         for at, force in arrows:
             if np.linalg.norm(force) > SMALL * largest:
                 tails.append(at - (CONCENTRATED if at_points else ALONG_EDGE) * whole * force @ axes_seen / largest)
-                draw_arrow(axes, tails[-1], at, COLOURS[k % len(COLOURS)], 1.6 if at_points else 0.9, 11 if at_points else 6)
+                draw_arrow(axes, words, tails[-1], at, COLOURS[k % len(COLOURS)], 1.6 if at_points else 0.9, 11 if at_points else 6)
         if tails:
             top = max(tails, key=lambda tail: tail[1])
             words.add(top, np.array([0.0, 1.0]), f"{visible(load.name)}: {size_text(load.total)}", COLOURS[k % len(COLOURS)])

@@ -24,4 +24,13 @@ inline void broadcast_warnings(const Teuchos::Comm<int>& comm, Warnings& warning
     warnings.push_back({words[4 * k], words[4 * k + 1], words[4 * k + 2], amounts[k], words[4 * k + 3]});
 }
 
+/// The warnings that the first rank finds, on every rank. What it throws all throw. Collective.
+template <class Find>
+Warnings warnings_of_first_rank(const Teuchos::Comm<int>& comm, const Find& find) {
+  Warnings found;
+  on_first_rank(comm, [&] { found = find(); });
+  broadcast_warnings(comm, found);
+  return found;
+}
+
 }  // namespace voussoir

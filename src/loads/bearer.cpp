@@ -37,11 +37,8 @@ Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, c
                            std::vector<BlockId> stones, BlockId bearer) {
   sort_unique(stones);
   if (stones.size() < 2) return {};
-  const auto& comm = *site.structure.comm();
-  Warnings one;
-  if (comm.getRank() == 0) one.push_back(among_several(site, what, place, stones, bearer));
-  broadcast_warnings(comm, one);
-  return one;
+  return warnings_of_first_rank(*site.structure.comm(),
+                                [&] { return Warnings{among_several(site, what, place, stones, bearer)}; });
 }
 
 template Warnings warning_of_bearer<2>(const LoadSite<2>&, const std::string&, const std::string&, std::vector<BlockId>,

@@ -9,8 +9,8 @@
 
 namespace voussoir {
 
-/// The warning that one of several stones at a place bears a load; nothing when there is only one. Local, and the same
-/// on every rank when the stones are.
+/// The warning that one of several stones at a place bears a load; nothing when there is only one. Collective: the
+/// stones are the same on every rank, and the first can be asked of them.
 /// @param what    kind of the warning
 /// @param place   "the node nearest to (1, 2) m"
 /// @param stones  that could bear it, the bearer among them; repeated and in any order

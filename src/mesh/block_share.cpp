@@ -62,12 +62,6 @@ BlockShare share_out(const BlockSource<dim>& source, const Teuchos::Comm<int>& c
 }
 
 template <int dim>
-BlockShare share_as_read(const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
-  const auto read = source.read_by(comm.getRank(), comm.getSize());
-  return share_of(source, std::vector<int>(static_cast<std::size_t>(read.to - read.from), comm.getRank()), comm);
-}
-
-template <int dim>
 BlockShare share_of_owners(const BlockSource<dim>& source, const std::vector<int>& owner_of_block, int rank) {
   BlockShare share;
   for (BlockId b = 0; b < source.block_count(); ++b)
@@ -79,8 +73,6 @@ BlockShare share_of_owners(const BlockSource<dim>& source, const std::vector<int
 
 template BlockShare share_out(const BlockSource<2>&, const Teuchos::Comm<int>&, const PartitionSettings&);
 template BlockShare share_out(const BlockSource<3>&, const Teuchos::Comm<int>&, const PartitionSettings&);
-template BlockShare share_as_read(const BlockSource<2>&, const Teuchos::Comm<int>&);
-template BlockShare share_as_read(const BlockSource<3>&, const Teuchos::Comm<int>&);
 template BlockShare share_of_owners(const BlockSource<2>&, const std::vector<int>&, int);
 template BlockShare share_of_owners(const BlockSource<3>&, const std::vector<int>&, int);
 

@@ -19,10 +19,6 @@ struct BlockShare {
 template <int dim>
 BlockShare share_out(const BlockSource<dim>&, const Teuchos::Comm<int>&, const PartitionSettings& = {});
 
-/// Each rank owns what it reads.
-template <int dim>
-BlockShare share_as_read(const BlockSource<dim>&, const Teuchos::Comm<int>&);
-
 /// The share of a rank where the owners of all blocks are known. Local.
 template <int dim>
 BlockShare share_of_owners(const BlockSource<dim>&, const std::vector<int>& owner_of_block, int rank);

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "linalg/agree.hpp"
+#include "linalg/fail_together.hpp"
 #include "linalg/mpi_handle.hpp"
 #include "linalg/reduce.hpp"
 #include "output/even_rows.hpp"
@@ -79,19 +80,13 @@ std::vector<long long> points_of(const SparseColumns& h, int components) {
   return points;
 }
 
-}  // namespace
-
-long long entries_of(const FclibProblem& problem, const Teuchos::Comm<int>& comm) {
-  return total_over_ranks(comm, static_cast<long long>(problem.m.row.size()));
-}
-
-void write_fclib(const std::string& file, const FclibProblem& problem, bool solved, const FclibWords& words,
-                 const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  const std::string beside = file + ".part", at = "/fclib_global";
+void write_open(const std::string& file, const FclibProblem& problem, bool solved, const FclibWords& words,
+                const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const std::string at = "/fclib_global";
   const auto& unknowns = problem.m.column;
   const auto& forces = problem.h.column;
   const auto n = problem.m.columns, m = problem.h.columns;
-  Writer to(beside, comm);
+  Writer to(file, comm);
   to.number(at + "/spacedim", problem.components);
   to.matrix(at + "/M", problem.m, "N/m");
   to.matrix(at + "/H", problem.h, "-");
@@ -108,6 +103,18 @@ void write_fclib(const std::string& file, const FclibProblem& problem, bool solv
     to.vector("/solution/r", forces, problem.r, {m, 1, "N", "force of each point"});
   }
   to.close();
+}
+
+}  // namespace
+
+long long entries_of(const FclibProblem& problem, const Teuchos::Comm<int>& comm) {
+  return total_over_ranks(comm, static_cast<long long>(problem.m.row.size()));
+}
+
+void write_fclib(const std::string& file, const FclibProblem& problem, bool solved, const FclibWords& words,
+                 const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+  const std::string beside = file + ".part";
+  fail_together(*comm, [&] { write_open(beside, problem, solved, words, comm); });
   on_first_rank(*comm, [&] { publish_file(beside, file, elsewhere); });
 }
 

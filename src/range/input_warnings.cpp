@@ -83,8 +83,9 @@ struct UnitOfMesh {
   }
 };
 
+/// For the rank that can be asked of all stones.
 template <int dim>
-void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings& all) {
+Warnings warnings_of_sizes(const Scene& scene, const BlockSource<dim>& source) {
   const bool from_file = scene.mesh.from_file();
   double largest = 0;
   BlockId where = 0;
@@ -101,14 +102,15 @@ void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, Warnings&
   const UnitOfMesh unit(scene.mesh);
   const std::string size = six_digits(largest) + " m", name = source.block(where).name;
   if (large > 0)
-    all.push_back({"large_stones", scene.file + ": scene > " + unit.key, "", largest,
-                   name + " is " + size + " long" +
-                       (large > 1 && from_file ? " and " + counted(large - 1, "more exceeds", "more exceed") + " "
-                                               : ", more than ") +
-                       number_text(large_stone) + " m" + unit.question});
-  else if (largest < small_stone)
-    all.push_back({"small_stones", scene.file + ": scene > " + unit.key, "", largest,
-                   "the largest stone, " + name + ", is " + size + " long" + unit.question});
+    return {{"large_stones", scene.file + ": scene > " + unit.key, "", largest,
+             name + " is " + size + " long" +
+                 (large > 1 && from_file ? " and " + counted(large - 1, "more exceeds", "more exceed") + " "
+                                         : ", more than ") +
+                 number_text(large_stone) + " m" + unit.question}};
+  if (largest < small_stone)
+    return {{"small_stones", scene.file + ": scene > " + unit.key, "", largest,
+             "the largest stone, " + name + ", is " + size + " long" + unit.question}};
+  return {};
 }
 
 /// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
@@ -217,22 +219,18 @@ void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
 
 template <int dim>
 Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
-  Warnings all = source.warnings(), more;
+  Warnings all = source.warnings();
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
   append(all, unusual_values(scene));
   // What looks at every stone of a file is for the first rank, which has read it.
-  on_first_rank(comm, [&] { warn_of_sizes(scene, source, more); });
-  broadcast_warnings(comm, more);
-  append(all, std::move(more));
+  append(all, warnings_of_first_rank(comm, [&] { return warnings_of_sizes(scene, source); }));
   warn_of_lone_stones(scene, source, comm, all);
   warn_of_strength_over_gaps(scene, all);
-  more.clear();
-  on_first_rank(comm, [&] {
-    append(more, warnings_of_sides(scene, source));
-    if constexpr (dim == 3) append(more, warnings_of_stiff_stones(scene, source));
-  });
-  broadcast_warnings(comm, more);
-  append(all, std::move(more));
+  append(all, warnings_of_first_rank(comm, [&] {
+           auto found = warnings_of_sides(scene, source);
+           if constexpr (dim == 3) append(found, warnings_of_stiff_stones(scene, source));
+           return found;
+         }));
   return all;
 }
 

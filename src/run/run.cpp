@@ -159,7 +159,7 @@ bool Run::load_step(const ContactState& before) {
   const double target = steps_.target();
   const auto dropped = motion_dropped(recorder_->so_far().energy, at_factor(stage, target));
   dynamics_.reset();
-  if (!state_.velocity.empty()) untie_what_moved(model_, state_);
+  if (in_motion(*model_.structure().comm(), state_)) untie_what_moved(model_, state_);
   state_.velocity.clear();
   std::vector<double> next_load, prescribed;
   model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);

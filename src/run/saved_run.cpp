@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/fail_together.hpp"
 #include "linalg/reduce.hpp"
 #include "model/carried_points.hpp"
 #include "model/handed_over.hpp"
@@ -305,7 +306,18 @@ SavedRun::SavedRun(const Scene& scene, const Model& model, const std::string& fo
 void SavedRun::save(const RunState& run) {
   VOUSSOIR_EXPECT(is_of_nodes(model_, run.load) && "load: of node copies");
   Phase phase("output");
-  Checkpoint checkpoint(path_, model_.structure().comm(), Checkpoint::Way::save);
+  const auto comm = model_.structure().comm();
+  fail_together(*comm, [&] {
+    Checkpoint checkpoint(path_, comm, Checkpoint::Way::save);
+    write(checkpoint, run);
+    checkpoint.publish();
+  });
+  clock_.reset();
+  clock_.start(true);
+  steps_since_ = 0;
+}
+
+void SavedRun::write(Checkpoint& checkpoint, const RunState& run) const {
   check_identity(checkpoint, model_, path_);
   const Passed passed{run.steps.passed(), !run.steps.finished() && run.steps.reached() > 0,
                       run.steps.finished() && run.load_factor && run.load_factor->begun()};
@@ -321,10 +333,6 @@ void SavedRun::save(const RunState& run) {
   checkpoint.value("load_steps.stage_name", stage);
   for (auto [name, seconds] : run.seconds) checkpoint.value("seconds." + name, seconds);
   keep_state(checkpoint, model_, run);
-  checkpoint.publish();
-  clock_.reset();
-  clock_.start(true);
-  steps_since_ = 0;
 }
 
 void SavedRun::save_when_due(const RunState& run) {
@@ -338,7 +346,14 @@ void SavedRun::save_when_due(const RunState& run) {
 
 std::vector<std::string> SavedRun::restore(const RunState& run) const {
   Phase phase("output");
-  Checkpoint checkpoint(source_, model_.structure().comm(), Checkpoint::Way::restore);
+  const auto comm = model_.structure().comm();
+  return fail_together(*comm, [&] {
+    Checkpoint checkpoint(source_, comm, Checkpoint::Way::restore);
+    return read(checkpoint, run);
+  });
+}
+
+std::vector<std::string> SavedRun::read(Checkpoint& checkpoint, const RunState& run) const {
   check_identity(checkpoint, model_, source_);
   const auto passed = passed_stages(checkpoint, scene_, source_);
   check_search(checkpoint, scene_, passed, source_);

@@ -18,6 +18,8 @@
 
 namespace voussoir {
 
+class Checkpoint;
+
 /// Where a run stands between two steps.
 struct RunState {
   LoadSteps& steps;
@@ -51,6 +53,9 @@ class SavedRun {
   void remove() const;
 
  private:
+  void write(Checkpoint&, const RunState&) const;
+  std::vector<std::string> read(Checkpoint&, const RunState&) const;
+
   const Scene& scene_;
   const Model& model_;
   std::string path_, source_;

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 #include "base/text.hpp"
 #include "linalg/gather.hpp"
-#include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
 #include "range/boxes_of_ranks.hpp"
 #include "range/range_parameters.hpp"
 #include "range/space/stone_surfaces.hpp"
 #include "range/stone_names.hpp"
-#include "range/turn_records.hpp"
 #include "stones/facets.hpp"
 #include "stones/overlaps.hpp"
 
@@ -35,36 +32,8 @@ double spread(const SpaceModel& model, const StepEnd& end) {
   return norm(Vector<3>{all[0] + all[1], all[2] + all[3], all[4] + all[5]});
 }
 
-struct GrownStone {
-  BlockId block;
-  double growth;  ///< [m] by which a small rotation makes it larger
-};
-
-std::vector<GrownStone> growth_here(const SpaceModel& model, const StepEnd& end,
-                                    const std::vector<PlacedSurface>& here) {
-  std::vector<GrownStone> all;
-  for (const auto& stone : here) {
-    const double turn =
-        norm(turn_of(model.structure(), model.structure().local_block(stone.block), end.state.displacement));
-    all.push_back({stone.block, turn * turn / 2 * extent(stone.surface.points)});
-  }
-  return all;
-}
-
-/// Of stones that surfaces_in() has brought. Collective.
-std::map<BlockId, double> growth_in(const Box<3>& mine, const SpaceModel& model, const StepEnd& end,
-                                    const std::vector<PlacedSurface>& here) {
-  const auto& comm = *model.structure().comm();
-  const auto boxes = boxes_of_ranks(mine, comm);
-  const auto grown = growth_here(model, end, here);
-  Post<GrownStone> post(comm);
-  for (int rank = 0; rank < comm.getSize(); ++rank)
-    for (std::size_t k = 0; k < here.size(); ++k)
-      if (boxes[rank].overlaps(here[k].box)) post.add(rank, grown[k]);
-  std::map<BlockId, double> growth;
-  for (const auto& [block, by] : std::move(post).send_all()) growth[block] = by;
-  return growth;
-}
+/// By how much a small rotation makes a stone larger [m].
+double growth(const PlacedSurface& stone) { return stone.turn * stone.turn / 2 * extent(stone.surface.points); }
 
 struct Overlap {
   BlockId a, b;  ///< ascending
@@ -77,16 +46,18 @@ std::vector<Overlap> overlaps_here(const SpaceModel& model, const StepEnd& end, 
   const auto here = surfaces_here(model, end);
   auto around = empty_box<3>();
   for (const auto& stone : here) around.add(stone.box);
-  auto stones = surfaces_in(around, model, end);
-  const auto growth = growth_in(around, model, end, here);
+  auto stones = surfaces_in(around, here, *s.comm());
+  std::vector<double> grown;
   std::vector<StoneSurface> surfaces;
+  for (const auto& stone : stones) grown.push_back(growth(stone));
   for (auto& stone : stones) surfaces.push_back(std::move(stone.surface));
   std::vector<Overlap> found;
   for (const auto& overlap : overlaps(surfaces, touching)) {
-    const auto [a, b] = std::minmax(stones[overlap.stone[0]].block, stones[overlap.stone[1]].block);
+    const auto [one, other] = overlap.stone;
+    const auto [a, b] = std::minmax(stones[one].block, stones[other].block);
     const int local = s.local_block(a);
     if (local < 0 || local >= s.owned_blocks()) continue;  // another rank's to tell
-    if (overlap.depth > touching + growth.at(a) + growth.at(b)) found.push_back({a, b, overlap.depth});
+    if (overlap.depth > touching + grown[one] + grown[other]) found.push_back({a, b, overlap.depth});
   }
   return found;
 }

@@ -185,7 +185,7 @@ std::vector<LongSlip> slips_of_all(const SpaceModel& model, const StepEnd& end) 
     auto around = empty_box<3>();
     for (const auto& slip : mine)
       if (slip.told.past_an_end()) around.add(slip.told.around);
-    const auto others = surfaces_in(around, model, end);
+    const auto others = surfaces_in(around, surfaces_here(model, end), *model.structure().comm());
     for (auto& slip : mine)
       if (slip.told.past_an_end()) look_at_stones(model, end, slip, others);
     slips = gathered();

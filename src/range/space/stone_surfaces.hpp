@@ -25,13 +25,16 @@ inline Vector<3> place_now(const Structure<3>& s, const std::vector<double>& u, 
 struct PlacedSurface {
   BlockId block;
   StoneSurface surface;
+  double turn;  ///< [rad] since it was drawn
   Box<3> box;
 };
 
 /// Those of this rank that are there, ascending.
 std::vector<PlacedSurface> surfaces_here(const SpaceModel&, const StepEnd&);
-/// Those of all ranks that are there and lie in a box of this rank, or reach into it, ascending. Collective.
-std::vector<PlacedSurface> surfaces_in(const Box<3>& mine, const SpaceModel&, const StepEnd&);
+/// Those of all ranks that lie in a box of this rank, or reach into it, ascending. Collective.
+/// @param here  surfaces_here()
+std::vector<PlacedSurface> surfaces_in(const Box<3>& mine, const std::vector<PlacedSurface>& here,
+                                       const Teuchos::Comm<int>&);
 
 /// Border of a local block, its faces outward.
 StoneSurface surface_now(const Structure<3>&, const std::vector<double>& u, int block);

@@ -61,7 +61,6 @@ TEUCHOS_UNIT_TEST(BlockShare, EveryBlockIsOwnedOnceAndItsNeighboursAreKnown) {
   const auto comm = Tpetra::getDefaultComm();
   const auto source = wall();
   check_share(*source, share_out(*source, *comm), out, success);
-  check_share(*source, share_as_read(*source, *comm), out, success);
   PartitionSettings by_all;
   by_all.most_on_first = 0;
   check_share(*source, share_out(*source, *comm, by_all), out, success);
