@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/refused_list.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace voussoir {
@@ -117,6 +118,14 @@ void check_laws(const Scene& scene, const BlockSource<dim>& source, const BlockS
   }
 }
 
+/// Lists for libraries are such as these take. The same on every rank.
+void check_lists(const Scene& scene, int dim) {
+  if (const auto refused = refused_list(scene.solver, dim))
+    throw InputError(scene.file + ": scene > solver > " + refused->key + "\n  is refused by " + refused->library +
+                     ": " + refused->why +
+                     "\n  Names, types and values are those of its manual; leave out what is not needed.");
+}
+
 }  // namespace
 
 template <int dim>
@@ -132,6 +141,7 @@ bool is_there(const Scene& scene, const BlockSource<dim>& source, const Block<di
 
 template <int dim>
 void check_fit(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  check_lists(scene, dim);
   check_names(scene, source.block_sets(), source.facet_sets());
   const auto read = source.read_by(comm.getRank(), comm.getSize());
   if (!scene.construction.empty()) {

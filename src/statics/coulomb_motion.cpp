@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/order_of_magnitude.hpp"
 #include "statics/admissible_forces.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 #include "statics/linear_programme.hpp"
@@ -27,14 +28,15 @@ struct Part {
 template <int dim>
 class MotionProgramme {
  public:
+  /// @param work  of the loads, in that along the mechanism
   MotionProgramme(const RigidStructure<dim>& s, const std::vector<Wrench<dim>>& mechanism,
-                  const std::vector<Wrench<dim>>& driving)
+                  const std::vector<Wrench<dim>>& driving, double work)
       : s_(s), mechanism_(mechanism) {
     join_stones();
     for (std::size_t k = 0; k < n * parts_.size(); ++k) rows_of_column_.emplace_back();
     for (const auto& c : s_.contacts) add_contact(c);
     for (const auto& h : s_.supports) add_row(terms_of(h.stone, h.arm, h.direction, 1), -none, none);
-    add_driving(driving);
+    add_driving(driving, work);
     add_distance();
   }
 
@@ -159,8 +161,8 @@ class MotionProgramme {
       add_row(relative(std::cos(aside) * c.axis[1] + std::sin(aside) * c.axis[2]), 0, endless);
   }
 
-  /// The loads do the same work as along the mechanism.
-  void add_driving(const std::vector<Wrench<dim>>& driving) {
+  /// The loads do so many times the work that they do along the mechanism.
+  void add_driving(const std::vector<Wrench<dim>>& driving, double work) {
     double all = 0;
     std::vector<double> sum(rows_of_column_.size(), 0.0);
     for (std::size_t b = 0; b < part_.size(); ++b) {
@@ -173,7 +175,7 @@ class MotionProgramme {
         sum[n * part + c] += c < dim ? load[c] : (moment[c] + load[c]) / parts_[part].radius;
     }
     Terms terms;
-    for (std::size_t k = 0; k < sum.size(); ++k) terms.emplace_back(static_cast<int>(k), sum[k] / all);
+    for (std::size_t k = 0; k < sum.size(); ++k) terms.emplace_back(static_cast<int>(k), sum[k] / (work * all));
     add_row(terms, 1, 1);
   }
 
@@ -221,10 +223,19 @@ CoulombMotion<dim> coulomb_motion(const RigidStructure<dim>& s, const std::vecto
                                   const std::vector<Wrench<dim>>& driving) {
   VOUSSOIR_EXPECT(mechanism.size() == s.stones.size() && "mechanism: per stone");
   VOUSSOIR_EXPECT(driving.size() == s.stones.size() && "driving loads: per stone");
-  MotionProgramme<dim> programme(s, mechanism, driving);
-  if (!programme.slides()) return {mechanism, false};
-  auto motion = programme.solve();
-  if (motion.empty()) return {mechanism, true};
+  std::vector<Wrench<dim>> motion;
+  // Next to the limit the mechanism does hardly any work, and a closed motion of the same work is as small as what the
+  // programme lets joints open. Work is raised until the motion is of the order of the mechanism, 1 m.
+  double work = 1;
+  for (double size = 0, before = -1; order_of_magnitude * size < 1 && size > before;) {
+    MotionProgramme<dim> programme(s, mechanism, driving, work);
+    if (!programme.slides()) return {mechanism, false};
+    motion = programme.solve();
+    if (motion.empty()) return {mechanism, true};
+    before = std::exchange(size, 0);
+    for (std::size_t b = 0; b < motion.size(); ++b) size = std::max(size, reach_of(motion[b], s.stones[b].radius));
+    work /= std::max(size, none);
+  }
   return {std::move(motion), false};
 }
 

@@ -19,7 +19,8 @@ struct CoulombMotion {
   bool dilates = false;  ///< there is none: stones that slide must lift, and the motion is the mechanism itself
 };
 
-/// Of all such motions the nearest to the mechanism along which the loads that drive it do as much work.
+/// Of all such motions the nearest to the mechanism along which the loads that drive it do as much work, or more where
+/// such a motion would be much smaller than the mechanism.
 /// @param mechanism  per stone, the largest motion 1 m
 /// @param driving    per stone, loads that do work along it
 template <int dim>

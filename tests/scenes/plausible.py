@@ -90,6 +90,15 @@ class Plausible(program.SceneTest):
                      stages={"own": {"loads": {"weight": 1.0, "beam": 1.0}}})
         self.refused(["scene > loads > beam > tolerance = 0.05 [m]", "the node nearest to (0, 100) m"], text)
 
+    def test_lists_that_libraries_refuse(self):
+        head, tail = scene().rsplit("</ParameterList>", 1)
+        for key, name, value, words in (("MueLu", "smoother: type", "NONSENSE", "NONSENSE"), ("MueLu", "smother: type", "CHEBYSHEV", "smother: type"),
+                                        ("Belos", "Verbosity", "loud", "Verbosity"), ("Belos unsymmetric", "Orthogonalization", "NOPE", "rthogonalization")):
+            section = (f'<ParameterList name="solver"><ParameterList name="{key}"><Parameter name="{name}" type="string" value="{value}"/>'
+                       "</ParameterList></ParameterList></ParameterList>")
+            for ranks in (1, 2):
+                self.refused([f"scene > solver > {key}", "is refused by", words], head + section + tail, ranks=ranks)
+
     def test_a_drawing_runs_no_programs(self):
         script = DRAWING + 'SystemCall "touch ran";\n'
         self.refused(["has SystemCall, which runs programs", "--trust"], scene(), drawing=script)
