@@ -57,6 +57,19 @@ def labels_of(rows):
     return " / ".join(f"{100 * number(r['threshold']):.3g}" for r in rows) + " %"
 
 
+def label_apart(axes, points):
+    """Labels of points, each where it covers no other. points: (x, y, label); the limits of the axes are set"""
+    renderer, taken = axes.figure.canvas.get_renderer(), []
+    for x, y, label in points:
+        text = axes.annotate(label, (x, y), xytext=(0, 0), textcoords="offset points", fontsize=9, color=BLUE)
+        for offset, side in (((7, 3), "left"), ((7, -12), "left"), ((-7, 3), "right"), ((-7, -12), "right")):
+            text.set(position=offset, ha=side)
+            box = text.get_window_extent(renderer)
+            if not any(box.overlaps(other) for other in taken):
+                break
+        taken.append(box)
+
+
 def draw_cost(axes, rows):
     """Error over time: one point per threshold, those that coincide share a label."""
     solved = positive(by_threshold(rows), "seconds")
@@ -71,8 +84,6 @@ def draw_cost(axes, rows):
         groups.setdefault(round(np.log(number(row["error_energy"])), 3), []).append(row)
     points = [(min(column(g, "seconds")), number(g[0]["error_energy"]), labels_of(g)) for g in groups.values()]
     axes.plot([p[0] for p in points], [p[1] for p in points], "o", color=BLUE, ms=8, zorder=3, **EDGE)
-    for seconds, error, label in points:
-        axes.annotate(label, (seconds, error), xytext=(7, 3), textcoords="offset points", fontsize=9, color=BLUE)
     for row in bonded:
         at = number(row["seconds"]), number(row["error_energy"])
         axes.plot(*at, "s", color=ORANGE, ms=8, zorder=3, **EDGE)
@@ -94,6 +105,7 @@ def draw_cost(axes, rows):
             axes.plot(column(exact, "seconds"), [low] * len(exact), "o", color=BLUE, ms=8, clip_on=False, zorder=3, **EDGE)
             axes.annotate(f"{labels_of(exact)}:\nno error", (max(column(exact, "seconds")), low), xytext=(9, 6),
                           textcoords="offset points", fontsize=9, color=BLUE)
+    label_apart(axes, points)
     failed = [r for r in rows if r["outcome"] != SOLVED]
     if failed:
         words = [f"{r['mode']}{' ' + percent(number(r['threshold'])) if number(r.get('threshold')) is not None else ''}: {r['outcome']}"
