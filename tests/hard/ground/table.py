@@ -1,7 +1,6 @@
 """The table of stability figures, as CSV and as Markdown."""
 
 import csv
-import re
 
 HEADING = ("case", "ranks", "outcome", "steps", "linear solves", "Krylov iterations", "contact residual", "energy imbalance",
            "seconds", "compared with", "deviation", "allowed", "fault")
@@ -10,10 +9,6 @@ HEADING = ("case", "ranks", "outcome", "steps", "linear solves", "Krylov iterati
 def row(verdict):
     run, result, worst = verdict.run, verdict.run.result, verdict.worst
     counts = [result.get(key, "") for key in ("steps", "linear_solves", "krylov_iterations")]
-    # Steps that fail are not in the sums of result.json; what is said of them is.
-    failed = sum(map(int, re.findall(r"after (\d+) linear solves", run.said)))
-    if failed:
-        counts[1:] = [f"{counts[1]} + {failed}", counts[2]]
     outcome = verdict.outcome if verdict.passed else "FAILED"
     figures = ["", ""]
     if result:
