@@ -147,7 +147,7 @@ class Words:
         width = self.figure.bbox.width
         box = label.get_window_extent(renderer)
         over = (min(width - box.x1, 0) - min(box.x0, 0)) * 72 / self.figure.dpi
-        if over:  # on the paper first, and not on its own arrow
+        if over:  # on the paper first
             x, y = label.get_position()
             label.set_position((x + over, y))
         x, y = label.get_position()

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 #include <sstream>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "base/error.hpp"
@@ -68,7 +68,8 @@ template <class Trial>
 std::string refusal(const Teuchos::ParameterList& list, const Trial& trial) {
   const Unheard unheard;
   try {
-    return trial();
+    trial();
+    return "";
   } catch (const std::exception& error) {
     if (is_out_of_memory(error)) throw;
     const auto why = in_short(error.what(), list);
@@ -81,34 +82,20 @@ Teuchos::RCP<const TpetraMap> map_of(int rows) {
   return Teuchos::rcp(new TpetraMap(rows, 0, Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
 }
 
-std::string refused_by_belos(const SolverParameters& given, Symmetry symmetry) {
-  return refusal(symmetry == Symmetry::symmetric ? given.belos : given.belos_unsymmetric, [&] {
-    const auto map = map_of(1);
-    const auto one = Teuchos::rcp(new TpetraMatrix(map, 1));
-    const GlobalOrdinal column = 0;
-    const double value = 1;
-    one->insertGlobalValues(0, 1, &value, &column);
-    one->fillComplete();
-    const auto b = Teuchos::rcp(new TpetraVector(map)), x = Teuchos::rcp(new TpetraVector(map));
-    b->putScalar(1);
-    LinearSolver solver(given);
-    auto failure = solver.solve(one, nullptr, b, x, 1e-8, symmetry).failure;
-    x->putScalar(0);  // some names are looked at where a list is given for the second time
-    if (failure.empty()) failure = solver.solve(one, nullptr, b, x, 1e-8, symmetry).failure;
-    return failure;
-  });
-}
+/// Neighbours on a lattice are joined by springs and every node is held a little.
+struct Lattice {
+  Teuchos::RCP<TpetraMatrix> a;
+  Teuchos::RCP<TpetraMultiVector> places, near_null;
 
-/// Neighbours on a lattice are joined by springs and every node is held a little: enough unknowns for two levels.
-std::string refused_by_muelu(const Teuchos::ParameterList& given, int dim) {
-  return refusal(given, [&] {
+  /// With more unknowns than a coarsest level has.
+  explicit Lattice(int dim) {
     const int side = dim == 2 ? 32 : 10;
     int nodes = 1;
     for (int c = 0; c < dim; ++c) nodes *= side;
     const auto map = map_of(dim * nodes);
-    const auto a = Teuchos::rcp(new TpetraMatrix(map, 2 * dim + 1));
-    const auto places = Teuchos::rcp(new TpetraMultiVector(map_of(nodes), dim));
-    const auto near_null = Teuchos::rcp(new TpetraMultiVector(map, dim));
+    a = Teuchos::rcp(new TpetraMatrix(map, 2 * dim + 1));
+    places = Teuchos::rcp(new TpetraMultiVector(map_of(nodes), dim));
+    near_null = Teuchos::rcp(new TpetraMultiVector(map, dim));
     for (int i = 0; i < nodes; ++i) {
       std::vector<int> beside;
       for (int c = 0, stride = 1; c < dim; ++c, stride *= side) {
@@ -127,11 +114,34 @@ std::string refused_by_muelu(const Teuchos::ParameterList& given, int dim) {
       }
     }
     a->fillComplete();
-    const AmgPreconditioner amg(a, places, near_null, dim, given);
-    TpetraVector r(map), z(map);
+  }
+};
+
+/// How far a solve comes is not asked: a scene may allow it few iterations.
+std::string refused_by_belos(const SolverParameters& given, Symmetry symmetry) {
+  return refusal(symmetry == Symmetry::symmetric ? given.belos : given.belos_unsymmetric, [&] {
+    const Lattice lattice(2);
+    const auto b = Teuchos::rcp(new TpetraVector(lattice.a->getRowMap()));
+    b->putScalar(1);
+    LinearSolver solver(given);
+    for (int times = 0; times < 2; ++times) {  // some names are looked at where a list is given for the second time
+      const auto x = Teuchos::rcp(new TpetraVector(b->getMap()));
+      std::ignore = solver.solve(lattice.a, nullptr, b, x, 1e-8, symmetry);
+    }
+  });
+}
+
+/// With levels down to the smallest: what a scene says of smoothers, or of a level, is looked at where there is one.
+std::string refused_by_muelu(const Teuchos::ParameterList& given, int dim) {
+  return refusal(given, [&] {
+    const Lattice lattice(dim);
+    auto list = given;
+    const auto* const coarsest = "coarse: max size";
+    if (!list.isParameter(coarsest) || list.isType<int>(coarsest)) list.set(coarsest, dim);
+    const AmgPreconditioner amg(lattice.a, lattice.places, lattice.near_null, dim, list);
+    TpetraVector r(lattice.a->getRowMap()), z(r.getMap());
     r.putScalar(1);
     amg.apply(r, z);
-    return std::string();
   });
 }
 

@@ -40,15 +40,24 @@ TEUCHOS_UNIT_TEST(RefusedList, ListsOfTheManualAreTaken) {
   given.belos.set("Verbosity", 33);
   given.belos_unsymmetric.set("Orthogonalization", "IMGS");
   given.belos_unsymmetric.set("Num Blocks", 20);
-  for (const auto* method : {"FLEXIBLE GMRES", "BLOCK GMRES"}) {
-    given.unsymmetric_method = method;
-    TEST_ASSERT(!refused_list(given, 2));
-  }
+  for (const int most : {1, 2000})  // few iterations are the scene's own choice
+    for (const auto* method : {"FLEXIBLE GMRES", "BLOCK GMRES"}) {
+      given.largest_iterations = most;
+      given.unsymmetric_method = method;
+      TEST_ASSERT(!refused_list(given, 2));
+    }
 }
 
 TEUCHOS_UNIT_TEST(RefusedList, WhatALibraryRefusesIsNamed) {
   for (const int dim : {2, 3}) {
     TEST_ASSERT(holds(said_of_muelu([](auto& list) { list.set("smoother: type", "NONSENSE"); }, dim), "smoother"));
+    const auto large = [](auto& list) {
+      list.set("coarse: max size", 100000);
+      list.set("smoother: type", "NONSENSE");
+    };
+    TEST_ASSERT(holds(said_of_muelu(large, dim), "NONSENSE"));
+    const auto of_a_level = [](auto& list) { list.sublist("level 2").set("smoother: type", "NONSENSE"); };
+    TEST_ASSERT(holds(said_of_muelu(of_a_level, dim), "NONSENSE"));
     TEST_ASSERT(holds(said_of_muelu([](auto& list) { list.set("smother: type", "CHEBYSHEV"); }, dim), "smother: type"));
     TEST_ASSERT(holds(said_of_muelu([](auto& list) { list.set("max levels", "three"); }, dim), "max levels"));
     TEST_ASSERT(holds(said_of_muelu([](auto& list) { list.set("verbosity", "loudest"); }, dim), "loudest"));
