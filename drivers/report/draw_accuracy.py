@@ -58,8 +58,9 @@ def labels_of(rows):
 
 
 def label_apart(axes, points):
-    """Labels of points, each where it covers no other. points: (x, y, label); the limits of the axes are set"""
-    renderer, taken = axes.figure.canvas.get_renderer(), []
+    """Labels of points, each where it covers no other nor what stands there. points: (x, y, label); limits of axes are set"""
+    renderer = axes.figure.canvas.get_renderer()
+    taken = [text.get_window_extent(renderer) for text in axes.texts]
     for x, y, label in points:
         text = axes.annotate(label, (x, y), xytext=(0, 0), textcoords="offset points", fontsize=9, color=BLUE)
         for offset, side in (((7, 3), "left"), ((7, -12), "left"), ((-7, 3), "right"), ((-7, -12), "right")):

@@ -48,9 +48,27 @@ def arch_27(run):
     yield Near("weight carried", run.reaction(), arch_weight(27, thickness=1.5) + 2 * 0.5 * 1.5 * 2000 * GRAVITY, 1e-8)
 
 
-# No semicircle stands at any thickness with less than 0.3092.
-case(GROUP, "0.300, semicircular arch", lambda: thick_arch(0.300), COLLAPSE, words=r"\d+ of 29 blocks move, .* joints that slide:")
-case(GROUP, "0.3092 less 1 percent, semicircular arch", lambda: thick_arch(0.3061), COLLAPSE)
+def falls_by_sliding(run):
+    """Checks the motion itself, since more than one falls: forces times ways, and what joints do along it."""
+    motion, x, cells = run.table("displacement"), run.table("mesh/coordinates"), run.table("mesh/cells")
+    largest = abs(motion).max()
+    weight, power = 0.0, 0.0
+    for cell in cells:
+        (ax, ay), (bx, by) = x[cell[2]] - x[cell[0]], x[cell[-1]] - x[cell[1]]
+        area = abs(ax * by - ay * bx) / 2
+        weight += area
+        power -= area * motion[cell][:, 1].mean()
+    gap, slip = run.table("joint_gap_m") / largest, abs(run.table("joint_slip_m")) / largest
+    yield Most("points that slide", -float((slip > 0.01).sum()), -1)
+    yield Most("closing of a joint, over the largest motion", float(-gap.min()), 1e-5)
+    yield Most("opening of a joint that slides", float(gap[slip > 0.01].max()), 1e-3)
+    yield Most("rise of all stones, over the largest motion", -power / weight / largest, -0.01)
+
+
+# No semicircle stands at any thickness with less than 0.3092. Some stones of it fall, or all.
+case(GROUP, "0.300, semicircular arch", lambda: thick_arch(0.300), COLLAPSE, words=r"\d+ of 29 blocks move, .* joints that slide:",
+     check=falls_by_sliding)
+case(GROUP, "0.3092 less 1 percent, semicircular arch", lambda: thick_arch(0.3061), COLLAPSE, check=falls_by_sliding)
 case(GROUP, "0.320, semicircular arch", lambda: thick_arch(0.32), quick=True, check=arch_27)
 case(GROUP, "1.5, semicircular arch", lambda: thick_arch(1.5), check=arch_27)
 case(GROUP, "100, semicircular arch", lambda: thick_arch(100.0), check=arch_27)
