@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "base/before_mpi.hpp"
-#include "base/child_process.hpp"
 #include "base/command_line.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
@@ -214,7 +213,6 @@ int run_program(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  begin_child_processes();
   before_mpi();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/before_mpi.hpp"
-#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
@@ -40,7 +39,6 @@ inline void draw_picture(const std::string& script, const std::string& folder) {
 inline int run_study(int argc, char** argv,
                      const std::function<void(const std::vector<std::string>&,
                                               const Teuchos::RCP<const Teuchos::Comm<int>>&, std::ostream&)>& study) {
-  begin_child_processes();
   before_mpi();
   keep_freed_memory();
   int name_alone = 1;  // Kokkos would answer --help before we do

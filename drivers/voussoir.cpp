@@ -230,7 +230,6 @@ int run_program(std::vector<std::string> words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  begin_child_processes();
   keep_freed_memory();
   before_mpi();
   int name_alone = 1;  // Kokkos would answer --help before we do

@@ -1,6 +1,8 @@
 #include "base/child_process.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -12,8 +14,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
+#include <map>
+#include <sstream>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/free_memory.hpp"
@@ -34,10 +40,12 @@ constexpr double nearly_all = 0.7;
 // A child is told within that of a stop, which nobody notices [ms].
 constexpr int between_looks = 200;
 
-/// What precedes the bytes of a request. The process that waits is a copy of this one, so a function is where it is.
+// Where a program that works finds the connection to the one that asks.
+constexpr int connection = 3;
+
+/// What precedes the name of the work and the bytes of a request.
 struct Request {
-  ChildWork work;
-  std::size_t size;
+  std::size_t name, size;
 };
 /// What precedes the bytes of a reply.
 struct Reply {
@@ -47,17 +55,23 @@ struct Reply {
   ChildEnd end;
 };
 
-/// The process that waits and our end of the connection to it; -1 where there is none.
+/// A process that waits and our end of the connection to it; -1 where there is none.
 struct Waiting {
   int end = -1;
   pid_t process = -1;
+  Waiting() = default;
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
   /// A program that ends by itself sees it off; one that is killed closes the connection, which ends it too.
   ~Waiting() {
     if (end < 0) return;
     ::shutdown(end, SHUT_RDWR);
+    ::close(end);
     ::waitpid(process, nullptr, 0);
   }
-} waiting;
+};
+/// By the names of programs.
+std::map<std::string, Waiting> waiting;
 
 bool (*asked_to_stop)() = nullptr;
 
@@ -177,35 +191,88 @@ Reply run_child(ChildWork work, const std::string& request, std::string& outcome
 }
 
 /// The life of the process that waits: requests, until the other end closes.
-void serve(int end) {
+void serve(int end, const std::map<std::string, ChildWork>& works) {
   // Signals that ask the program to stop reach this process too; the program decides when it ends.
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, SIG_IGN);
   Request head;
   while (receive_all(end, &head, sizeof head)) {
-    std::string request(head.size, '\0'), outcome;
-    if (!receive_all(end, request.data(), request.size())) return;
-    const Reply reply = run_child(head.work, request, outcome);
+    std::string name(head.name, '\0'), request(head.size, '\0'), outcome;
+    if (!receive_all(end, name.data(), name.size()) || !receive_all(end, request.data(), request.size())) return;
+    const auto work = works.find(name);
+    Reply reply{0, 0, 0, {}};
+    if (work != works.end())
+      reply = run_child(work->second, request, outcome);
+    else
+      outcome = char(resource) + ("\"" + name + "\" is no work of this program"), reply.size = outcome.size();
     if (!send_all(end, &reply, sizeof reply) || !send_all(end, outcome.data(), outcome.size())) return;
   }
 }
 
+/// The folder of the program that runs.
+std::string own_folder() {
+  char path[4096];
+  const ssize_t size = ::readlink("/proc/self/exe", path, sizeof path);
+  const std::string whole(path, size > 0 ? static_cast<std::size_t>(size) : 0);
+  return whole.substr(0, whole.rfind('/') + 1);
+}
+
+/// Folders in which programs of this project are looked for: that of the one that runs, those where it is built and
+/// installed, those of the user.
+std::vector<std::string> folders_of_programs() {
+  std::vector<std::string> folders{own_folder()};
+  const char* path = std::getenv("PATH");
+  std::istringstream list(std::string(VOUSSOIR_PROGRAM_FOLDERS ":") + (path ? path : ""));
+  for (std::string folder; std::getline(list, folder, ':');)
+    if (!folder.empty()) folders.push_back(folder + "/");
+  return folders;
+}
+
+std::string path_of(const std::string& program) {
+  const auto folders = folders_of_programs();
+  for (const auto& folder : folders)
+    if (::access((folder + program).c_str(), X_OK) == 0) return folder + program;
+  throw ResourceError("the program " + program + " is not found, neither in " + folders.front() +
+                      " beside this one nor on PATH.\n  Put it there; it is built and installed with voussoir.");
+}
+
+[[noreturn]] void refuse_to_begin(int error) {
+  throw ResourceError("no process can be begun\n  because of: " + std::string(std::strerror(error)) +
+                      ".\n  Free memory or end other processes.");
+}
+
+/// Begins the process that waits. It has one connection and none of the other files that are open here.
+void begin(Waiting& process, const std::string& program) {
+  const std::string path = path_of(program), here = std::to_string(::getpid());
+  int ends[2];
+  int error = connect(ends) ? 0 : errno;
+  if (error == 0) {
+    posix_spawn_file_actions_t files;
+    ::posix_spawn_file_actions_init(&files);
+    ::posix_spawn_file_actions_adddup2(&files, ends[1], connection);
+    ::posix_spawn_file_actions_addclosefrom_np(&files, connection + 1);
+    std::string name = program, parent = here;
+    char* words[] = {name.data(), parent.data(), nullptr};
+    error = ::posix_spawn(&process.process, path.c_str(), &files, nullptr, words, environ);
+    ::posix_spawn_file_actions_destroy(&files);
+    ::close(ends[1]);
+    if (error != 0) ::close(ends[0]);
+  }
+  if (error != 0) refuse_to_begin(error);
+  process.end = ends[0];
+}
+
 }  // namespace
 
-void begin_child_processes() {
-  int ends[2];
-  if (waiting.end >= 0 || !connect(ends)) return;
-  const pid_t program = ::getpid(), copy = ::fork();
-  if (copy == 0) {
-    end_with(program);
-    ::close(ends[0]);
-    serve(ends[1]);
-    ::_exit(0);
+int serve_works(int argc, char** argv, const std::map<std::string, ChildWork>& works) {
+  const int parent = argc == 2 ? std::atoi(argv[1]) : 0;
+  if (parent <= 0 || ::fcntl(connection, F_GETFD) < 0) {
+    std::fprintf(stderr, "%s is begun by other programs, which ask it for work.\n", argv[0]);
+    return 2;
   }
-  ::close(ends[1]);
-  if (copy < 0)
-    ::close(ends[0]);
-  else
-    waiting.end = ends[0], waiting.process = copy;
+  ::fcntl(connection, F_SETFD, FD_CLOEXEC);
+  end_with(parent);
+  serve(connection, works);
+  ::_exit(0);
 }
 
 void end_child_processes_when(bool (*asked)()) { asked_to_stop = asked; }
@@ -221,8 +288,8 @@ std::string ChildEnd::time_and_size() const {
 namespace {
 
 /// Waits for a reply. False when the program is asked to stop meanwhile.
-bool reply_comes() {
-  pollfd end{waiting.end, POLLIN, 0};
+bool reply_comes(int from) {
+  pollfd end{from, POLLIN, 0};
   for (;;) {
     if (asked_to_stop && asked_to_stop()) return false;
     const int found = ::poll(&end, 1, between_looks);
@@ -230,38 +297,43 @@ bool reply_comes() {
   }
 }
 
-/// The process that waits and its child end; there are no child processes after that.
-void end_all() {
-  ::kill(waiting.process, SIGKILL);
-  ::waitpid(waiting.process, nullptr, 0);
-  ::close(waiting.end);
-  waiting.end = -1;
+bool has_succeeded(int status) { return WIFEXITED(status) && WEXITSTATUS(status) == 0; }
+
+[[noreturn]] void refuse_to_wait(const std::function<void(const ChildEnd&)>& died) {
+  ChildEnd end;
+  end.by = ChildEnd::By::request;
+  died(end);
+  throw ResourceError("a process of this program was asked to stop.\n  Begin again.");
+}
+
+bool send_request(int to, const std::string& work, const std::string& request) {
+  const Request head{work.size(), request.size()};
+  return send_all(to, &head, sizeof head) && send_all(to, work.data(), work.size()) &&
+         send_all(to, request.data(), request.size());
+}
+
+bool receive_reply(int from, Reply& reply, std::string& outcome) {
+  if (!receive_all(from, &reply, sizeof reply)) return false;
+  outcome.resize(reply.size);
+  return receive_all(from, outcome.data(), outcome.size());
 }
 
 }  // namespace
 
-std::string in_child_process(ChildWork work, const std::string& request,
+std::string in_child_process(const std::string& program, const std::string& work, const std::string& request,
                              const std::function<void(const ChildEnd&)>& died) {
-  if (waiting.end < 0) return answer_of(outcome_of(work, request));
-  const Request head{work, request.size()};
+  Waiting& process = waiting[program];
+  if (process.end < 0) begin(process, program);
   Reply reply{};
   std::string outcome;
-  bool answered = send_all(waiting.end, &head, sizeof head) && send_all(waiting.end, request.data(), request.size());
-  if (answered && !reply_comes()) {
-    end_all();
-    reply.end.by = ChildEnd::By::request;
-    died(reply.end);
-    throw ResourceError("a process of this program was asked to stop.\n  Begin again.");
-  }
-  answered = answered && receive_all(waiting.end, &reply, sizeof reply);
-  if (answered) {
-    outcome.resize(reply.size);
-    answered = receive_all(waiting.end, outcome.data(), outcome.size());
-  }
-  if (answered && reply.status < 0)
-    throw ResourceError("no process can be begun\n  because of: " + std::string(std::strerror(reply.error)) +
-                        ".\n  Free memory or end other processes.");
-  const bool ended_well = answered && WIFEXITED(reply.status) && WEXITSTATUS(reply.status) == 0 && !outcome.empty();
+  bool answered = send_request(process.end, work, request);
+  const bool stopped = answered && !reply_comes(process.end);
+  answered = answered && !stopped && receive_reply(process.end, reply, outcome);
+  if (stopped) ::kill(process.process, SIGKILL);  // its child ends with it
+  if (!answered) waiting.erase(program);          // the next one who asks begins another
+  if (stopped) refuse_to_wait(died);
+  if (answered && reply.status < 0) refuse_to_begin(reply.error);
+  const bool ended_well = answered && has_succeeded(reply.status) && !outcome.empty();
   if (answered && (!ended_well || reply.end.by == ChildEnd::By::memory)) died(reply.end);
   if (!ended_well)
     throw ResourceError("a process of this program ended without a result.\n  Free memory and begin again.");

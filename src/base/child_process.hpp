@@ -1,17 +1,16 @@
-// Work done in a process of its own, for libraries that may crash on what they are given.
+// Work done in a process of its own, for libraries that may crash on what they are given, or that only some scenes
+// need: to load one takes as long as a small scene does, and memory in every rank.
 //
 // A process that uses MPI must not be copied: what the copy holds of it (connections, pinned memory, threads) is
-// broken. So a program begins a second process before MPI, which waits, and each piece of work gets a copy of that one.
+// broken. So such work is a program of its own (serve_works). It is begun when first asked, waits, and each piece of
+// work gets a copy of that process, which has loaded its libraries once.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 
 namespace voussoir {
-
-/// Begins the process that waits; the first thing a main program does, before MPI and before threads. It and its
-/// children end with this one, however this one ends: the kernel kills them.
-void begin_child_processes();
 
 /// While a child works the program asks so, every fifth of a second; once the answer is yes the child is ended, and
 /// what was asked of it ends in a ResourceError.
@@ -35,15 +34,22 @@ struct ChildEnd {
   std::string time_and_size() const;  ///< "after 12 s, with 0.3 GB"
 };
 
-/// What a child does with the bytes it is sent; its answer is bytes too. It sees this program as it was when
-/// begin_child_processes() was called, no variable as it is now, and ends without the ends of libraries.
+/// What a child does with the bytes it is sent; its answer is bytes too. It ends without the ends of libraries.
 using ChildWork = std::string (*)(const std::string& request);
 
-/// Runs `work` in a child and returns its answer. An InputError of the child is thrown here too, anything else it
-/// throws becomes a ResourceError. A program that has begun no child processes does the work itself, and crashes with
-/// it. What a child takes is bounded by what the machine has free.
-/// @param died  throws what is to be said of a child that gave no answer
-std::string in_child_process(ChildWork work, const std::string& request,
+/// What a program that works does, all of its main(): it waits for requests of the one that began it and ends with
+/// that, however that ends (the kernel kills it). Returns the exit code when somebody else began it.
+/// @param works  by their names
+int serve_works(int argc, char** argv, const std::map<std::string, ChildWork>& works);
+
+/// Has a piece of work done in a child of a program that works, and returns its answer. An InputError of the child is
+/// thrown here too, anything else it throws becomes a ResourceError, and so does a program that is not found: it is
+/// looked for beside this one, where it is built or installed, and on PATH. What a child takes is bounded by what the
+/// machine has free.
+/// @param program  its file name
+/// @param work     the name that serve_works() knows
+/// @param died     throws what is to be said of a child that gave no answer
+std::string in_child_process(const std::string& program, const std::string& work, const std::string& request,
                              const std::function<void(const ChildEnd&)>& died);
 
 }  // namespace voussoir

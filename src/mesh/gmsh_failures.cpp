@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 
 #include "base/error.hpp"
 #include "mesh/lattice.hpp"
@@ -10,6 +12,12 @@ namespace voussoir {
 
 void refuse_file(const std::string& file, const std::string& why, const std::string& advice) {
   refuse_mesh("gmsh > file", file, why, advice);
+}
+
+void require_file(const std::string& file) {
+  const std::filesystem::path path = std::filesystem::absolute(file);
+  if (!std::ifstream(path) || !std::filesystem::is_regular_file(path))
+    refuse_file(file, "cannot be read (sought as " + path.string() + ").", "Correct the name or the folder.");
 }
 
 void refuse_end(const std::string& file, const ChildEnd& end) {

@@ -11,6 +11,9 @@ namespace voussoir {
 /// Throws InputError about the file of a scene.
 [[noreturn]] void refuse_file(const std::string& file, const std::string& why, const std::string& advice);
 
+/// Throws InputError for a file that is not there.
+void require_file(const std::string& file);
+
 /// Throws what is to be said of a process of gmsh that gave no mesh: InputError where the file is to blame, else
 /// ResourceError.
 [[noreturn]] void refuse_end(const std::string& file, const ChildEnd&);

@@ -16,6 +16,8 @@ bool starts_with(const std::string& line, const char* word) { return line.rfind(
 
 }  // namespace
 
+bool is_mesh(const std::string& file) { return std::filesystem::path(file).extension() == ".msh"; }
+
 bool lists_surfaces(const std::string& file) {
   std::ifstream text(file, std::ios::binary);
   std::string line;

@@ -14,6 +14,9 @@
 
 namespace voussoir {
 
+/// A finished mesh, not a geometry to be meshed; by its ending.
+bool is_mesh(const std::string& file);
+
 /// Whether a .msh lists the surfaces it is a mesh of.
 bool lists_surfaces(const std::string& file);
 

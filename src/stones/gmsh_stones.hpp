@@ -40,7 +40,7 @@ struct FilledMesh {
   std::string failure;
 };
 
-/// Both work in a child process (base/child_process.hpp); where gmsh crashes on a piece, that piece fails alone.
+/// Both are work of gmsh's program (mesh/gmsh_program.hpp); where gmsh crashes on a piece, that piece fails alone.
 std::vector<FlatMesh> meshed(const std::vector<FlatDomain>&);
 std::vector<FilledMesh> filled(const std::vector<ClosedMesh>&);
 

@@ -1,4 +1,4 @@
-// Volumes from a file of gmsh, by a child process.
+// Volumes from a file of gmsh, by its program.
 #pragma once
 
 #include "mesh/geo_commands.hpp"

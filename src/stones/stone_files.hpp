@@ -25,7 +25,7 @@ std::vector<StoneSurface> read_obj(const std::string& file, const std::string& c
 std::vector<StoneSurface> read_stl(const std::string& file, const std::string& contents);
 std::vector<StoneSurface> read_ply(const std::string& file, const std::string& contents);
 std::vector<StoneSurface> read_compas(const std::string& file, const std::string& contents);
-/// By gmsh, in a child process: it reads the file itself. Plane faces are triangles between their corners; curved ones
+/// By gmsh, in a process of its own, which reads the file. Plane faces are triangles between their corners; curved ones
 /// are cut into chords of a sixteenth of a turn.
 std::vector<StoneSurface> read_step(const std::string& file, const std::string& contents);
 

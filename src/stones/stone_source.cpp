@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "linalg/agree.hpp"
-#include "mesh/gmsh_file.hpp"
+#include "mesh/msh_format.hpp"
 #include "stones/cell_mesh.hpp"
 #include "stones/gmsh_volumes.hpp"
 #include "stones/volume_blocks.hpp"

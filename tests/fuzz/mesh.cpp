@@ -1,15 +1,9 @@
 // Meshes of gmsh in format 4.1: refused, or blocks that can be looked at.
 #include <Teuchos_DefaultSerialComm.hpp>
 
-#include "base/child_process.hpp"
 #include "fuzz.hpp"
 #include "mesh/gmsh_reader.hpp"
 #include "mesh/mesh_check.hpp"
-
-int LLVMFuzzerInitialize(int*, char***) {
-  voussoir::begin_child_processes();
-  return 0;
-}
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
   using namespace voussoir;

@@ -29,7 +29,8 @@ SEES = {
     "range": ["results", "drawings"],
     "run": ["range"],
     "study": ["run"],
-    "drivers": ["study"],
+    "gmsh": ["stones"],
+    "drivers": ["study", "gmsh"],
 }
 
 # Pure functions of numbers, without geometry: the headers of joints that all folders from linalg up may see.
@@ -38,10 +39,11 @@ PURE = {"joints/contact_law.hpp", "joints/damage.hpp", "joints/point_freedom.hpp
 # What ranks tell each other: all folders but base may see it.
 RANKS = {f"linalg/{name}.hpp" for name in ("agree", "fail_together", "gather", "groups", "mpi_handle", "numbering", "parcels", "reduce", "shared_warnings")}
 
-# Libraries with one owner: each is included by at most one source file and by no header. gmsh meshes drawings and fills
-# stones, two pieces of work with nothing in common: sources that know it are named so.
-ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "gmsh": "gmsh.h", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp",
+# Libraries with one owner: each is included by at most one source file and by no header.
+ONE_OWNER = {"Belos": "Belos", "MueLu": "MueLu", "METIS": "metis.h", "HDF5": "hdf5", "CLP": "Clp",
              "CLI11": "CLI/", "pugixml": "pugixml", "Eigen": "Eigen/"}
+# A library of a program of its own, which no other program loads: known to one folder.
+ONE_FOLDER = {"gmsh": ("gmsh.h", "src/gmsh")}
 # Documents with nothing in common: scenes, and drawings that are XML.
 TWO_OWNERS = {"pugixml": {"scene_xml.cpp", "svg_stones.cpp"}}
 
@@ -108,8 +110,11 @@ def problems_of_libraries(files):
         problems += [f"{path}: a header must not include {library}." for path in users if path.suffix == ".hpp"]
         if {path.name for path in users} <= TWO_OWNERS.get(library, set()):
             continue
-        if len(users) > 1 and not all(path.name.startswith(library + "_") for path in users):
+        if len(users) > 1:
             problems.append(f"{library} belongs to one .cpp, but is included by {', '.join(map(str, users))}.")
+    for library, (header, folder) in ONE_FOLDER.items():
+        problems += [f"{path}: {library} belongs to {folder}." for path, text in files
+                     if str(path.parent) != folder and ("<", header) in house.includes(text)]
     return problems
 
 

@@ -136,11 +136,11 @@ class IncludesPointDown(unittest.TestCase):
         self.assertEqual(len(layers.problems_of_libraries([one, two])), 1)
         self.assertEqual(len(layers.problems_of_libraries([header])), 1)
 
-    def test_gmsh_is_known_to_sources_that_are_named_so(self):
-        reader, filler, other = [(pathlib.Path(f"src/{name}.cpp"), "#include <gmsh.h>\n")
-                                 for name in ("mesh/gmsh_reader", "stones/gmsh_stones", "stones/skins")]
-        self.assertEqual(layers.problems_of_libraries([reader, filler]), [])
-        self.assertEqual(len(layers.problems_of_libraries([reader, other])), 1)
+    def test_gmsh_is_known_to_its_folder(self):
+        within, beyond = [(pathlib.Path(f"src/{name}.cpp"), "#include <gmsh.h>\n")
+                          for name in ("gmsh/gmsh_step", "stones/skins")]
+        self.assertEqual(layers.problems_of_libraries([within]), [])
+        self.assertEqual(len(layers.problems_of_libraries([within, beyond])), 1)
 
 
 class PointsHaveADoor(unittest.TestCase):

@@ -3,7 +3,7 @@
     killed_while_meshing.py PROGRAM MPIEXEC
 
 The drawing takes minutes to mesh; the run is ended some moments after gmsh has begun. Processes are told from others by
-the folder of the test in their command lines, which children of the program share with it.
+a variable of their environment, which the program's own processes share with it.
 """
 
 import os
@@ -18,6 +18,7 @@ import program
 import stones
 
 INTERRUPTED = 5
+MARK = "VOUSSOIR_KILLED_WHILE_MESHING"
 PATIENCE = 60  # seconds for what takes a moment on an idle machine
 # Quadrilaterals of some 400 000 triangles: their blossom takes minutes.
 SLOW = stones.geo({"s": stones.rectangle(0, 0, 1, 1)}, 0.0025, {"ground": ("s", 0)}) + "Recombine Surface{1};\n"
@@ -42,17 +43,17 @@ def wait_until(holds):
 
 class KilledWhileMeshing(program.SceneTest):
     def processes(self):
-        """Numbers and parents of the processes of the program whose command line names the folder of this test."""
-        found = {}
+        """Numbers and parents of the processes of the program and of voussoir-gmsh that this test has begun."""
+        found, mark = {}, f"{MARK}={self.folder}".encode()
         for path in pathlib.Path("/proc").glob("[0-9]*"):
             try:
-                words = (path / "cmdline").read_bytes().split(b"\0")
+                name = (path / "cmdline").read_bytes().split(b"\0")[0]
+                marked = mark in (path / "environ").read_bytes().split(b"\0")
                 parent = int((path / "stat").read_text().rsplit(")", 1)[1].split()[1])
             except (OSError, IndexError):
                 continue
-            if words[0].endswith(b"voussoir") and any(str(self.folder).encode() in word for word in words):
-                if alive(int(path.name)):
-                    found[int(path.name)] = parent
+            if marked and name.endswith((b"voussoir", b"voussoir-gmsh")) and alive(int(path.name)):
+                found[int(path.name)] = parent
         return found
 
     def begin(self, ranks):
@@ -61,13 +62,13 @@ class KilledWhileMeshing(program.SceneTest):
         launch = [program.MPIEXEC, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
         run = subprocess.Popen([*launch, program.PROGRAM, f"--xml={self.folder / 'slow.xml'}",
                                 f"--out={self.folder / 'out'}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               text=True, start_new_session=True, env={**os.environ, **program.ENVIRONMENT})
+                               text=True, start_new_session=True, env={**os.environ, **program.ENVIRONMENT, MARK: str(self.folder)})
         self.addCleanup(self.end, run)
 
-        def meshes():  # every rank and the process of its own that waits, and one that meshes, not only looks
+        def meshes():  # every rank, and of the first a process that waits and one that meshes, not only looks
             first = set(self.processes())
             time.sleep(0.5)
-            return len(first) == 2 * ranks + 1 and first == set(self.processes())
+            return len(first) == ranks + 2 and first == set(self.processes())
 
         self.assertTrue(wait_until(meshes), self.processes())
         return run

@@ -3,11 +3,9 @@
 #include <Tpetra_Core.hpp>
 
 #include "base/before_mpi.hpp"
-#include "base/child_process.hpp"
 #include "base/leaks.hpp"
 
 int main(int argc, char* argv[]) {
-  voussoir::begin_child_processes();
   voussoir::before_mpi();
   voussoir::leaks::ignore_from_here();
   Tpetra::ScopeGuard scope(&argc, &argv);

@@ -1,10 +1,9 @@
-#include "mesh/gmsh_file.hpp"
+#include "gmsh/gmsh_file.hpp"
 
 #include <gmsh.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <new>
 #include <utility>
 
@@ -81,14 +80,6 @@ void Gmsh::run(const std::string& file, const std::string& what, const std::func
     throw InputError("mesh > gmsh > file = " + file + "\n  gmsh could not " + what + ":\n" +
                      (said.empty() ? "    (it gave no reason)\n" : said) +
                      "  Open the file in gmsh itself to look for the place.");
-}
-
-bool is_mesh(const std::string& file) { return std::filesystem::path(file).extension() == ".msh"; }
-
-void require_file(const std::string& file) {
-  const std::filesystem::path path = std::filesystem::absolute(file);
-  if (!std::ifstream(path) || !std::filesystem::is_regular_file(path))
-    refuse_file(file, "cannot be read (sought as " + path.string() + ").", "Correct the name or the folder.");
 }
 
 void open_mesh(Gmsh& gmsh_itself, const GmshParameters& p) {

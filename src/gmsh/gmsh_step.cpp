@@ -1,38 +1,17 @@
 // STEP, by the OpenCASCADE that gmsh has.
 #include <gmsh.h>
 
-#include <filesystem>
 #include <map>
 #include <utility>
 
-#include "mesh/bytes.hpp"
-#include "stones/gmsh_session.hpp"
-#include "stones/stone_files.hpp"
-#include "stones/stone_text.hpp"
+#include "gmsh/gmsh_session.hpp"
+#include "gmsh/gmsh_works.hpp"
+#include "stones/step_solids.hpp"
 
 namespace voussoir {
 namespace {
 
 constexpr double chords = 16;  ///< of a full turn: what curved faces are cut into; a hundredth of the radius off
-
-/// What a child answers.
-struct StepSolids {
-  std::vector<StoneSurface> stones;
-  std::string failure;
-};
-
-template <class Bytes, class Solids>
-void exchange(Bytes& bytes, Solids& solids) {
-  plain_list(bytes, solids.failure);
-  const std::size_t stones = bytes.size(solids.stones, sizeof(std::size_t));
-  for (std::size_t k = 0; k < stones; ++k) {
-    plain_list(bytes, solids.stones[k].name);
-    bytes.plain(solids.stones[k].curved);
-    plain_list(bytes, solids.stones[k].points);
-    const std::size_t faces = bytes.size(solids.stones[k].faces, sizeof(std::size_t));
-    for (std::size_t f = 0; f < faces; ++f) plain_list(bytes, solids.stones[k].faces[f]);
-  }
-}
 
 /// Places of all nodes by their tags.
 std::map<std::size_t, Vector<3>> places() {
@@ -69,8 +48,9 @@ StoneSurface surface_of(int solid, const std::map<std::size_t, Vector<3>>& place
   return stone;
 }
 
-/// What a child does: the file as triangles, as few as its faces have corners.
-std::string triangulated(const std::string& file) {
+}  // namespace
+
+std::string gmsh_work::step_triangulated(const std::string& file) {
   StepSolids solids;
   GmshSession gmsh_itself;
   gmsh::option::setString("Geometry.OCCTargetUnit", "M");
@@ -90,30 +70,6 @@ std::string triangulated(const std::string& file) {
   ByteWriter writer;
   exchange(writer, std::as_const(solids));
   return writer.bytes;
-}
-
-}  // namespace
-
-std::vector<StoneSurface> read_step(const std::string& file, const std::string&) {
-  StepSolids solids;
-  try {
-    const std::string bytes = in_gmsh_child(triangulated, std::filesystem::absolute(file).string());
-    ByteReader reader(bytes);
-    exchange(reader, solids);
-  } catch (const GmshCrash& crash) {
-    solids.failure = crash.how;
-  }
-  if (!solids.failure.empty())
-    refuse_stones(file, "cannot be read by gmsh: " + solids.failure, "Export it anew as STEP AP214 or AP203");
-  if (solids.stones.empty())
-    refuse_stones(file, "has no solids", "Export the stones as solids, not as surfaces or curves");
-  for (auto& stone : solids.stones) {
-    stone.origin = std::filesystem::path(file).filename().string();
-    for (const auto& face : stone.faces)
-      for (const int point : face)
-        if (point < 0 || point >= static_cast<int>(stone.points.size())) refuse_bytes("a number of a point is none");
-  }
-  return solids.stones;
 }
 
 }  // namespace voussoir

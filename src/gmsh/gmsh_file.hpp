@@ -1,4 +1,4 @@
-// A file of gmsh in gmsh: opened, and what it holds by entities and physical groups. For child processes.
+// A file of gmsh in gmsh: opened, and what it holds by entities and physical groups.
 #pragma once
 
 #include <functional>
@@ -22,12 +22,6 @@ class Gmsh {
   /// @param what  "mesh the file"
   void run(const std::string& file, const std::string& what, const std::function<void()>& command);
 };
-
-/// A finished mesh, not a geometry to be meshed.
-bool is_mesh(const std::string& file);
-
-/// Throws InputError for a file that is not there.
-void require_file(const std::string& file);
 
 /// Opens a finished mesh; one cannot change its cells.
 void open_mesh(Gmsh&, const GmshParameters&);
