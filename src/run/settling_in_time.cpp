@@ -109,6 +109,7 @@ Settled settle_in_time(Model& model, AdaptiveStep& step, const ContactState& equ
   for (int length = 0; length < Numbers::lengths; ++length, time_step *= 2) {
     dynamics.set_time_step(time_step);
     double elastic = 0, kinetic = 0;
+    const auto before = state.displacement;
     for (int k = 0; k < Numbers::steps_of_a_length; ++k) {
       const double share = length > 0 ? 1.0 : (k + 0.5) / Numbers::steps_of_a_length;
       auto load = increment.load_before;
@@ -127,9 +128,11 @@ Settled settle_in_time(Model& model, AdaptiveStep& step, const ContactState& equ
     const bool moves_on = grown >= Numbers::lengths_of_growth;
     if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > Numbers::far * deforms) {
       settled.verdict = Verdict::collapse;
-      settled.mechanism = state.velocity;
-      const double largest = largest_motion(s, state.velocity);
-      for (auto& v : settled.mechanism) v /= largest;
+      // Not the velocity, in which stiff vibrations ring on that steps of this length do not resolve.
+      settled.mechanism = state.displacement;
+      const double largest = largest_motion(s, state.displacement, &before);
+      for (std::size_t i = 0; i < before.size(); ++i)
+        settled.mechanism[i] = (state.displacement[i] - before[i]) / largest;
       return settled;
     }
     if (length == 0 || kinetic > rests_below * elastic) continue;

@@ -26,7 +26,7 @@ struct Settled {
   Verdict verdict = Verdict::undecided;
   ContactState state;             ///< at rest, or moving
   StepReport report;              ///< of the load step that shows the equilibrium, or of none
-  std::vector<double> mechanism;  ///< velocities [1] on local nodes, the largest 1
+  std::vector<double> mechanism;  ///< how it moved at last [1], on local nodes, the largest 1
   int solves = 0;                 ///< linear solves of it all, each correction by patches counted as one
   StepNumbers counts;             ///< of it all but that load step
   double time = 0;                ///< [s] it took the structure
