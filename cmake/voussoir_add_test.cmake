@@ -71,6 +71,11 @@ function(voussoir_add_test)
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE voussoir voussoir_test_main voussoir_warnings)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  # What tests do themselves takes no time; the compiler need not try hard.
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(VOUSSOIR_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM voussoir_test_headers)
+  endif()
   foreach(ranks IN LISTS arg_RANKS)
     voussoir_register_test(
       ${kind}.${arg_NAME}.np${ranks}

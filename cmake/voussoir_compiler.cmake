@@ -13,6 +13,15 @@ if(VOUSSOIR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${VOUSSOIR_CCACHE})
 endif()
 
+# Half the time of most source files goes into reading the headers of Trilinos: they are read once. Every file includes
+# what it uses, so this may be turned off: ccache then serves all copies of the sources with what one has compiled.
+option(VOUSSOIR_PRECOMPILED_HEADERS "Read the headers of Trilinos once for all files" ON)
+set(VOUSSOIR_HEADERS_OF_LIBRARY <Teuchos_CommHelpers.hpp> <Teuchos_ParameterList.hpp> <Tpetra_CrsMatrix.hpp>
+                                <Tpetra_MultiVector.hpp> <Tpetra_Vector.hpp> <functional> <map> <sstream>)
+set(VOUSSOIR_HEADERS_OF_TESTS ${VOUSSOIR_HEADERS_OF_LIBRARY} <Teuchos_UnitTestHarness.hpp> <Tpetra_Core.hpp>)
+# Where a file is compiled otherwise than the headers were, it reads them itself.
+set(CMAKE_PCH_WARN_INVALID OFF)
+
 add_library(voussoir_warnings INTERFACE)
 target_compile_options(voussoir_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 if(VOUSSOIR_WARNINGS_AS_ERRORS)
