@@ -28,7 +28,8 @@ import scenes  # noqa: E402
 PROGRAM = MPIEXEC = None
 FOUND = 99  # exit code when memcheck found something
 VALGRIND = ["valgrind", "--tool=memcheck", f"--error-exitcode={FOUND}", f"--suppressions={HERE / 'memcheck.supp'}",
-            "--num-callers=40", "--trace-children=yes", "--leak-check=full", "--show-leak-kinds=definite", "--errors-for-leak-kinds=definite"]
+            "--num-callers=40", "--trace-children=yes", "--leak-check=full", "--show-leak-kinds=definite",
+            "--errors-for-leak-kinds=definite", "--keep-debuginfo=yes"]  # of plug-ins that are gone by the end
 
 
 def falling_block():
