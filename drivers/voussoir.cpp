@@ -36,8 +36,8 @@ using namespace voussoir;
 const char* const closing =
     R"(SIGTERM, SIGUSR1 and Ctrl-C save the state and stop, and leave what is known by then in interrupted.json;
 so does the time of --at-most. A step that does not converge saves the state before it.
-Exit codes: 0 done, 2 the input is wrong, 3 no convergence or out of range, 4 a resource is missing,
-5 stopped by a signal or because the time was over.
+Exit codes: 0 done, 1 the program or a library has failed, 2 the input is wrong, 3 no convergence or out of range,
+4 a resource is missing, 5 stopped by a signal or because the time was over.
 )";
 
 struct Arguments {
@@ -221,9 +221,12 @@ int run_program(std::vector<std::string> words) {
     if (first) std::cerr << error.what() << "\n";
     return stop_wanted_here() ? exit_interrupted : exit_resource;
   } catch (const std::exception& error) {
-    if (!is_out_of_memory(error)) throw;
-    end_out_of_memory(*comm);
-    return exit_resource;
+    if (is_out_of_memory(error)) {
+      end_out_of_memory(*comm);
+      return exit_resource;
+    }
+    end_failed(*comm, error.what());
+    return exit_failed;
   }
 }
 

@@ -38,7 +38,15 @@ inline std::string message_of(const std::exception& error) {
   return is_out_of_memory(error) ? out_of_memory_message : error.what();
 }
 
-/// 3: the same for a run that left the range of its model. 5: a signal asked the run to stop; its state is saved.
-enum ExitCode { exit_done = 0, exit_input = 2, exit_no_convergence = 3, exit_resource = 4, exit_interrupted = 5 };
+/// 1: the program or a library has failed. 3: the same for a run that left the range of its model. 5: a signal asked
+/// the run to stop; its state is saved.
+enum ExitCode {
+  exit_done = 0,
+  exit_failed = 1,
+  exit_input = 2,
+  exit_no_convergence = 3,
+  exit_resource = 4,
+  exit_interrupted = 5
+};
 
 }  // namespace voussoir

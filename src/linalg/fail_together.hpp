@@ -16,6 +16,17 @@ inline void end_out_of_memory(const Teuchos::Comm<int>& comm) {
   if (comm.getSize() > 1) MPI_Abort(mpi_handle(comm), exit_resource);
 }
 
+/// Of a rank that has caught what nobody foresaw, thrown by a library or by a mistake of this program. Others may wait
+/// for this rank, so all of them end.
+inline void end_failed(const Teuchos::Comm<int>& comm, const std::string& what) {
+  std::cerr
+      << "The program, or a library that it uses, has failed and says:\n" + what +
+             "\n  This is no fault of the scene; please report it with the scene. What was recorded is kept, and a "
+             "state that was saved can be gone on with (--restart).\n"
+      << std::flush;
+  if (comm.getSize() > 1) MPI_Abort(mpi_handle(comm), exit_failed);
+}
+
 /// Does work while things are held that all ranks let go together, such as open files. What all ranks throw alike
 /// passes through. An exception of this rank alone must not: what is let go on its way out would wait for the others,
 /// which wait for this rank elsewhere. So with several ranks the program ends where it is caught.
@@ -32,8 +43,7 @@ auto fail_together(const Teuchos::Comm<int>& comm, const Work& work) {
   } catch (const std::exception& error) {
     if (comm.getSize() == 1) throw;
     if (is_out_of_memory(error)) end_out_of_memory(comm);
-    std::cerr << error.what() << "\n" << std::flush;
-    MPI_Abort(mpi_handle(comm), 1);
+    end_failed(comm, error.what());
     throw;
   }
 }

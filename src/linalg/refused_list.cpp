@@ -131,13 +131,15 @@ std::string refused_by_belos(const SolverParameters& given, Symmetry symmetry) {
   });
 }
 
-/// With levels down to the smallest: what a scene says of smoothers, or of a level, is looked at where there is one.
+/// With levels down to the smallest, and parts for ranks: what a scene says of smoothers, of a level, or of ranks is
+/// looked at where there are some.
 std::string refused_by_muelu(const Teuchos::ParameterList& given, int dim) {
   return refusal(given, [&] {
     const Lattice lattice(dim);
     auto list = given;
     const auto* const coarsest = "coarse: max size";
     if (!list.isParameter(coarsest) || list.isType<int>(coarsest)) list.set(coarsest, dim);
+    if (!list.isParameter("repartition: enable")) list.set("repartition: enable", true);
     const AmgPreconditioner amg(lattice.a, lattice.places, lattice.near_null, dim, list);
     TpetraVector r(lattice.a->getRowMap()), z(r.getMap());
     r.putScalar(1);

@@ -75,6 +75,13 @@ TEUCHOS_UNIT_TEST(RefusedList, WhatALibraryRefusesIsNamed) {
   TEST_ASSERT(holds(refused_list(given, 2)->why, "orthogonalization"));
 }
 
+// Of levels that are shared out anew among ranks, whether or not this program has several.
+TEUCHOS_UNIT_TEST(RefusedList, WhatIsWrongOnSeveralRanksAloneIsKnownOnOne) {
+  TEST_INEQUALITY(said_of_muelu([](auto& list) { list.set("repartition: partitioner", "nonsense"); }, 2), "");
+  TEST_EQUALITY(said_of_muelu([](auto& list) { list.set("repartition: partitioner", "zoltan2"); }, 2), "");
+  TEST_EQUALITY(said_of_muelu([](auto& list) { list.set("repartition: enable", false); }, 3), "");
+}
+
 TEUCHOS_UNIT_TEST(RefusedList, WhatALibraryPrintsIsNotHeard) {
   std::ostringstream heard;
   auto* const before = std::cout.rdbuf(heard.rdbuf());
