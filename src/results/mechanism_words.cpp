@@ -160,8 +160,11 @@ std::string of_blocks(const Model& model, const Structure<dim>& s, const std::ve
                       const MechanismSummary& most) {
   const auto blocks = all_gather(block_motions(s, motion, least), *s.comm(), WhyWhole{"blocks of a mechanism"});
   const bool one = blocks.size() == 1;
-  std::string words = std::to_string(blocks.size()) + " of " + std::to_string(model.block_count()) +
-                      (one ? " blocks moves, " : " blocks move, ") + most.name + (one ? ": " : " most, ");
+  const auto all = model.block_count();
+  std::string words = all == 1 ? "the block moves, "
+                               : std::to_string(blocks.size()) + " of " + std::to_string(all) +
+                                     (one ? " blocks moves, " : " blocks move, ");
+  words += most.name + (one ? ": " : " most, ");
   for (const auto& block : blocks)
     if (block.block == most.largest_mover) words += direction(block, s.size());
   return words;
