@@ -226,7 +226,11 @@ LimitAnswer<dim> LimitAnalysis<dim>::in_motion(double largest, LimitAnswer<dim> 
   std::vector<Wrench<dim>> undilated;
   answer.estimate = without_dilatancy(largest, answer, &undilated);
   const bool bears_as_much = answer.estimate && *answer.estimate >= answer.factor * (1 - 2 * Numbers::settled);
-  if (!bears_as_much || undilated.empty() || closes<dim>(s_, undilated) > Numbers::against_the_law) return answer;
+  // Where a loose stone falls under the first of its weight nothing presses yet, and without friction all would slide.
+  const bool presses = std::any_of(answer.force.begin(), answer.force.end(),
+                                   [&](const auto& f) { return f[0] > Numbers::out_of_balance * unit_; });
+  if (!bears_as_much || !presses || undilated.empty() || closes<dim>(s_, undilated) > Numbers::against_the_law)
+    return answer;
   answer.motion = std::move(undilated);
   answer.dilates = false;
   return answer;
