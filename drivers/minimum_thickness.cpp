@@ -25,6 +25,7 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "base/words.hpp"
+#include "linalg/fail_together.hpp"
 #include "mesh/generators.hpp"
 #include "model/plane/plane_model.hpp"
 #include "run/rigid_limits.hpp"
@@ -207,6 +208,8 @@ int run_program(const std::vector<std::string>& words) {
   } catch (const ConvergenceError& error) {
     std::cerr << error.what() << "\n";
     return exit_no_convergence;
+  } catch (const std::exception& error) {
+    return end_unforeseen(*Tpetra::getDefaultComm(), error);
   }
 }
 

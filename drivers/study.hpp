@@ -14,6 +14,7 @@
 #include "base/heap.hpp"
 #include "base/leaks.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/fail_together.hpp"
 
 namespace voussoir {
 
@@ -63,6 +64,8 @@ inline int run_study(int argc, char** argv,
     return failed(error, exit_no_convergence);
   } catch (const ResourceError& error) {
     return failed(error, exit_resource);
+  } catch (const std::exception& error) {
+    return end_unforeseen(*comm, error);
   }
 }
 

@@ -221,12 +221,7 @@ int run_program(std::vector<std::string> words) {
     if (first) std::cerr << error.what() << "\n";
     return stop_wanted_here() ? exit_interrupted : exit_resource;
   } catch (const std::exception& error) {
-    if (is_out_of_memory(error)) {
-      end_out_of_memory(*comm);
-      return exit_resource;
-    }
-    end_failed(*comm, error.what());
-    return exit_failed;
+    return end_unforeseen(*comm, error);
   }
 }
 

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 
 import h5py
 import numpy as np
-from read_results import MECHANISM
+from read_results import is_mechanism, read_mesh, read_step
 
 
 def areas(coordinates, cells):
@@ -30,15 +30,17 @@ def energy(stress, area, poisson_ratio):
 
 def effective_poisson_ratio(scene):
     """Plane strain is plane stress of a stone with the ratio nu / (1 - nu)."""
-    values = {p.get("name"): p.get("value") for p in ElementTree.parse(scene).iter("Parameter")}
-    ratio = float(values["Poisson ratio"])
-    return ratio / (1 - ratio) if values.get("plane") == "strain" else ratio
+    parameters = list(ElementTree.parse(scene).iter("Parameter"))
+    values = lambda name: {p.get("value") for p in parameters if p.get("name") == name}
+    if len(values("Young modulus")) != 1 or len(values("Poisson ratio")) != 1:
+        sys.exit(f"{scene} has stones of several stiffnesses, which this comparison does not know.")
+    ratio = float(values("Poisson ratio").pop())
+    return ratio / (1 - ratio) if "strain" in values("plane") else ratio
 
 
 def moment(step):
-    """What tells a step whatever the number of those before it: its stage, the share of its loads, its time [s]."""
-    stage, factor = step.attrs["stage"].decode(), step.attrs["load_factor"]
-    return stage, round(float(factor), 9), round(float(step.attrs.get("time_s", 0)), 9)
+    """What tells a step, however many there are in a run: its stage, the share of its loads, its time [s]."""
+    return step.stage, round(step.load_factor, 9), round(np.nan_to_num(step.time), 9)
 
 
 def differences(out, other):
@@ -46,19 +48,21 @@ def differences(out, other):
     found = []
     ratio = effective_poisson_ratio(Path(other) / "scene.xml")
     with h5py.File(Path(out) / "fields.h5") as a, h5py.File(Path(other) / "fields.h5") as b:
-        cells, coordinates = b["mesh/cells"][()], b["mesh/coordinates"][()]
-        if not np.array_equal(a["mesh/cells"][()], cells):
+        mesh = read_mesh(b)
+        if mesh.in_space:
+            sys.exit(f"{other} is a structure in space; this comparison is of the plane.")
+        if not np.array_equal(read_mesh(a).cells, mesh.cells):
             sys.exit(f"The meshes of {out} and {other} are not the same.")
-        area = areas(coordinates, cells)
-        steps = {moment(step): step for step in b["steps"].values()}
-        for step in a["steps"].values():
-            when = moment(step)
-            if when not in steps or when[0].endswith(MECHANISM):
+        area = areas(mesh.coordinates, mesh.cells)
+        steps = lambda file: [read_step(name, group, 0) for name, group in file["steps"].items()]
+        known = {moment(step): step for step in steps(b)}
+        for mine in steps(a):
+            its = known.get(moment(mine))
+            if its is None or is_mechanism(mine):
                 continue
-            mine, its = (s["stress"][()] for s in (step, steps[when]))
-            u, v = (s["displacement"][()] for s in (step, steps[when]))
-            found.append((when, np.sqrt(energy(mine - its, area, ratio) / energy(its, area, ratio)),
-                          np.linalg.norm(u - v, axis=1).max() / np.linalg.norm(v, axis=1).max()))
+            apart = energy(mine.stress - its.stress, area, ratio) / energy(its.stress, area, ratio)
+            moved = np.linalg.norm(mine.displacement - its.displacement, axis=1).max()
+            found.append((moment(mine), np.sqrt(apart), moved / its.largest_displacement))
     return found
 
 

@@ -19,12 +19,22 @@ inline void end_out_of_memory(const Teuchos::Comm<int>& comm) {
 /// Of a rank that has caught what nobody foresaw, thrown by a library or by a mistake of this program. Others may wait
 /// for this rank, so all of them end.
 inline void end_failed(const Teuchos::Comm<int>& comm, const std::string& what) {
-  std::cerr
-      << "The program, or a library that it uses, has failed and says:\n" + what +
-             "\n  This is no fault of the scene; please report it with the scene. What was recorded is kept, and a "
-             "state that was saved can be gone on with (--restart).\n"
-      << std::flush;
+  std::cerr << "The program, or a library that it uses, has failed and says:\n" + what +
+                   "\n  Please report it with the scene. What was recorded is kept, and a state that was saved can be "
+                   "gone on "
+                   "with (--restart).\n"
+            << std::flush;
   if (comm.getSize() > 1) MPI_Abort(mpi_handle(comm), exit_failed);
+}
+
+/// For main programs: the exit code after an exception that is none of ours.
+inline int end_unforeseen(const Teuchos::Comm<int>& comm, const std::exception& error) {
+  if (is_out_of_memory(error)) {
+    end_out_of_memory(comm);
+    return exit_resource;
+  }
+  end_failed(comm, error.what());
+  return exit_failed;
 }
 
 /// Does work while things are held that all ranks let go together, such as open files. What all ranks throw alike
@@ -42,8 +52,7 @@ auto fail_together(const Teuchos::Comm<int>& comm, const Work& work) {
     throw;
   } catch (const std::exception& error) {
     if (comm.getSize() == 1) throw;
-    if (is_out_of_memory(error)) end_out_of_memory(comm);
-    end_failed(comm, error.what());
+    end_unforeseen(comm, error);
     throw;
   }
 }

@@ -212,6 +212,26 @@ LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& t
   return raised_up_to(largest, terms, balanced_unraised, basis);
 }
 
+/// Whether a stone moves that neither carries a load at the limit nor is pressed there. Friction under its normal
+/// forces is none, so that it would slide though it stands as soon as loads come to it: where a loose stone falls under
+/// the first of its weight, the stones beside it have none of theirs yet.
+template <int dim>
+bool LimitAnalysis<dim>::moves_what_bears_nothing(const LimitAnswer<dim>& answer,
+                                                  const std::vector<Wrench<dim>>& motion) const {
+  const double nothing = Numbers::out_of_balance * unit_;
+  std::vector<char> bears(s_.stones.size());
+  for (std::size_t b = 0; b < bears.size(); ++b) {
+    const auto& stone = s_.stones[b];
+    bears[b] = size_of(stone.fixed + answer.factor * stone.raised, stone.radius) > nothing;
+  }
+  for (std::size_t k = 0; k < answer.force.size(); ++k)
+    if (answer.force[k][0] > nothing)
+      for (const int b : {s_.contacts[k].stone_i, s_.contacts[k].stone_j}) bears[static_cast<std::size_t>(b)] = 1;
+  for (std::size_t b = 0; b < bears.size(); ++b)
+    if (!bears[b] && reach_of(motion[b], s_.stones[b].radius) > Numbers::no_motion) return true;
+  return false;
+}
+
 /// Adds the motion of an answer that has a mechanism. Where what slides in it would have to lift, it is that of the
 /// structure without dilatancy, if that bears as much.
 template <int dim>
@@ -226,10 +246,8 @@ LimitAnswer<dim> LimitAnalysis<dim>::in_motion(double largest, LimitAnswer<dim> 
   std::vector<Wrench<dim>> undilated;
   answer.estimate = without_dilatancy(largest, answer, &undilated);
   const bool bears_as_much = answer.estimate && *answer.estimate >= answer.factor * (1 - 2 * Numbers::settled);
-  // Where a loose stone falls under the first of its weight nothing presses yet, and without friction all would slide.
-  const bool presses = std::any_of(answer.force.begin(), answer.force.end(),
-                                   [&](const auto& f) { return f[0] > Numbers::out_of_balance * unit_; });
-  if (!bears_as_much || !presses || undilated.empty() || closes<dim>(s_, undilated) > Numbers::against_the_law)
+  if (!bears_as_much || undilated.empty() || moves_what_bears_nothing(answer, undilated) ||
+      closes<dim>(s_, undilated) > Numbers::against_the_law)
     return answer;
   answer.motion = std::move(undilated);
   answer.dilates = false;

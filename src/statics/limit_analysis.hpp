@@ -124,6 +124,7 @@ class LimitAnalysis {
   void tell_least(Programme&, LimitAnswer<dim>&) const;
   ProgrammeBasis for_raising(ProgrammeBasis) const;
   LimitAnswer<dim> in_motion(double largest, LimitAnswer<dim>) const;
+  bool moves_what_bears_nothing(const LimitAnswer<dim>&, const std::vector<Wrench<dim>>& motion) const;
   void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer<dim>&) const;
   std::optional<Bound> bound_of(const Programme&, const std::vector<Wrench<dim>>& mechanism) const;
   LimitAnswer<dim> judge(const Programme&, const ProgrammeSolution&, double largest) const;
