@@ -107,13 +107,13 @@ std::vector<DividedCurve> divided_curves(double unit) {
 void divide_by_size(Gmsh& gmsh_itself, const GmshParameters& p) {
   const double size = p.element_size / p.unit;
   std::vector<DividedCurve> divided;
-  gmsh_itself.run(p.file, "mesh the curves of the file", [&] {
+  run_on_file(gmsh_itself, p.file, "mesh the curves of the file", [&] {
     set_mesh_size(size);
     gmsh::model::mesh::generate(1);
     divided = divided_curves(p.unit);
   });
   const auto divisions = divisions_for(divided, p.element_size, p.file);
-  gmsh_itself.run(p.file, "mesh the curves of the file", [&] {
+  run_on_file(gmsh_itself, p.file, "mesh the curves of the file", [&] {
     gmsh::model::mesh::clear();
     set_mesh_size(size);
     for (const Division& d : divisions)
@@ -135,7 +135,7 @@ void refuse_too_fine(Gmsh& gmsh_itself, const GmshParameters& p, Drawing& drawin
   std::map<int, double> coarser;
   for (const double times : {1e9, 1e6, 1e3, 1.0}) {
     std::map<int, double> edges;
-    gmsh_itself.run(p.file, "mesh the curves of the file", [&] { edges = edges_with(times); });
+    run_on_file(gmsh_itself, p.file, "mesh the curves of the file", [&] { edges = edges_with(times); });
     drawing.divide(times == 1 ? edges : least_edges(edges, coarser, times));
     coarser = edges;
     refuse_too_many_cells(p, drawing);
@@ -151,7 +151,7 @@ void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
     const auto numbers = numbers_to_set(p, path.string());
     open_geo(gmsh_itself, p, numbers);
     if (p.element_size > 0 && numbers.count("element_size") == 0) divide_by_size(gmsh_itself, p);
-    gmsh_itself.run(p.file, "mesh the file", [] { gmsh::model::mesh::generate(2); });
+    run_on_file(gmsh_itself, p.file, "mesh the file", [] { gmsh::model::mesh::generate(2); });
   } else {
     refuse_file(p.file, "is neither .geo nor .msh.", "Save other formats as .msh (version 4.1) in gmsh.");
   }
@@ -211,7 +211,7 @@ std::string gmsh_work::looked_at(const std::string& request) {
   const auto numbers = numbers_to_set(p, path.string());
   open_geo(gmsh_itself, p, numbers);
   Drawing drawing;
-  gmsh_itself.run(p.file, "measure the file", [&] { drawing = drawing_of(p.unit); });
+  run_on_file(gmsh_itself, p.file, "measure the file", [&] { drawing = drawing_of(p.unit); });
   if (p.element_size > 0) {
     drawing.divide(p.element_size);
     refuse_too_many_cells(p, drawing);

@@ -17,8 +17,6 @@
 namespace voussoir {
 namespace {
 
-constexpr double chords = 16;  ///< of a full turn, as for STEP
-
 /// Nodes in the order of their tags.
 class Nodes {
  public:
@@ -64,14 +62,11 @@ void open_volumes(Gmsh& gmsh_itself, const GmshParameters& p, VolumesAs wanted) 
   open_geo(gmsh_itself, p, numbers);
   if (wanted == VolumesAs::meshed) {
     if (p.element_size > 0 && numbers.count("element_size") == 0) set_mesh_size(p.element_size / p.unit);
-    gmsh_itself.run(p.file, "mesh the file", [] { gmsh::model::mesh::generate(3); });
+    run_on_file(gmsh_itself, p.file, "mesh the file", [] { gmsh::model::mesh::generate(3); });
     return;
   }
-  gmsh::option::setNumber("Mesh.MeshSizeMax", 1e22);
-  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", chords);
-  gmsh_itself.run(p.file, "mesh the surfaces of the file", [] { gmsh::model::mesh::generate(2); });
+  size_by_curvature();
+  run_on_file(gmsh_itself, p.file, "mesh the surfaces of the file", [] { gmsh::model::mesh::generate(2); });
 }
 
 /// Nodes at points of the drawing, and on its curves where two surfaces meet.

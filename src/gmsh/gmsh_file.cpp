@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 #include <utility>
 
 #include "base/error.hpp"
@@ -18,15 +17,6 @@
 
 namespace voussoir {
 namespace {
-
-std::string errors_of_gmsh() {
-  std::vector<std::string> log;
-  gmsh::logger::get(log);
-  std::string lines;
-  for (const std::string& line : log)
-    if (line.compare(0, 5, "Error") == 0) lines += "    " + line + "\n";
-  return lines;
-}
 
 /// gmsh heeds it when it saves a mesh, and a mesh is not saved here.
 void refuse_scaling(const std::string& file) {
@@ -53,32 +43,12 @@ int nodes_of_type(int type, int dimension) {
 
 }  // namespace
 
-Gmsh::Gmsh() {
-  gmsh::initialize(0, nullptr, false);  // no configuration files: the same mesh for every user
-  gmsh::option::setNumber("General.Terminal", 0);
-  // By default it throws where it meshes side by side, and what leaves a parallel region ends the program.
-  gmsh::option::setNumber("General.AbortOnError", 1);
-  gmsh::logger::start();
-}
-
-Gmsh::~Gmsh() {
-  gmsh::logger::stop();
-  gmsh::finalize();
-}
-
-void Gmsh::run(const std::string& file, const std::string& what, const std::function<void()>& command) {
-  bool failed = false;
-  try {
-    command();
-  } catch (const std::bad_alloc&) {  // is no fault of the file
-    throw;
-  } catch (...) {  // gmsh throws strings and ints; the reason is in its log
-    failed = true;
-  }
-  const std::string said = errors_of_gmsh();
-  if (failed || !said.empty())
-    throw InputError("mesh > gmsh > file = " + file + "\n  gmsh could not " + what + ":\n" +
-                     (said.empty() ? "    (it gave no reason)\n" : said) +
+void run_on_file(Gmsh& gmsh_itself, const std::string& file, const std::string& what,
+                 const std::function<void()>& commands) {
+  std::string said;
+  for (const auto& error : gmsh_itself.run(commands)) said += "    " + error + "\n";
+  if (!said.empty())
+    throw InputError("mesh > gmsh > file = " + file + "\n  gmsh could not " + what + ":\n" + said +
                      "  Open the file in gmsh itself to look for the place.");
 }
 
@@ -86,12 +56,12 @@ void open_mesh(Gmsh& gmsh_itself, const GmshParameters& p) {
   if (p.element_size > 0 || !p.geometry.empty())
     refuse_file(p.file, "is a finished mesh: \"element size\" and \"geometry\" cannot change it.",
                 "Remove these keys or give the .geo file.");
-  gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(std::filesystem::absolute(p.file).string()); });
+  run_on_file(gmsh_itself, p.file, "read the file", [&] { gmsh::open(std::filesystem::absolute(p.file).string()); });
 }
 
 void open_geo(Gmsh& gmsh_itself, const GmshParameters& p, const std::map<std::string, double>& numbers) {
   const TemporaryFile with_numbers(geo_with_numbers(numbers, std::filesystem::absolute(p.file).string()), ".geo");
-  gmsh_itself.run(p.file, "read the file", [&] { gmsh::open(with_numbers.path()); });
+  run_on_file(gmsh_itself, p.file, "read the file", [&] { gmsh::open(with_numbers.path()); });
   refuse_scaling(p.file);
 }
 

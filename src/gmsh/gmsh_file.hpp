@@ -6,22 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "gmsh/gmsh_session.hpp"
 #include "mesh/mesh_parameters.hpp"
 
 namespace voussoir {
 
-/// gmsh from initialisation to its end, silent; errors quote what it said.
-class Gmsh {
- public:
-  Gmsh();
-  ~Gmsh();
-  Gmsh(const Gmsh&) = delete;
-  Gmsh& operator=(const Gmsh&) = delete;
-
-  /// Runs a command of gmsh; its errors become an InputError about the file.
-  /// @param what  "mesh the file"
-  void run(const std::string& file, const std::string& what, const std::function<void()>& command);
-};
+/// Runs commands; what gmsh tells of their failure becomes an InputError about the file.
+/// @param what  "mesh the file"
+void run_on_file(Gmsh&, const std::string& file, const std::string& what, const std::function<void()>& commands);
 
 /// Opens a finished mesh; one cannot change its cells.
 void open_mesh(Gmsh&, const GmshParameters&);

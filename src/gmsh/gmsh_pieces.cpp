@@ -12,15 +12,6 @@
 namespace voussoir {
 namespace {
 
-/// A session that makes cells of the length 1 and smaller.
-struct Session {
-  GmshSession gmsh_itself;
-  Session() {
-    gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-    gmsh::option::setNumber("Mesh.MeshSizeMax", 1);
-  }
-};
-
 /// Numbers of nodes by the tags that gmsh gives them.
 class Tags {
  public:
@@ -34,10 +25,10 @@ class Tags {
   std::vector<int> number_;
 };
 
-FlatMesh mesh_one(GmshSession& gmsh_itself, const FlatDomain& domain) {
+FlatMesh mesh_one(Gmsh& gmsh_itself, const FlatDomain& domain) {
   FlatMesh mesh;
   const auto& origin = domain.loops[0][0];
-  mesh.failure = gmsh_itself.run([&] {
+  mesh.failure = gmsh_itself.run_piece([&] {
     namespace geo = gmsh::model::geo;
     std::vector<int> points, curves;
     for (const auto& loop : domain.loops) {
@@ -76,10 +67,10 @@ FlatMesh mesh_one(GmshSession& gmsh_itself, const FlatDomain& domain) {
   return mesh;
 }
 
-FilledMesh fill_one(GmshSession& gmsh_itself, const ClosedMesh& surface) {
+FilledMesh fill_one(Gmsh& gmsh_itself, const ClosedMesh& surface) {
   FilledMesh mesh;
   const auto& origin = surface.nodes[0];
-  mesh.failure = gmsh_itself.run([&] {
+  mesh.failure = gmsh_itself.run_piece([&] {
     std::vector<std::size_t> tags(surface.nodes.size()), corners, elements;
     std::iota(tags.begin(), tags.end(), 1);
     std::vector<double> x, parametric;
@@ -112,15 +103,17 @@ FilledMesh fill_one(GmshSession& gmsh_itself, const ClosedMesh& surface) {
 
 /// Every piece of the request, one after the other.
 template <class Piece, class Mesh>
-std::string all_of(const std::string& request, void (*read)(ByteReader&, Piece&),
-                   Mesh (*one)(GmshSession&, const Piece&), void (*write)(ByteWriter&, const Mesh&)) {
-  Session session;
+std::string all_of(const std::string& request, void (*read)(ByteReader&, Piece&), Mesh (*one)(Gmsh&, const Piece&),
+                   void (*write)(ByteWriter&, const Mesh&)) {
+  Gmsh gmsh_itself;
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeMax", 1);
   ByteReader reader(request);
   ByteWriter writer;
   while (reader.left() > 0) {
     Piece piece;
     read(reader, piece);
-    write(writer, one(session.gmsh_itself, piece));
+    write(writer, one(gmsh_itself, piece));
   }
   return writer.bytes;
 }

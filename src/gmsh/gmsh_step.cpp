@@ -11,8 +11,6 @@
 namespace voussoir {
 namespace {
 
-constexpr double chords = 16;  ///< of a full turn: what curved faces are cut into; a hundredth of the radius off
-
 /// Places of all nodes by their tags.
 std::map<std::size_t, Vector<3>> places() {
   std::vector<std::size_t> tags;
@@ -52,13 +50,10 @@ StoneSurface surface_of(int solid, const std::map<std::size_t, Vector<3>>& place
 
 std::string gmsh_work::step_triangulated(const std::string& file) {
   StepSolids solids;
-  GmshSession gmsh_itself;
+  Gmsh gmsh_itself;
   gmsh::option::setString("Geometry.OCCTargetUnit", "M");
-  gmsh::option::setNumber("Mesh.MeshSizeMax", 1e22);
-  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", chords);
-  solids.failure = gmsh_itself.run([&] {
+  size_by_curvature();
+  solids.failure = gmsh_itself.run_piece([&] {
     gmsh::vectorpair shapes, entities;
     gmsh::model::occ::importShapes(file, shapes, true, "step");
     gmsh::model::occ::synchronize();
