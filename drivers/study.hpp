@@ -64,8 +64,8 @@ inline int run_study(int argc, char** argv,
     return failed(error, exit_no_convergence);
   } catch (const ResourceError& error) {
     return failed(error, exit_resource);
-  } catch (const std::exception& error) {
-    return end_unforeseen(*comm, error);
+  } catch (...) {
+    return end_unforeseen(*comm);
   }
 }
 

@@ -220,8 +220,8 @@ int run_program(std::vector<std::string> words) {
   } catch (const ResourceError& error) {
     if (first) std::cerr << error.what() << "\n";
     return stop_wanted_here() ? exit_interrupted : exit_resource;
-  } catch (const std::exception& error) {
-    return end_unforeseen(*comm, error);
+  } catch (...) {
+    return end_unforeseen(*comm);
   }
 }
 

@@ -27,13 +27,19 @@ inline void end_failed(const Teuchos::Comm<int>& comm, const std::string& what) 
   if (comm.getSize() > 1) MPI_Abort(mpi_handle(comm), exit_failed);
 }
 
-/// For main programs: the exit code after an exception that is none of ours.
-inline int end_unforeseen(const Teuchos::Comm<int>& comm, const std::exception& error) {
-  if (is_out_of_memory(error)) {
-    end_out_of_memory(comm);
-    return exit_resource;
+/// Within catch (...): the exit code after an exception that is none of ours.
+inline int end_unforeseen(const Teuchos::Comm<int>& comm) {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    if (is_out_of_memory(error)) {
+      end_out_of_memory(comm);
+      return exit_resource;
+    }
+    end_failed(comm, error.what());
+  } catch (...) {  // libraries throw numbers and strings too
+    end_failed(comm, "(nothing: what was thrown has no words)");
   }
-  end_failed(comm, error.what());
   return exit_failed;
 }
 
@@ -50,9 +56,9 @@ auto fail_together(const Teuchos::Comm<int>& comm, const Work& work) {
     throw;
   } catch (const ResourceError&) {
     throw;
-  } catch (const std::exception& error) {
+  } catch (...) {
     if (comm.getSize() == 1) throw;
-    end_unforeseen(comm, error);
+    end_unforeseen(comm);
     throw;
   }
 }
