@@ -48,8 +48,10 @@ void check_shape(const Block<2>& block, std::size_t number) {
     const Vector<2> next = corner(1) - corner(0), previous = corner(cell.count - 1) - corner(0);
     const double jacobian = cross(next, previous), angle = std::atan2(jacobian, dot(next, previous)) / degree;
     const std::string where = ", cell " + std::to_string(number) + " with a corner at " + at(corner(0));
-    if (std::abs(angle) < smallest_corner_angle || std::abs(angle) > 180 - smallest_corner_angle || norm(next) == 0 ||
-        norm(previous) == 0)
+    if (norm(next) == 0 || norm(previous) == 0)
+      refuse(block, where + " has two corners in one place", "(a side without length).",
+             "Choose an element size in proportion to the block, or remove very short curves.");
+    if (std::abs(angle) < smallest_corner_angle || std::abs(angle) > 180 - smallest_corner_angle)
       refuse(block, where + " is a sliver",
              "(the angle of that corner is " + in_words(std::abs(angle)) + " degrees; between " +
                  in_words(smallest_corner_angle) + " and " + in_words(180 - smallest_corner_angle) +
