@@ -194,17 +194,7 @@ class Planted:
         self.loose["loose 0"] = upright.block([(-half, h / 2), (half, h / 2), (grown, h), (-grown, h)], *reversed(deep))
 
     def drawn(self, stones):
-        """Places of the file: turned about the vertical axis, moved, in its unit, with its axis upwards."""
-        c, s = math.cos(self.turned), math.sin(self.turned)
-
-        def place(p):
-            x, y, z = c * p[0] - s * p[1] + 3.0, s * p[0] + c * p[1] - 2.0, p[2]
-            at = {"z": (x, y, z), "x": (z, x, y), "y": (y, z, x)}[self.up]
-            return tuple(v / self.unit for v in at)
-
-        names = list(stones)
-        self.random.shuffle(names)
-        return solids.obj({name: ([place(p) for p in stones[name][0]], stones[name][1]) for name in names})
+        return solids.drawn(stones, self.random, turned=self.turned, unit=self.unit, up=self.up)
 
     def pushed(self):
         angle = self.turned + self.towards

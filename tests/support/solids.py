@@ -1,6 +1,7 @@
 """Stones in space drawn from a few numbers, and written as a file of them, for tests of the whole program.
 
     obj(stones)   the text of an .obj file, stones by name
+    drawn(stones, ...)   the same with the stones turned, moved, in another unit, with another axis upwards, in any order
 """
 
 import math
@@ -40,3 +41,17 @@ def obj(stones):
         text += ["f " + " ".join(str(first + k) for k in face) for face in faces]
         first += len(points)
     return "\n".join(text) + "\n"
+
+
+def drawn(stones, random, *, turned, unit, up):
+    """Places of a file: turned about the vertical axis [rad], moved, in its unit [m], with its axis upwards."""
+    c, s = math.cos(turned), math.sin(turned)
+
+    def place(p):
+        x, y, z = c * p[0] - s * p[1] + 3.0, s * p[0] + c * p[1] - 2.0, p[2]
+        at = {"z": (x, y, z), "x": (z, x, y), "y": (y, z, x)}[up]
+        return tuple(v / unit for v in at)
+
+    names = list(stones)
+    random.shuffle(names)
+    return obj({name: ([place(p) for p in stones[name][0]], stones[name][1]) for name in names})
