@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/orthogonal.hpp"
 
 namespace voussoir {
 namespace {
@@ -101,11 +102,7 @@ std::vector<double> shortest(const std::vector<Bound>& bounds, std::size_t size,
 void make_orthonormal(Rows& basis) {
   Rows done;
   for (auto v : basis) {
-    for (int twice = 0; twice < 2; ++twice)
-      for (const auto& u : done) {
-        const double along = product(u, v);
-        for (std::size_t i = 0; i < v.size(); ++i) v[i] -= along * u[i];
-      }
+    take_off(done, product, v);
     const double length = std::sqrt(product(v, v));
     for (auto& value : v) value /= length;
     done.push_back(v);

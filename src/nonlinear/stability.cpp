@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/orthogonal.hpp"
 #include "linalg/reduce.hpp"
 #include "nonlinear/point_tangents.hpp"
 #include "nonlinear/point_update.hpp"
@@ -134,11 +135,7 @@ double largest_share(Share& share, PointField& combination) {
     if (!share.apply(next, image)) return 0;
     diagonal.push_back(share.dot(next, image));
     next = image;
-    for (int twice = 0; twice < 2; ++twice)
-      for (const auto& known : basis) {
-        const double along = share.dot(known, next);
-        for (std::size_t i = 0; i < next.size(); ++i) next[i] -= along * known[i];
-      }
+    take_off(basis, [&](const PointField& a, const PointField& b) { return share.dot(a, b); }, next);
     mu = largest_of(diagonal, beside, vector);
     length = std::sqrt(share.dot(next, next));
     const double error = length * std::abs(vector.back());

@@ -92,6 +92,27 @@ RigidStructure<3> turned(RigidStructure<3> s) {
   return s;
 }
 
+// Nodes of a measured drawing lie off their plane, by little or less: six ways are held, and nothing a seventh time.
+TEUCHOS_UNIT_TEST(InSpace, AMeasuredFootIsHeldAsADrawnOne) {
+  for (int digits = 1; digits < 12; ++digits)
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      std::mt19937 random(seed);
+      const double off = std::pow(10.0, -digits);
+      std::uniform_real_distribution<double> by(-off, off);
+      auto s = prism(0, {0.6, 0, 0});
+      s.supports.clear();
+      for (int node = 0; node < 12; ++node) {
+        const Vector<3> arm{node % 4 / 3.0 - 0.5 + by(random), node / 4 * 0.3 - 0.3 + by(random), -0.5 + by(random)};
+        for (std::size_t c = 0; c < 3; ++c) {
+          Vector<3> direction{};
+          direction[c] = 1;
+          s.supports.push_back({0, arm, direction, 0});
+        }
+      }
+      TEST_ASSERT(LimitAnalysis(s).bears(0).verdict == LimitVerdict::unlimited);
+    }
+}
+
 TEUCHOS_UNIT_TEST(InSpace, APrismTipsOverAnEdgeOrACornerOrSlides) {
   for (const double degrees : {0.0, 17.0, 30.0, 45.0, 60.0, 90.0})
     for (const double friction : {0.6, 0.2}) {

@@ -1,5 +1,6 @@
 // Supports, ranges of reactions and the most balanced forces of rigid structures against closed forms.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <random>
 
 #include "unit/statics/structures.hpp"
 
@@ -51,6 +52,26 @@ TEUCHOS_UNIT_TEST(Supports, AHeldSideBearsBothWaysAndAtAnAngle) {
   TEST_ASSERT(LimitAnalysis(s).bears(1).verdict == LimitVerdict::refused);
   s.stones[0].raised = {-0.75, 0, 0};  // with the weight along the slope
   TEST_ASSERT(LimitAnalysis(s).bears(1).verdict == LimitVerdict::unlimited);
+}
+
+/// A box with the nodes of its foot held, as a measured drawing has them: off their line by so much.
+RigidStructure<2> box_on_measured_foot(double off, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> by(-off, off);
+  RigidStructure<2> s;
+  add_box(s, {0, 0}, 1, 1, 1);
+  for (int k = 0; k < 9; ++k)
+    for (const auto& direction : {Vector<2>{1, 0}, Vector<2>{0, 1}})
+      s.supports.push_back({0, {k / 8.0 - 0.5 + by(random), -0.5 + by(random)}, direction, 0});
+  return s;
+}
+
+TEUCHOS_UNIT_TEST(Supports, AMeasuredFootIsHeldAsADrawnOne) {
+  for (int digits = 1; digits < 12; ++digits)
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const LimitAnalysis held(box_on_measured_foot(std::pow(10.0, -digits), seed));
+      TEST_ASSERT(held.bears(0).verdict == LimitVerdict::unlimited);
+    }
 }
 
 /// Three stones of weight 1 and a x h side by side between two held abutments.
