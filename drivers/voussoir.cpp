@@ -142,11 +142,10 @@ Scene read_on_all_ranks(const Arguments& a, const Teuchos::Comm<int>& comm) {
   return read_scene_from_text(text[0], a.xml, a.overrides);
 }
 
-/// What stands beside the word equilibrium.
+/// What stands beside the words equilibrium and collapse.
 std::string doubts(const Warnings& warnings) {
   if (warnings.empty()) return "";
-  const auto& first = warnings.front();
-  std::string text = " WARNING: " + first.where + ": " + first.text + ".";
+  std::string text = " " + in_words(warnings.front());
   if (warnings.size() > 1) text += " And " + std::to_string(warnings.size() - 1) + " more in result.json.";
   return text;
 }
@@ -164,13 +163,12 @@ int finish(const Arguments& a, const Scene& scene, const RunSummary& summary, st
     return exit_interrupted;
   }
   if (summary.rigid)
-    say << "Limit analysis: " << summary.message << ".";
+    say << "Limit analysis: " << summary.message << "." << doubts(summary.warnings);
   else if (summary.outcome == Outcome::equilibrium)
     say << (summary.time > 0 ? "All stages done." : "Equilibrium under all loads.") << doubts(summary.warnings)
         << (summary.collapse ? " No collapse: " + summary.message + "." : "");
   if (summary.outcome == Outcome::collapse && !summary.rigid) {
-    say << "Collapse: " << summary.message << ".";
-    if (summary.collapse) say << doubts(summary.warnings);  // the factor that stands is an equilibrium
+    say << "Collapse: " << summary.message << "." << doubts(summary.warnings);  // as of joints that were not found
   }
   if (summary.outcome == Outcome::out_of_range) say << "Out of range: " << summary.message << ".";
   if (summary.outcome == Outcome::not_converged && !summary.rigid) say << "Not converged: " << summary.message << ".";

@@ -16,6 +16,11 @@ struct Warning {
   std::string text;     ///< one sentence with values, reason and what to do, without a full stop
 };
 
+/// As it is said wherever it is said: "WARNING: where, when: text."
+inline std::string in_words(const Warning& w) {
+  return "WARNING: " + w.where + (w.when.empty() ? "" : ", " + w.when) + ": " + w.text + ".";
+}
+
 using Warnings = std::vector<Warning>;
 
 /// Of one kind no more places are kept: who reads of five need not read of hundreds.

@@ -135,7 +135,8 @@ double largest_share(Share& share, PointField& combination) {
     if (!share.apply(next, image)) return 0;
     diagonal.push_back(share.dot(next, image));
     next = image;
-    take_off(basis, [&](const PointField& a, const PointField& b) { return share.dot(a, b); }, next);
+    take_off(
+        basis, [&](const PointField& a, const PointField& b) { return share.dot(a, b); }, next);
     mu = largest_of(diagonal, beside, vector);
     length = std::sqrt(share.dot(next, next));
     const double error = length * std::abs(vector.back());

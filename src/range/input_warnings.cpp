@@ -253,6 +253,17 @@ Warnings input_warnings(const Scene& scene, const Model& model) {
   return all;
 }
 
+Warnings warnings_of_rigid_stones(const Scene& scene, const Model& model) {
+  auto all = input_warnings(scene, model);
+  const auto of_elastic_ones = [](const Warning& w) {
+    for (const char* kind : {"bonded", "raised_energy", "one_cell_between_joints", "short_edges"})
+      if (w.what == kind) return true;
+    return false;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), of_elastic_ones), all.end());
+  return all;
+}
+
 void forget_input_warnings(Warnings& warnings) {
   const auto of_input = [](const Warning& w) { return w.when.empty(); };
   warnings.erase(std::remove_if(warnings.begin(), warnings.end(), of_input), warnings.end());

@@ -83,9 +83,7 @@ void Narrator::end(const StepReport& report, double seconds, const RunSummary& s
 
 void Narrator::say(const std::string& line) { say_ << line << std::endl; }
 
-void Narrator::warn(const Warning& w) {
-  say_ << "  WARNING: " << w.where << (w.when.empty() ? "" : ", " + w.when) << ": " << w.text << "." << std::endl;
-}
+void Narrator::warn(const Warning& w) { say_ << "  " << in_words(w) << std::endl; }
 
 void Narrator::failed(const StepReport& report, const std::string& stage, double target) {
   print(say_, "step %d, stage '%s' at %.4g: %s\n", step_, stage.c_str(), target,

@@ -8,6 +8,7 @@
 #include "model/construction.hpp"
 #include "model/model_of_blocks.hpp"
 #include "output/output_folder.hpp"
+#include "range/input_warnings.hpp"
 #include "results/largest_mover.hpp"
 #include "results/mechanism_words.hpp"
 #include "results/recorder.hpp"
@@ -63,6 +64,12 @@ class LimitRun {
   /// @param scene  as the user wrote it
   LimitRun(const Scene& scene, ModelOfBlocks<dim>& model, const std::string& folder, std::ostream& say)
       : model_(model), scene_(scene), say_(say), step_(model), recorder_(scene, model, step_, folder) {}
+
+  /// What the input leaves open. Collective.
+  void warn() {
+    for (const auto& w : warnings_of_rigid_stones(scene_, model_))
+      if (recorder_.warn(w)) say_ << "  " << in_words(w) << std::endl;
+  }
 
   RunSummary answer() {
     const auto stages = static_stages(scene_);
@@ -236,7 +243,10 @@ RunSummary limit_run(const Scene& scene, const BlockSource<dim>& source, const s
   const auto unsolved = without_load_steps(scene);
   ModelOfBlocks<dim> model(unsolved, source, comm);
   LimitRun<dim> limits(scene, model, folder, say);
-  auto summary = fail_together(*comm, [&] { return limits.answer(); });
+  auto summary = fail_together(*comm, [&] {
+    limits.warn();
+    return limits.answer();
+  });
   summary.scene = scene.file;
   summary.seconds["total"] = clock.totalElapsedTime(true);
   summary.peak_memory = peak_memory_per_rank(*comm);

@@ -23,7 +23,7 @@ using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 std::optional<RunSummary> only_looked_at(const Scene& scene, const RunOptions& options, const SceneBlocks& blocks,
                                          const Comm& comm, std::ostream& say) {
   if (!options.validate && !options.dry_run) return {};
-  for (const auto& w : blocks.warnings(scene, comm)) say << "WARNING: " << w.where << ": " << w.text << ".\n";
+  for (const auto& w : blocks.warnings(scene, comm)) say << in_words(w) << "\n";
   if (options.validate) {
     blocks.place_loads(scene, comm);
     say << "The scene is valid: " << counted(blocks.count(), "block") << ".\n";

@@ -101,7 +101,8 @@ void LimitAnalysis<dim>::add_forces_of_supports(Programme& p) const {
     auto& basis = of_stone[static_cast<std::size_t>(support.stone)];
     const double radius = s_.stones[static_cast<std::size_t>(support.stone)].radius;
     auto w = scaled(wrench_of(support.arm, support.direction), radius, 1);
-    take_off(basis, [](const Wrench<dim>& a, const Wrench<dim>& b) { return dot(a, b); }, w);
+    take_off(
+        basis, [](const Wrench<dim>& a, const Wrench<dim>& b) { return dot(a, b); }, w);
     const double left = std::sqrt(dot(w, w));
     if (left < LimitAnalysisParameters::straight) continue;
     for (auto& x : w) x /= left;

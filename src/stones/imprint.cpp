@@ -253,6 +253,34 @@ Imprint imprinted(const std::vector<FacetedStone>& stones, const StoneJoints& jo
   return imprint;
 }
 
+std::vector<StoneJoint> welded_joints(Imprint& imprint, const std::vector<FacetedStone>& stones, int first) {
+  std::map<std::array<int, 4>, int> known;  // stones and facets
+  std::vector<StoneJoint> joints;
+  for (int c = 0; c < static_cast<int>(imprint.cells.size()); ++c) {
+    auto& cell = imprint.cells[c];
+    const int beside = imprint.other[c];
+    if (beside < c || cell.joint >= 0) continue;
+    auto& other = imprint.cells[beside];
+    const auto& facet = stones[cell.stone].facets[cell.facet];
+    const auto& opposite = stones[other.stone].facets[other.facet];
+    const auto [at, is_new] =
+        known.insert({{cell.stone, other.stone, cell.facet, other.facet}, static_cast<int>(joints.size())});
+    if (is_new) joints.push_back({{cell.stone, other.stone}, {cell.facet, other.facet}, facet.normal, {}, 0, 0, 0});
+    auto& joint = joints[at->second];
+    double opening = 0;
+    for (const int point : cell.outer) {
+      const auto& x = imprint.points[point];
+      const double apart = dot(x - facet.centre, facet.normal) + dot(x - opposite.centre, opposite.normal);
+      opening += apart / static_cast<double>(cell.outer.size());
+      joint.farthest = std::max(joint.farthest, std::abs(apart));
+    }
+    joint.opening = (joint.opening * joint.area + opening * cell.area) / (joint.area + cell.area);
+    joint.area += cell.area;
+    cell.joint = other.joint = first + at->second;
+  }
+  return joints;
+}
+
 void refuse_faults(const Imprint& imprint, const std::vector<FacetedStone>& stones, double tolerance, double weld) {
   const auto& faults = imprint.faults;
   if (faults.none()) return;

@@ -41,6 +41,12 @@ struct Imprint {
 /// @param weld  [m] points closer than this are one; at least the distance of points that two stones mean to share
 Imprint imprinted(const std::vector<FacetedStone>&, const StoneJoints&, double weld);
 
+/// The joints that welding has made: faces of two stones that lie farther apart than joints do, and whose corners have
+/// become one. They are one place from here on, so they are told and treated as the joints they are; their pieces are
+/// empty, as no facet is cut by them.
+/// @param first  the number of the first of them; their cells are given it and those that follow
+std::vector<StoneJoint> welded_joints(Imprint&, const std::vector<FacetedStone>&, int first);
+
 /// Throws InputError where the imprint has faults, with the first places and what to do.
 void refuse_faults(const Imprint&, const std::vector<FacetedStone>&, double tolerance, double weld);
 

@@ -76,16 +76,16 @@ class Teller {
     }
     say("joints by tolerance: " + line);
     const double proposed = tolerance_on_plateau(counts);
+    const int found = static_cast<int>(s_.joints.joints.size()) - s_.welded;
     const auto at = [&](double tolerance) {
       return std::min_element(counts.begin(), counts.end(), [&](const auto& a, const auto& b) {
         return std::abs(std::log(a.tolerance / tolerance)) < std::abs(std::log(b.tolerance / tolerance));
       });
     };
-    if (proposed == 0 || at(proposed)->joints == static_cast<int>(s_.joints.joints.size())) return;
+    if (proposed == 0 || at(proposed)->joints == found) return;
     warn("joint_tolerance", proposed,
-         "mesh > stones > joint tolerance = " + metres(s_.tolerance) + " finds " +
-             counted(s_.joints.joints.size(), "joint") + ", one of " + metres(proposed) + " " +
-             std::to_string(at(proposed)->joints) +
+         "mesh > stones > joint tolerance = " + metres(s_.tolerance) + " finds " + counted(found, "joint") +
+             ", one of " + metres(proposed) + " " + std::to_string(at(proposed)->joints) +
              ", the number that stays the same over the widest range: look which is meant");
   }
 
@@ -100,6 +100,7 @@ class Teller {
         six_digits(s_.joints.area()) + " m2, faces up to " + metres(farthest) + " apart; " +
         counted(s_.joints.slivers, "sliver") + " narrower than the tolerance left out, " +
         six_digits(s_.joints.sliver_area) + " m2");
+    of_welded_joints();
     const double size = s_.tetrahedron_size;
     say("shortest edge " + metres(s_.imprint.shortest_edge) + ", tetrahedra of " + metres(size) + ", hexahedra of " +
         metres(s_.hexahedron_size));
@@ -113,10 +114,15 @@ class Teller {
   /// Facets that face each other just beyond the tolerance: joints whose mortar was not drawn.
   void of_open_joints() {
     const auto near = find_joints(s_.faceted, s_.tolerance, defaults.reach * s_.tolerance);
+    std::set<std::array<std::array<int, 2>, 2>> welded;
+    for (std::size_t k = s_.joints.joints.size() - static_cast<std::size_t>(s_.welded); k < s_.joints.joints.size();
+         ++k)
+      welded.insert({s_.joints.joints[k].stone, s_.joints.joints[k].facet});
     std::size_t open = 0;
     double widest = 0, area = 0;
     for (const auto& joint : near.joints) {
-      if (joint.farthest <= s_.tolerance || joint.opening <= 0) continue;
+      if (joint.farthest <= s_.tolerance || joint.opening <= 0 || welded.count({joint.stone, joint.facet}) > 0)
+        continue;
       ++open;
       widest = std::max(widest, joint.opening);
       area += joint.area;
@@ -131,6 +137,22 @@ class Teller {
   }
 
  private:
+  /// What is open wider than joints are, and closed by making corners one.
+  void of_welded_joints() {
+    if (s_.welded == 0) return;
+    double widest = 0;
+    for (std::size_t k = s_.joints.joints.size() - static_cast<std::size_t>(s_.welded); k < s_.joints.joints.size();
+         ++k)
+      widest = std::max(widest, s_.joints.joints[k].farthest);
+    const std::string found = counted(s_.welded, "joint") + " of faces up to " + metres(widest) +
+                              " apart, more than joint tolerance = " + metres(s_.tolerance);
+    say(found + ", closed by welding");
+    warn("welded_joints", widest,
+         found + ": they touch because weld = " + metres(s_.weld) +
+             " makes their corners one; raise joint tolerance where stones are meant to touch there, else give a weld "
+             "below their distance");
+  }
+
   void of_neighbours(const std::set<std::array<int, 2>>& pairs) {
     std::vector<int> neighbours(s_.stones.size(), 0);
     for (const auto& pair : pairs) ++neighbours[pair[0]], ++neighbours[pair[1]];
@@ -214,6 +236,10 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
   s.joints = find_joints(s.faceted, s.tolerance);
   s.imprint = imprinted(s.faceted, s.joints, s.weld);
   refuse_faults(s.imprint, s.faceted, s.tolerance, s.weld);
+  auto& joints = s.joints.joints;
+  const auto welded = welded_joints(s.imprint, s.faceted, static_cast<int>(joints.size()));
+  joints.insert(joints.end(), welded.begin(), welded.end());
+  s.welded = static_cast<int>(welded.size());
   Teller tell(s);
   tell.of_stones(mended.repairs);
   tell.of_tolerances();

@@ -69,6 +69,15 @@ class LimitAnalysis(unittest.TestCase):
                 self.assertLess(abs(collapse["certified_upper"] - first["collapse"]["certified_upper"]), 1e-9)
                 self.assertEqual(result["mechanism"]["largest_mover_block"], first["mechanism"]["largest_mover_block"])
 
+    def test_what_the_input_leaves_open_is_told_of_rigid_stones_too(self):
+        for ranks in (1, 2):
+            _, said, result = analyse("unusual", "wall.xml", "mesh/wall/courses=4", "mesh/wall/blocks per course=4",
+                                      "loads/sideways/ax=1.0", "materials/stone/density=2.0", "selection/mode=bonded", ranks=ranks)
+            self.assertEqual([w["what"] for w in result["warnings"]], ["unusual_value"])  # and nothing of bonds, of which there are none
+            last = said[said.index("Limit analysis:"):]
+            self.assertIn("WARNING: ", last)
+            self.assertIn("density", last)
+
     def test_forces_that_are_drawn_balance_every_stone(self):
         out, _, result = analyse("wall", "wall.xml", "mesh/wall/courses=4", "mesh/wall/blocks per course=4", "loads/sideways/ax=1.0")
         self.assertEqual(result["outcome"], "equilibrium")

@@ -74,6 +74,20 @@ class LimitsInSpace(program.SceneTest):
         self.assertIn("most, towards +y and turning about an axis along x through y = 0.2 m, z = 0 m", run.words)
         self.assertGreaterEqual(run.result["mechanism"]["largest_mover_block"], 0)
 
+    def test_a_fall_where_a_joint_was_not_found_says_that_it_was_not(self):
+        beam = {"left": solids.box((0, 0, 0), (0.4, 0.5, 1)), "right": solids.box((1.6, 0, 0), (2, 0.5, 0.98)),
+                "beam": solids.box((0, 0, 1), (2, 0.5, 1.3))}
+        apart = scene({"file": "stones.obj"}, {}, kind="stones", supports={"on": "base"})
+        (self.folder / "stones.obj").write_text(solids.obj(beam), encoding="utf-8")
+        for options in ((), ("--limit-analysis",)):
+            run = self.run_scene(apart, *options, out="".join(options) or "run")
+            self.assertEqual(run.outcome, "collapse", run.said)
+            self.assertIn("open_joints", run.warnings)
+            last = run.words[run.words.index("Limit analysis:" if options else "Collapse:"):]
+            self.assertIn("WARNING: ", last)
+        joined = self.run_scene(apart, "--limit-analysis", "--set=mesh/stones/joint tolerance=0.03", out="joined")
+        self.assertEqual(joined.outcome, "equilibrium", joined.said)
+
     def test_limit_analysis_alone_on_any_ranks(self):
         first = None
         for ranks in (1, 2, 4):

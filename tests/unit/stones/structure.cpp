@@ -4,7 +4,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <set>
 
+#include "stones/cell_mesh.hpp"
 #include "stones/overlaps.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
@@ -81,6 +84,44 @@ TEUCHOS_UNIT_TEST(Structure, JointsLeftOpenForMortarAreTold) {
   const auto touching = structure_of({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2, 1, 1})}, wide);
   TEST_EQUALITY(touching.joints.joints.size(), 1u);
   TEST_ASSERT(touching.warnings.empty());
+}
+
+TEUCHOS_UNIT_TEST(Structure, JointsThatWeldingClosesAreJointsAndAreTold) {
+  // Joints by default are 0.002 of the stones, which have a size of 1; corners are one up to 0.006.
+  const auto a = box("a", {0, 0, 0}, {1, 1, 1}), b = box("b", {1.005, 0, 0}, {2.005, 1, 1}),
+             below = box("below", {0, 0, -0.5}, {2.005, 1, 0});
+  for (const bool alone : {true, false}) {
+    const auto stones = alone ? std::vector<StoneSurface>{a, b} : std::vector<StoneSurface>{a, b, below};
+    const std::size_t beds = alone ? 0 : 2;
+    const auto welded = structure_of(stones, {});
+    TEST_EQUALITY(welded.joints.joints.size(), beds + 1);
+    TEST_EQUALITY(welded.welded, 1);
+    TEST_FLOATING_EQUALITY(welded.joints.joints.back().farthest, 0.005, 1e-9);
+    TEST_FLOATING_EQUALITY(welded.joints.joints.back().opening, 0.005, 1e-9);
+    TEST_FLOATING_EQUALITY(welded.joints.joints.back().area, 1.0, 1e-9);
+    TEST_ASSERT(warns(welded, "welded_joints"));
+    TEST_ASSERT(!warns(welded, "open_joints") && !warns(welded, "stones_without_joint"));
+    StonesParameters apart;
+    apart.weld = 0.003;
+    const auto open = structure_of(stones, apart);
+    TEST_EQUALITY(open.joints.joints.size(), beds);
+    TEST_ASSERT(warns(open, "open_joints") && !warns(open, "welded_joints"));
+    for (const auto* s : {&welded, &open}) {  // blocks touch where joints are told, and nowhere else
+      const auto meshes = mesh_stones(*s);
+      std::set<std::array<BlockId, 2>> touching, told;
+      for (const auto& joint : s->joints.joints) told.insert({joint.stone[0], joint.stone[1]});
+      for (const auto& first : meshes.list.blocks)
+        for (const auto& second : meshes.list.blocks) {
+          std::vector<VertexId> of_first = first.vertex, of_second = second.vertex, both;
+          std::sort(of_first.begin(), of_first.end());
+          std::sort(of_second.begin(), of_second.end());
+          std::set_intersection(of_first.begin(), of_first.end(), of_second.begin(), of_second.end(),
+                                std::back_inserter(both));
+          if (first.id < second.id && both.size() >= 4) touching.insert({first.id, second.id});
+        }
+      TEST_ASSERT(touching == told);
+    }
+  }
 }
 
 TEUCHOS_UNIT_TEST(Structure, ATolerancePlainlyBelowTheNoiseOfAFileIsTold) {
