@@ -16,6 +16,7 @@ import argparse
 import math
 import pathlib
 import random
+import subprocess
 import sys
 import tempfile
 import time
@@ -286,7 +287,10 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         for seed in range(asked.first, asked.first + asked.count):
             pushed, start = Pushed(seed), time.monotonic()
-            problem, told = pushed.judged((asked.keep or pathlib.Path(temporary)) / str(seed))
+            try:
+                problem, told = pushed.judged((asked.keep or pathlib.Path(temporary)) / str(seed))
+            except (RuntimeError, subprocess.TimeoutExpired) as error:
+                problem, told = str(error), ""
             print(f"{seed}: {pushed}: {told}{': WRONG, ' + problem if problem else ''} ({time.monotonic() - start:.0f} s)",
                   flush=True)
             wrong += bool(problem)
