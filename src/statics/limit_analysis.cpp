@@ -196,8 +196,7 @@ LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& t
   const bool begun = !basis->empty();
   for (const double most : {endless, Numbers::most_force}) {
     auto p = programme({terms.share_of_joints, most, terms.pyramid, false, terms.finer});
-    p.largest = largest * raised_unit_ / unit_;
-    p.lp.set_column(p.factor_column, 0, p.largest);
+    p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
     p.lp.set_cost(p.factor_column, 1);
     if (begun) p.lp.start_from(*basis);
     const auto found = solve(p, basis);

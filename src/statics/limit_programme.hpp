@@ -35,9 +35,8 @@ struct LimitAnalysis<dim>::Programme {
   std::vector<std::array<Vector<dim>, 2>> arm;  ///< of kept contacts, on both stones
   std::vector<Held> held;                       ///< per column from held_column on
   int held_column = 0, factor_column = 0;
-  double most = endless;     ///< times the largest load, at which forces of joints end
-  double largest = endless;  ///< value at which the factor ends, in units of the programme
-  double share_moved = 0;    ///< [-] of a joint, that each of its corners gives to all of them alike
+  double most = endless;   ///< times the largest load, at which forces of joints end
+  double share_moved = 0;  ///< [-] of a joint, that each of its corners gives to all of them alike
 
   /// Force of a kept contact [N]: normal, tangential.
   Vector<dim> force(std::size_t k, const std::vector<double>& x, double unit) const {

@@ -12,11 +12,12 @@ struct RoundConeParameters {
   /// [rad] between lines in which two faces beside each other touch the cone.
   static constexpr double side = 2 * pi / sides;
   /// Faces are added where a force lies beyond the round cone by more than this share of its friction, and lines of the
-  /// cone where a motion presses into it by more than this share of its slip; no more of them once a round moves the
-  /// factor by less. Each round leaves a quarter of what the last did: that is finer than any friction is known.
+  /// cone where a motion presses into it by more than this share of its slip, until there are none: that is finer than
+  /// any friction is known. Each round leaves a quarter of what the last did.
   static constexpr double off_the_cone = 1e-3;
-  /// So many rounds, by which 2 % come to less than that; what goes on for longer moves between motions that are alike.
-  static constexpr int most_rounds = 6;
+  /// Ends what moves between motions that are alike: rounds for each of the 25 points that a joint of a stone has with
+  /// usual cells, to which forces go in turn where it is not flat, and for six of which each leaves a quarter.
+  static constexpr int most_rounds = 32;
   /// To how much the share is told that forces leave of joints. Each share asked costs seconds for a hundred stones,
   /// and joints are narrowed about the mean of their corners, which is their middle only where they are regular.
   static constexpr double share_told = 1.0 / 64;

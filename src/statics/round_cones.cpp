@@ -21,19 +21,14 @@ ProgrammeSolution LimitAnalysis<dim>::solve(Programme& p, ProgrammeBasis* basis)
   auto found = p.lp.maximise();
   if (basis) *basis = p.lp.basis();
   if (dim == 2 || !p.finer) return found;
-  // A first cut may leave a force on a face where it was: two rounds that change nothing are awaited.
-  int alike = 0;
+  // A round that changes nothing says nothing: where a face is cut forces go to another of the same worth, until none
+  // is left.
   for (int round = 0; round < RoundConeParameters::most_rounds && found.end == ProgrammeEnd::optimal; ++round) {
     if (!make_finer(p, found)) break;
     const int before = found.iterations;
-    const double value = found.value;
     // Cut pyramids leave prices as they may be and take forces away, added lines do the opposite.
     found = p.pyramid == Pyramid::around ? p.lp.maximise_from_prices() : p.lp.maximise();
     found.iterations += before;
-    const bool all_borne = found.value >= p.largest;  // by forces that may lie outside of cones still
-    const bool moved = std::abs(found.value - value) > RoundConeParameters::off_the_cone * std::abs(value);
-    alike = moved || all_borne ? 0 : alike + 1;
-    if (alike > 1) break;
   }
   return found;
 }
