@@ -257,10 +257,10 @@ std::vector<StoneJoint> welded_joints(Imprint& imprint, const std::vector<Facete
   std::map<std::array<int, 4>, int> known;  // stones and facets
   std::vector<StoneJoint> joints;
   for (int c = 0; c < static_cast<int>(imprint.cells.size()); ++c) {
-    auto& cell = imprint.cells[c];
     const int beside = imprint.other[c];
-    if (beside < c || cell.joint >= 0) continue;
-    auto& other = imprint.cells[beside];
+    if (beside < c) continue;
+    auto &cell = imprint.cells[c], &other = imprint.cells[beside];
+    if (cell.joint >= 0 || other.joint >= 0) continue;
     const auto& facet = stones[cell.stone].facets[cell.facet];
     const auto& opposite = stones[other.stone].facets[other.facet];
     const auto [at, is_new] =

@@ -79,8 +79,8 @@ void StonesParameters::declare(ParameterSection& section) {
       "a length", "Give 0 to have it chosen.");
   section.add(
       "weld", weld, "m", at_least(0.0),
-      "corners of stones that are nearer than this become one; 0 = 3 x joint tolerance. Stones that were measured "
-      "want 2 to 10 of it",
+      "corners of stones that are nearer than this become one, and faces whose corners all do a joint, which is told; "
+      "0 = 3 x joint tolerance. Stones that were measured want 2 to 10 of it",
       "a length", "Give 0 to have it chosen.");
   section.add(
       "element size", element_size, "m", at_least(0.0),
