@@ -35,7 +35,7 @@ GRAVITY, DENSITY = 9.81, 2000.0
 LARGEST = 20.0  # factor tried
 ACCURACY = 0.01  # of a search
 LINES = 48  # of the test's own pyramids: those around cones are 0.2 % wider than those within
-NARROW = 3e-3  # between the two ends of the program's bracket, relative to it
+NARROW = 3e-3  # between the two ends of the program's bracket, relative to it or to friction, of which it is the difference to a slope
 SAME = 1e-6  # of two programmes, relative
 BEYOND = 0.003  # above the limit, where no step may find an equilibrium
 NOTICEABLE = 0.05  # of the largest motion of a mechanism
@@ -259,8 +259,10 @@ class Pushed:
             return "a certificate below forces that balance", told
         least, most = limits.result["rigid"]["forces_found_up_to"], limits.result["collapse"]["certified_upper"]
         told += f", limit analysis {least:.6g} to {most:.6g}"
-        if least > own[1] * (1 + SAME) + SAME or most < own[0] * (1 - SAME) - SAME or most - least > NARROW * most + SAME:
+        if least > own[1] * (1 + SAME) + SAME or most < own[0] * (1 - SAME) - SAME:
             return "another limit", told
+        if most - least > NARROW * max(most, self.friction):
+            return "a wide bracket", told
         highest = max([lower] + [a["factor"] for a in found["attempts"] if a["outcome"] == "equilibrium"])
         if highest > own[1] * (1 + SAME) + SAME:
             return "an equilibrium above the limit", told
