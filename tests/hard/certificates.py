@@ -23,13 +23,13 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "ground"))
 
 import scenes  # noqa: E402  (modules of the folder above)
 from drawing import Drawing  # noqa: E402
+from drawn_mechanism import drawn_mechanism  # noqa: E402
 from rigid import RigidStones, centre_and_area  # noqa: E402
 
 LARGEST = 20.0  # factor tried
@@ -214,13 +214,10 @@ def run(program, folder, content):
 
 def no_mechanism(folder, structure, factor, limit):
     """What the mechanism that a run has drawn lacks to prove a collapse at a factor below the limit; empty: nothing."""
-    with h5py.File(folder / "out" / "fields.h5") as fields:
-        last = fields["steps"][sorted(fields["steps"])[-1]]
-        if last.attrs["stage"] != b"load factor: mechanism":
-            return "no mechanism is drawn"
-        motion, gap, slip, shear = (last[name][()] for name in (
-            "displacement", "joint_gap_m", "joint_slip_m", "joint_tangential_force_N"))
-        place, stone_of = fields["mesh/coordinates"][()], fields["mesh/block_of_node"][()]
+    drawn = drawn_mechanism(folder / "out")
+    if drawn is None:
+        return "no mechanism is drawn"
+    motion, gap, slip, shear, place, stone_of = drawn
     speeds = []
     for k, points in enumerate(structure.stones):
         x, y = (place[stone_of == k] - centre_and_area(points)[0]).T

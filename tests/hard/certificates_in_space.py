@@ -21,13 +21,13 @@ import sys
 import tempfile
 import time
 
-import h5py
 import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "ground"), str(HERE.parent / "support")]
 import program  # noqa: E402  (folders of their own)
 import solids  # noqa: E402
+from drawn_mechanism import drawn_mechanism  # noqa: E402
 from rigid_in_space import RigidStonesInSpace, centre_and_volume  # noqa: E402
 from stones import xml  # noqa: E402
 
@@ -203,17 +203,14 @@ class Pushed:
 
     def no_mechanism(self, run, factor):
         """What the mechanism that a run has drawn lacks to prove a collapse at that factor; empty: nothing."""
-        with h5py.File(run.folder / "fields.h5") as fields:
-            last = fields["steps"][sorted(fields["steps"])[-1]]
-            if last.attrs["stage"] != b"load factor: mechanism":
-                return "no mechanism is drawn"
-            motion, gap, slip, shear = (last[name][()] for name in (
-                "displacement", "joint_gap_m", "joint_slip_m", "joint_tangential_force_N"))
-            place, stone_of = fields["mesh/coordinates"][()], fields["mesh/block_of_node"][()]
+        drawn = drawn_mechanism(run.folder)
+        if drawn is None:
+            return "no mechanism is drawn"
+        motion, gap, slip, shear, place, stone_of = drawn
         c, s = math.cos(self.turned), math.sin(self.turned)
         turn = numpy.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
         gains = weighs = 0.0
-        middles = {name: turn @ self.solid[name][0] + [3.0, -2.0, 0.0] for name in self.stones}
+        middles = {name: turn @ self.solid[name][0] + solids.MOVED for name in self.stones}
         for k in range(stone_of.max() + 1):
             at, moved = place[stone_of == k], motion[stone_of == k]
             inside = (at.min(axis=0) + at.max(axis=0)) / 2

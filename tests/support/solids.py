@@ -6,6 +6,8 @@
 
 import math
 
+MOVED = (3.0, -2.0, 0.0)  # [m] of drawn()
+
 
 def box(low, high):
     """A stone as points and faces, counter-clockwise from outside."""
@@ -48,7 +50,7 @@ def drawn(stones, random, *, turned, unit, up):
     c, s = math.cos(turned), math.sin(turned)
 
     def place(p):
-        x, y, z = c * p[0] - s * p[1] + 3.0, s * p[0] + c * p[1] - 2.0, p[2]
+        x, y, z = c * p[0] - s * p[1] + MOVED[0], s * p[0] + c * p[1] + MOVED[1], p[2] + MOVED[2]
         at = {"z": (x, y, z), "x": (z, x, y), "y": (y, z, x)}[up]
         return tuple(v / unit for v in at)
 
