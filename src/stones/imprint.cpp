@@ -265,7 +265,8 @@ std::vector<StoneJoint> welded_joints(Imprint& imprint, const std::vector<Facete
     const auto& opposite = stones[other.stone].facets[other.facet];
     const auto [at, is_new] =
         known.insert({{cell.stone, other.stone, cell.facet, other.facet}, static_cast<int>(joints.size())});
-    if (is_new) joints.push_back({{cell.stone, other.stone}, {cell.facet, other.facet}, facet.normal, {}, 0, 0, 0});
+    if (is_new)
+      joints.push_back({{cell.stone, other.stone}, {cell.facet, other.facet}, facet.normal, {}, 0, 0, 0, true});
     auto& joint = joints[at->second];
     double opening = 0;
     for (const int point : cell.outer) {

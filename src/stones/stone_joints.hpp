@@ -15,6 +15,7 @@ struct StoneJoint {
   double area = 0;                      ///< [m2]
   double opening = 0;                   ///< [m] mean distance of the planes, negative where the stones overlap
   double farthest = 0;                  ///< [m] largest distance of the planes, either way
+  bool welded = false;                  ///< farther apart than joints are, and closed by welding (imprint.hpp)
 };
 
 struct StoneJoints {

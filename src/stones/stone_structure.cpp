@@ -76,7 +76,7 @@ class Teller {
     }
     say("joints by tolerance: " + line);
     const double proposed = tolerance_on_plateau(counts);
-    const int found = static_cast<int>(s_.joints.joints.size()) - s_.welded;
+    const int found = static_cast<int>(s_.joints.joints.size()) - number_welded();
     const auto at = [&](double tolerance) {
       return std::min_element(counts.begin(), counts.end(), [&](const auto& a, const auto& b) {
         return std::abs(std::log(a.tolerance / tolerance)) < std::abs(std::log(b.tolerance / tolerance));
@@ -115,9 +115,8 @@ class Teller {
   void of_open_joints() {
     const auto near = find_joints(s_.faceted, s_.tolerance, defaults.reach * s_.tolerance);
     std::set<std::array<std::array<int, 2>, 2>> welded;
-    for (std::size_t k = s_.joints.joints.size() - static_cast<std::size_t>(s_.welded); k < s_.joints.joints.size();
-         ++k)
-      welded.insert({s_.joints.joints[k].stone, s_.joints.joints[k].facet});
+    for (const auto& joint : s_.joints.joints)
+      if (joint.welded) welded.insert({joint.stone, joint.facet});
     std::size_t open = 0;
     double widest = 0, area = 0;
     for (const auto& joint : near.joints) {
@@ -137,14 +136,19 @@ class Teller {
   }
 
  private:
+  int number_welded() const {
+    const auto& joints = s_.joints.joints;
+    return static_cast<int>(std::count_if(joints.begin(), joints.end(), [](const auto& j) { return j.welded; }));
+  }
+
   /// What is open wider than joints are, and closed by making corners one.
   void of_welded_joints() {
-    if (s_.welded == 0) return;
     double widest = 0;
-    for (std::size_t k = s_.joints.joints.size() - static_cast<std::size_t>(s_.welded); k < s_.joints.joints.size();
-         ++k)
-      widest = std::max(widest, s_.joints.joints[k].farthest);
-    const std::string found = counted(s_.welded, "joint") + " of faces up to " + metres(widest) +
+    for (const auto& joint : s_.joints.joints)
+      if (joint.welded) widest = std::max(widest, joint.farthest);
+    const int welded = number_welded();
+    if (welded == 0) return;
+    const std::string found = counted(welded, "joint") + " of faces up to " + metres(widest) +
                               " apart, more than joint tolerance = " + metres(s_.tolerance);
     say(found + ", closed by welding");
     warn("welded_joints", widest,
@@ -239,7 +243,6 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
   auto& joints = s.joints.joints;
   const auto welded = welded_joints(s.imprint, s.faceted, static_cast<int>(joints.size()));
   joints.insert(joints.end(), welded.begin(), welded.end());
-  s.welded = static_cast<int>(welded.size());
   Teller tell(s);
   tell.of_stones(mended.repairs);
   tell.of_tolerances();

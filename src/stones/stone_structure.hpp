@@ -13,8 +13,7 @@ namespace voussoir {
 struct StoneStructure {
   std::vector<StoneSurface> stones;   ///< closed, faces outward [m], z up
   std::vector<FacetedStone> faceted;  ///< of `stones`, by address
-  StoneJoints joints;                 ///< with those that welding has made last
-  int welded = 0;                     ///< of the joints
+  StoneJoints joints;                 ///< with those that welding has made
   Imprint imprint;
   double tolerance = 0, weld = 0;                    ///< [m]
   double tetrahedron_size = 0, hexahedron_size = 0;  ///< [m] wanted length of edges
