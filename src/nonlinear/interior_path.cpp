@@ -237,28 +237,39 @@ void InteriorPath::set_out(PointField& lambda, double shift) {
   }
 }
 
-/// Whether steps lead no further: they gain too little while equilibrium is near, or are next to none.
-bool InteriorPath::stuck(const Progress& progress, double equilibrium, double contact) const {
-  if (progress.halts >= numbers_.patience) return true;
-  const int steps = static_cast<int>(progress.sizes.size());
-  return steps > progress.changed + numbers_.patience && equilibrium < numbers_.balanced * contact &&
-         std::max(equilibrium, contact) > numbers_.gained * progress.sizes[steps - numbers_.patience];
+/// Whether stones are in balance with the forces of the path, compared with how far these are from the law.
+bool InteriorPath::is_near(const Imbalance& off) const { return off.equilibrium < numbers_.balanced * off.contact; }
+
+/// Whether the last steps have brought neither the state nor, as long as that is far, equilibrium nearer by a tenth. A
+/// step takes its own length off the imbalance, so that steps next to none are among them.
+bool InteriorPath::gains_too_little(const Progress& progress) const {
+  const int last = static_cast<int>(progress.residuals.size()) - 1;
+  if (last <= progress.changed + numbers_.patience) return false;
+  const auto &now = progress.residuals[last], &then = progress.residuals[last - numbers_.patience];
+  return std::max(now.equilibrium, now.contact) > numbers_.gained * std::max(then.equilibrium, then.contact) &&
+         (is_near(now) || now.equilibrium > numbers_.gained * then.equilibrium);
+}
+
+/// Beyond a fold friction follows the pressure by a half, beyond the next not at all. False where it does so already.
+bool InteriorPath::follow_less(Progress& progress) {
+  if (!numbers_.folds || follows_ == 0) return false;
+  follows_ = follows_ == 1 ? 0.5 : 0;
+  progress.changed = static_cast<int>(progress.residuals.size()) - 1;
+  return true;
 }
 
 /// One step. The bound on what a point resists with rises as the barrier falls: far from a solution a large one lets
 /// forces grow where stones share a vertex, near it a small one lets them creep. It goes towards a barrier that falls
-/// by as much as the last step was long, but not below what the contact residual allows. Where the path folds, which
-/// shows in short steps although equilibrium is near, friction follows the pressure by a half, and where it folds
-/// again, not at all.
-/// @param equilibrium, contact  relative to the scale
-LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double equilibrium, double contact,
-                                     Progress& progress, NewtonReport& report) {
+/// by as much as the last step was long, but not below what the contact residual allows. Near equilibrium a short step
+/// tells of a fold.
+LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, Progress& progress, NewtonReport& report) {
+  const auto off = progress.residuals.back();
   const double distance = barrier();
   augmentation_ = std::clamp(numbers_.resistance * numbers_.start * scale_ / std::sqrt(distance), numbers_.resistance,
                              numbers_.largest_resistance);
   resistances(lambda, false);
   const double share = std::clamp(std::pow(1 - progress.step, 2), numbers_.least_share, numbers_.largest_share);
-  set_right_hand_side(lambda, std::max(share * distance, numbers_.waiting * std::pow(contact * scale_, 2)));
+  set_right_hand_side(lambda, std::max(share * distance, numbers_.waiting * std::pow(off.contact * scale_, 2)));
   Tpetra::deep_copy(*gradient_, *linear_);
   problem_.subtract_contact_forces(force_, *gradient_);
   const auto solved = solve(report);
@@ -266,11 +277,7 @@ LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double
   problem_.evaluate_direction(*direction_, *work_, gap_direction_);
   const double boundary = step_length();
   progress.step = std::min(boundary, 1.0);
-  if (numbers_.folds && progress.step < numbers_.folded && equilibrium < numbers_.balanced * contact && follows_ > 0) {
-    follows_ = follows_ == 1 ? 0.5 : 0;
-    progress.changed = static_cast<int>(progress.sizes.size()) - 1;
-  }
-  progress.halts = progress.step < numbers_.halting ? progress.halts + 1 : 0;
+  if (progress.step < numbers_.folded && is_near(off)) follow_less(progress);
   const double length = numbers_.to_boundary * boundary;
   x.update(length, *direction_, 1.0);
   for (int k = 0; k < problem_.points(); ++k) {
@@ -281,7 +288,7 @@ LinearSolveResult InteriorPath::step(TpetraVector& x, PointField& lambda, double
     p.y += length * p.dy;
     p.disc.advance(length);
   }
-  report_progress(report, equilibrium, contact, solved.iterations, length);
+  report_progress(report, off.equilibrium, off.contact, solved.iterations, length);
   return solved;
 }
 
@@ -301,25 +308,25 @@ PathEnd InteriorPath::trace(TpetraVector& x, PointField& lambda, double toleranc
   for (;;) {
     problem_.carry(x, tolerance * scale_);
     pull_back(x, lambda);
-    const auto [equilibrium, contact] = measure(x, lambda);
+    const auto [equilibrium, contact] = progress.residuals.emplace_back(measure(x, lambda));
     const double size = size_of(problem_, equilibrium * scale_, contact * scale_, scale_);
     if (size <= tolerance && after_projection(lambda) <= tolerance) {
       project_to_admissible(lambda);
       return PathEnd::arrived;
     }
-    if (stuck(progress, equilibrium, contact) || static_cast<int>(progress.sizes.size()) >= largest_iterations) break;
+    if (static_cast<int>(progress.residuals.size()) > largest_iterations) break;
+    if (gains_too_little(progress) && !follow_less(progress)) break;
     if (shortcut && size <= offered) {
       offered = numbers_.nearer * size;
       if (take_shortcut(x, lambda)) return PathEnd::arrived;
       if (report.stopped) return PathEnd::stopped;
     }
-    progress.sizes.push_back(size);
     if (before.distance(x) > run_away_ * problem_.length_scale()) {
       before.restore(x);
       lambda = lambda_before;
       return PathEnd::ran_away;
     }
-    if (step(x, lambda, equilibrium, contact, progress, report).nothing) break;
+    if (step(x, lambda, progress, report).nothing) break;
     if (report.stopped) return PathEnd::stopped;
   }
   project_to_admissible(lambda);

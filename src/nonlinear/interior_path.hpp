@@ -17,9 +17,9 @@
 //        at the start, with the forces of the path, which keep a distance from their bounds.
 //        arrived   their size is no more than the tolerance, and no more either once the forces are made admissible;
 //                  or the shortcut has arrived
-//        stuck     the larger residual has fallen by less than a tenth (gained) in `patience` steps although
-//                  equilibrium is below a tenth (balanced) of contact; or as many steps in a row were next to none
-//                  (halting); or no steps are left, or a library refused a system
+//        stuck     friction follows as little as it may, and in `patience` steps the larger residual has fallen by less
+//                  than a tenth (gained), and so has equilibrium, unless it is below a tenth (balanced) of contact; or
+//                  no steps are left, or a library refused a system
 //        ran_away  an unknown has moved by more than a fifth (run away) of the structure
 //        stopped   whoever watches wanted no more
 // Back   Arrived or stuck, x and admissible forces: those of open points what they pull with, the others within their
@@ -81,10 +81,9 @@ class InteriorPath {
 
   /// How far a path has come.
   struct Progress {
-    std::vector<double> sizes;  ///< residuals of all steps
-    double step = 0;            ///< length of the last one, 1 where no slack would have vanished
-    int changed = 0;            ///< step at which friction last followed by less
-    int halts = 0;              ///< steps in a row that were next to none
+    std::vector<Imbalance> residuals;  ///< ahead of every step, relative to the scale
+    double step = 0;                   ///< length of the last one, 1 where no slack would have vanished
+    int changed = 0;                   ///< step at which friction last followed by less
   };
 
   void predict(TpetraVector& x, PointField& lambda, const PointField& known_gap, NewtonReport&);
@@ -100,9 +99,10 @@ class InteriorPath {
   void set_right_hand_side(const PointField& lambda, double target);
   LinearSolveResult solve(NewtonReport&);
   double step_length();
-  bool stuck(const Progress&, double equilibrium, double contact) const;
-  LinearSolveResult step(TpetraVector& x, PointField& lambda, double equilibrium, double contact, Progress&,
-                         NewtonReport&);
+  bool is_near(const Imbalance&) const;
+  bool gains_too_little(const Progress&) const;
+  bool follow_less(Progress&);
+  LinearSolveResult step(TpetraVector& x, PointField& lambda, Progress&, NewtonReport&);
   void project_to_admissible(PointField& lambda) const;
   void report_progress(NewtonReport&, double equilibrium, double contact, int krylov, double step) const;
   double bound(int point, double normal) const;

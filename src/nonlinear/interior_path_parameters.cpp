@@ -15,10 +15,8 @@ void InteriorPathParameters::declare(ParameterSection& section) {
               "of linear solves. Reason: 1e-3 takes as many solves and 1.6 times the Krylov iterations on the "
               "bridge; with 3e-2 the deformed bridge does not arrive");
   section.add("patience", patience, "-", between(1, 1e6),
-              "steps that gain too little with equilibrium near, or are next to none, after which it leads no further. "
+              "steps that gain too little, after which it folds or leads no further. "
               "Reason: steps that cross a fold are short, and friction that follows by less needs some to show");
-  section.add("halting", halting, "-", inside(0.0, 1.0),
-              "step that is next to none. Reason: what bounds such steps shrinks with them");
 }
 
 }  // namespace voussoir

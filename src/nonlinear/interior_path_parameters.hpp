@@ -16,8 +16,7 @@ struct InteriorPathParameters {
   bool folds = true;             ///< friction follows the pressure by less where the path folds
   double to_boundary = 0.99;     ///< share of the step to the boundary that is taken, at most a full step
   double solve_accuracy = 1e-2;  ///< of linear solves
-  int patience = 15;             ///< steps that gain too little, or are next to none, after which it leads no further
-  double halting = 1e-6;         ///< step that is next to none
+  int patience = 15;             ///< steps that gain too little, after which it folds or leads no further
   /// coefficient of friction beyond which it counts as this: larger numbers spoil the conditioning
   static constexpr double locking_friction = LimitAnalysisParameters::endless_friction;
   /// distance from the bounds at which the path begins, relative to the largest force: W(16), A(61), A(121) take 138
