@@ -45,4 +45,12 @@ Matrix<3> solve_general(const Matrix<3>& m, const Matrix<3>& a) {
 
 double determinant(const Matrix<3>& a) { return view(a).determinant(); }
 
+Eigenvectors eigenvectors(const Matrix<4>& a) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(Eigen::Map<const Rows<4>>(a[0].data()));
+  Eigenvectors found;
+  Eigen::Map<Eigen::Vector4d>(found.value.data()) = solver.eigenvalues();
+  Eigen::Map<Rows<4>>(found.vector[0].data()) = solver.eigenvectors().transpose();
+  return found;
+}
+
 }  // namespace voussoir

@@ -24,4 +24,11 @@ Matrix<3> solve_general(const Matrix<3>& m, const Matrix<3>& a);
 
 double determinant(const Matrix<3>&);
 
+/// Eigenvalues of a symmetric matrix, ascending, with their eigenvectors of length one, a row each.
+struct Eigenvectors {
+  Vector<4> value;
+  Matrix<4> vector;
+};
+Eigenvectors eigenvectors(const Matrix<4>&);
+
 }  // namespace voussoir

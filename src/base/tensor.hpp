@@ -54,16 +54,4 @@ std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A rotation of the plane, counter-clockwise [rad], however far.
-class Rotation {
- public:
-  explicit Rotation(double angle) : cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
-  Vector<2> operator()(const Vector<2>& a) const {
-    return {cosine_ * a[0] - sine_ * a[1], sine_ * a[0] + cosine_ * a[1]};
-  }
-
- private:
-  double cosine_, sine_;
-};
-
 }  // namespace voussoir

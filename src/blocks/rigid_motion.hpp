@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rotation.hpp"
 #include "blocks/structure.hpp"
 
 namespace voussoir {
@@ -11,8 +12,7 @@ namespace voussoir {
 /// A small motion of a plane block: of its middle, and a rotation about it.
 struct RigidMotion {
   Vector<2> middle{}, mean{};  ///< [m] where the middle of its nodes is, and how it moves
-  double rotation = 0;         ///< [-] counter-clockwise, of a small motion
-  double turn = 0;             ///< [rad] the same of a motion that may be large
+  double rotation = 0;         ///< [-] counter-clockwise
   double radius = 0;           ///< [m] of the node farthest from the middle
 
   Vector<2> at(const Vector<2>& x) const {
@@ -34,16 +34,14 @@ inline RigidMotion rigid_motion(const std::vector<Vector<2>>& position, const Lo
     rigid.mean = rigid.mean + (1.0 / count) * of_node(i);
   }
   rigid.middle = position[first] + rigid.middle;
-  double moment = 0, inertia = 0, stretch = 0;
+  double moment = 0, inertia = 0;
   for (int i = first; i < first + count; ++i) {
     const Vector<2> r = position[i] - rigid.middle;
     moment += cross(r, of_node(i) - rigid.mean);
     inertia += dot(r, r);
-    stretch += dot(r, of_node(i) - rigid.mean);
     rigid.radius = std::max(rigid.radius, norm(r));
   }
   if (inertia > 0) rigid.rotation = moment / inertia;
-  rigid.turn = std::atan2(moment, inertia + stretch);
   return rigid;
 }
 
@@ -81,6 +79,24 @@ inline RigidMotionInSpace rigid_motion(const std::vector<Vector<3>>& position, c
     for (int a = 0; a < 3; ++a)
       rigid.rotation = rigid.rotation + (moment[a] / determinant) * cross(inertia[(a + 1) % 3], inertia[(a + 2) % 3]);
   return rigid;
+}
+
+/// How far a block has turned with a motion, however large: as its nodes have in the mean.
+/// @param position  of all local node copies [m]
+/// @param motion    of all local node copies [m]
+/// @param rigid     the small motion nearest to it, of whose middle and its motion this is
+template <int dim, class Rigid>
+Rotation<dim> nearest_rotation(const std::vector<Vector<dim>>& position, const LocalBlock<dim>& block,
+                               const std::vector<double>& motion, const Rigid& rigid) {
+  std::array<Vector<dim>, dim> arms{}, motions{};
+  for (int i = block.first_local; i < block.first_local + block.nodes; ++i)
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b) {
+        const double arm = position[i][a] - rigid.middle[a];
+        arms[a][b] += arm * (position[i][b] - rigid.middle[b]);
+        motions[a][b] += arm * (motion[dim * i + b] - rigid.mean[b]);
+      }
+  return nearest_rotation(arms, motions);
 }
 
 }  // namespace voussoir

@@ -138,8 +138,9 @@ std::vector<double> Structure<dim>::nodal_volumes() const {
 template <int dim>
 double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
   auto& b = blocks_[block];
-  const RigidMotion rigid = rigid_motion(drawn_, b, u);
-  const Rotation rotation(rigid.turn);
+  VOUSSOIR_EXPECT(!b.edges && "how edges bend does not turn with a block");
+  const auto rigid = rigid_motion(drawn_, b, u);
+  const auto rotation = nearest_rotation(drawn_, b, u, rigid);
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
     const std::size_t node = b.first_local + i;
     const auto arm = drawn_[node] - rigid.middle, turned = rotation(arm);
@@ -148,17 +149,10 @@ double Structure<dim>::follow_block(int block, const std::vector<double>& u) {
     position_[node] = drawn_[node] + motion;
     for (int c = 0; c < dim; ++c) rigid_motion_[dim * node + c] = motion[c];
   }
-  if (rigid.turn != turn_[block])  // else it is the matrix of this turn, which blocks that have not turned share
+  if (!(rotation == turn_[block]))  // else it is the matrix of this turn, which blocks that have not turned share
     b.sparse = b.stiffness = std::make_shared<const LocalCsr>(block_stiffness(b.mesh, b.material, model_));
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) b.mesh.position[i] = position_[b.first_local + i];
-  return std::abs(rigid.turn - std::exchange(turn_[block], rigid.turn));
-}
-
-/// The turn of a block is one number, which in space would be three.
-template <>
-double Structure<3>::follow_block(int, const std::vector<double>&) {
-  VOUSSOIR_EXPECT(!"blocks are followed in the plane alone");
-  return 0;
+  return rotation.apart(std::exchange(turn_[block], rotation));
 }
 
 template <int dim>
@@ -166,7 +160,7 @@ double Structure<dim>::move_to(const std::vector<double>& u) {
   if (drawn_.empty()) {
     drawn_ = position_;
     rigid_motion_.assign(u.size(), 0.0);
-    turn_.assign(blocks_.size(), 0.0);
+    turn_.assign(blocks_.size(), Rotation<dim>());
   }
   double largest = 0;
   for (int b = 0; b < static_cast<int>(blocks_.size()); ++b) largest = std::max(largest, follow_block(b, u));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/rotation.hpp"
 #include "blocks/block_system.hpp"
 #include "mesh/block_share.hpp"
 #include "mesh/mesh.hpp"
@@ -44,11 +45,11 @@ class Structure : public BlockSystem {
   std::vector<double> nodal_volumes() const override;
 
   /// Takes every block, undeformed, to where a displacement has moved and turned it, however far: places of nodes
-  /// and K. Displacements still count from the drawing. In the plane alone. Collective.
+  /// and K. Displacements still count from the drawing. No block has edges that are condensed. Collective.
   /// @return the largest turn since the last time [rad]
   double move_to(const std::vector<double>& u);
-  /// How far a local block has been followed from its drawing [rad], counter-clockwise.
-  double turn(int block) const { return turn_.empty() ? 0.0 : turn_[block]; }
+  /// How far a local block has been followed from its drawing.
+  Rotation<dim> turn(int block) const { return turn_.empty() ? Rotation<dim>() : turn_[block]; }
   /// The same structure with other matrices in the place of the stiffness of its blocks.
   /// @param matrix_of  matrix of each local block in the place of its stiffness
   /// @param sparse_of  likewise of what makes preconditioners; none where that is the same matrix
@@ -67,12 +68,10 @@ class Structure : public BlockSystem {
   std::vector<Vector<dim>> position_;
   Vector<dim> middle_{};
   // Of blocks that have been followed; empty before.
-  std::vector<Vector<dim>> drawn_;  ///< [m] places of nodes in the drawing
-  std::vector<double> turn_;        ///< [rad] per local block
+  std::vector<Vector<dim>> drawn_;   ///< [m] places of nodes in the drawing
+  std::vector<Rotation<dim>> turn_;  ///< per local block
 };
 
-template <>
-double Structure<3>::follow_block(int block, const std::vector<double>& u);
 extern template class Structure<2>;
 extern template class Structure<3>;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/rotation.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "drawings/curves.hpp"
@@ -144,7 +145,7 @@ class Path {
     const bool large = in_.flag(), sweep = in_.flag();
     const Vector<2> from = at_, to = point();
     if (rx == 0 || ry == 0 || norm(to - from) == 0) return line_to(to);
-    const Rotation back(-turned), forth(turned);
+    const Rotation<2> back(-turned), forth(turned);
     const Vector<2> half = back(0.5 * (from - to));
     const double stretch = std::hypot(half[0] / rx, half[1] / ry);
     if (stretch > 1) rx *= stretch, ry *= stretch;

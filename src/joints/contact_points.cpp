@@ -177,13 +177,14 @@ std::vector<char> ContactPoints::untieable() const {
   return none;
 }
 
-void ContactPoints::turn_axes(const Structure<2>& structure) {
-  if (drawn_normal_.empty())
-    for (const auto& p : points_) drawn_normal_.push_back(in_plane(p.axis[0]));
+template <int dim>
+void ContactPoints::turn_axes(const Structure<dim>& structure) {
+  if (drawn_axes_.empty())
+    for (const auto& p : points_) drawn_axes_.push_back(p.axis);
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const auto& joint = joints_[points_[k].joint];
-    const double turn = (structure.turn(joint.local_i) + structure.turn(joint.local_j)) / 2;
-    points_[k].axis = axes_in_plane(Rotation(turn)(drawn_normal_[k]));
+    const auto turn = structure.turn(joint.local_i).halfway_to(structure.turn(joint.local_j));
+    for (int a = 0; a < dim; ++a) points_[k].axis[a] = in_space(turn(in_dimension<dim>(drawn_axes_[k][a])));
   }
 }
 
@@ -196,6 +197,8 @@ void relative_motions(const ContactPoints& points, const std::vector<double>& u,
   }
 }
 
+template void ContactPoints::turn_axes(const Structure<2>&);
+template void ContactPoints::turn_axes(const Structure<3>&);
 template std::vector<FoundPoint> coincident_points<2>(const BlockWithBorder<2>&, const BlockWithBorder<2>&);
 template std::vector<FoundPoint> coincident_points<3>(const BlockWithBorder<3>&, const BlockWithBorder<3>&);
 template ContactPoints::ContactPoints(const BlockSource<2>&, const Structure<2>&, const PointFinder<2>&);

@@ -68,7 +68,8 @@ class ContactPoints {
   /// 1 for points that are no pair of coincident nodes, which nothing can tie; empty where all are.
   std::vector<char> untieable() const;
   /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean.
-  void turn_axes(const Structure<2>&);
+  template <int dim>
+  void turn_axes(const Structure<dim>&);
 
  private:
   template <int dim>
@@ -82,7 +83,7 @@ class ContactPoints {
   PointId total_ = 0;
   long long total_joints_ = 0;
   std::unique_ptr<Exchange> exchange_;
-  std::vector<Vector<2>> drawn_normal_;  ///< of points that have been followed
+  std::vector<std::array<Vector<3>, 3>> drawn_axes_;  ///< of points that have been followed
 };
 
 /// The relative motions of all points [points x components], written over.

@@ -10,13 +10,11 @@ namespace voussoir {
 namespace {
 
 /// The normal of a point before its blocks turned.
-Vector<3> drawn_normal(const ContactPoint& p, const Joint& joint, const Structure<2>& structure) {
-  const Rotation back(-(structure.turn(joint.local_i) + structure.turn(joint.local_j)) / 2);
-  return in_space(back(in_plane(p.axis[0])));
+template <int dim>
+Vector<3> drawn_normal(const ContactPoint& p, const Joint& joint, const Structure<dim>& structure) {
+  const auto turn = structure.turn(joint.local_i).halfway_to(structure.turn(joint.local_j));
+  return in_space(turn.back()(in_dimension<dim>(p.axis[0])));
 }
-
-/// In space blocks are not followed.
-Vector<3> drawn_normal(const ContactPoint& p, const Joint&, const Structure<3>&) { return p.axis[0]; }
 
 }  // namespace
 

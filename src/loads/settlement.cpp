@@ -4,6 +4,7 @@
 
 #include "base/parameter_section.hpp"
 #include "base/plane_and_space.hpp"
+#include "base/rotation.hpp"
 #include "base/text.hpp"
 #include "blocks/supports.hpp"
 #include "linalg/reduce.hpp"
@@ -97,26 +98,31 @@ struct MovedAlong {
 
 /// A support that turns by a finite rotation: its nodes keep their distances, so their motion is no multiple of a
 /// pattern.
-class TurningSupport : public Load<2> {
+template <int dim>
+class TurningSupport : public Load<dim> {
  public:
-  TurningSupport(const Structure<2>& s, const SettlementParameters& p, std::vector<MovedAlong<2>> moves)
-      : translation_(in_plane(p.way())), rotation_(p.turn.rotation), moves_(std::move(moves)) {
-    for (const auto& m : moves_) arm_.push_back(s.drawn_position()[m.node] - in_plane(p.turn.about));
+  TurningSupport(const Structure<dim>& s, const SettlementParameters& p, std::vector<MovedAlong<dim>> moves)
+      : translation_(in_dimension<dim>(p.way())),
+        direction_(p.turn.direction()),
+        rotation_(p.turn.rotation),
+        moves_(std::move(moves)) {
+    for (const auto& m : moves_) arm_.push_back(s.drawn_position()[m.node] - in_dimension<dim>(p.turn.about));
   }
   void add(const std::vector<LoadMoment>& moments, std::vector<double>&,
            std::vector<double>& prescribed) const override {
     const double factor = sum_of_factors(moments);
-    const Rotation rotation(factor * rotation_);
+    const auto rotation = rotation_about<dim>(direction_, factor * rotation_);
     for (std::size_t k = 0; k < moves_.size(); ++k)
       moves_[k].add(factor * translation_ + rotation(arm_[k]) - arm_[k], prescribed);
   }
-  std::size_t bytes() const override { return moves_.size() * (sizeof(MovedAlong<2>) + sizeof(Vector<2>)); }
+  std::size_t bytes() const override { return moves_.size() * (sizeof(MovedAlong<dim>) + sizeof(Vector<dim>)); }
 
  private:
-  Vector<2> translation_;  ///< [m] for factor 1
-  double rotation_;        ///< [rad] for factor 1
-  std::vector<MovedAlong<2>> moves_;
-  std::vector<Vector<2>> arm_;  ///< [m] from the centre
+  Vector<dim> translation_;  ///< [m] for factor 1
+  Vector<3> direction_;      ///< of length one
+  double rotation_;          ///< [rad] for factor 1
+  std::vector<MovedAlong<dim>> moves_;
+  std::vector<Vector<dim>> arm_;  ///< [m] from the centre
 };
 
 /// Where a settlement moves nodes along what. What two supports hold of a node alike moves with the first.
@@ -152,9 +158,8 @@ std::unique_ptr<Load<dim>> settlement(SettlementParameters p, const LoadSite<dim
     if (name == p.support && p.turn.rotation != 0)
       p.turn.set_middle(middle_of_facets(s, site.facet_set(support.on, support.blocks)));
   auto moves = moved_by(p, site);
-  if constexpr (dim == 2)
-    if (p.turn.rotation != 0 && s.model().rotations == Rotations::finite)
-      return std::make_unique<TurningSupport>(s, p, std::move(moves));
+  if (p.turn.rotation != 0 && s.model().rotations == Rotations::finite)
+    return std::make_unique<TurningSupport<dim>>(s, p, std::move(moves));
   std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
   for (const auto& m : moves) m.add(motion_at<dim>(p, s.drawn_position()[m.node]), unit);
   return std::make_unique<PatternLoad<dim>>(unit, PatternLoad<dim>::Of::displacements);

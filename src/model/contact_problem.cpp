@@ -280,9 +280,7 @@ LinearSolveResult ContactProblem::solve(const std::vector<PointStiffness>& stiff
     return parts_.solver.solve(matrix_->matrix(), coarse_, b, d, request.tolerance, symmetry, most);
   };
   const int most = request.largest_krylov, too_many = parts_.internals.preconditioner.krylov_to_factor;
-  // With finite rotations exact solutions keep the path from arriving (homogenisation/whole.md).
-  const bool otherwise = parts_.structure.model().rotations == Rotations::small && coarse_->may_factor_whole() &&
-                         (most == 0 || most > too_many);
+  const bool otherwise = coarse_->may_factor_whole() && (most == 0 || most > too_many);
   auto result = krylov(otherwise ? too_many : most);
   if (!otherwise || result.converged) return result;
   const auto go_on = [&](int iterations) {

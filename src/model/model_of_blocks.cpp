@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "base/finite.hpp"
 #include "base/plane_and_space.hpp"
 #include "blocks/assembly.hpp"
 #include "blocks/supports.hpp"
@@ -98,6 +99,18 @@ template <int dim>
 std::unique_ptr<Model> ModelOfBlocks<dim>::of_time_step(const BlockSystem& mass, const MidpointRule& rule,
                                                         double tolerance) const {
   return std::unique_ptr<Model>(new ModelOfBlocks(*this, mass, rule, tolerance));
+}
+
+template <int dim>
+double ModelOfBlocks<dim>::move_geometry(const std::vector<double>& displacement) {
+  VOUSSOIR_EXPECT(displacement.size() == dim * static_cast<std::size_t>(structure_->nodes()) &&
+                  "displacement: of node copies");
+  VOUSSOIR_EXPECT(all_finite(displacement) && "displacement: finite");
+  Phase phase("blocks");
+  ++arrangement_;
+  const double turned = structure_->move_to(displacement);
+  points_->turn_axes(*structure_);
+  return turned;
 }
 
 template <int dim>

@@ -37,10 +37,6 @@ class ModelOfBlocks : public Model {
 };
 
 template <>
-double ModelOfBlocks<2>::move_geometry(const std::vector<double>&);
-template <>
-double ModelOfBlocks<3>::move_geometry(const std::vector<double>&);
-template <>
 double ModelOfBlocks<2>::wave_speed(int) const;
 template <>
 double ModelOfBlocks<3>::wave_speed(int) const;

@@ -1,9 +1,9 @@
 // Does a step that was solved stay within what the model can tell?
 //
 // Points pair what was drawn together, turns are small ones but in load steps with finite rotations, and stones that
-// were drawn apart know nothing of each other. Measures tell when that is no longer so. They are of the plane
-// (range/plane/measures): slips beyond a cell, turns that move forces off the joints that bear them, stones that lie in
-// each other. README.md of this folder, "The range of the model", gives the numbers that decide and their reasons.
+// were drawn apart know nothing of each other. Measures (range/plane/measures, range/space/measures) tell when that is
+// no longer so: slips beyond a cell, turns that move forces off the joints that bear them, stones that lie in each
+// other. README.md of this folder, "The range of the model", gives the numbers that decide and their reasons.
 #pragma once
 
 #include <functional>
@@ -26,6 +26,11 @@ struct StepEnd {
   bool in_time = false;
   bool outlines = true;  ///< whether outlines of stones are compared too
 };
+
+/// Whether stones have been followed to where they have turned to, so that a turn is no small one.
+inline bool is_followed(const Model& model, const StepEnd& end) {
+  return !end.in_time && model.settings().rotations == Rotations::finite;
+}
 
 /// What a step leaves open; the same on every rank.
 struct RangeFindings {

@@ -220,8 +220,8 @@ std::vector<WorstJoint> worst_joint(Network<dim>& network, bool in_time) {
 template <int dim>
 RangeFindings look_at_turns(const ModelOfBlocks<dim>& model, const StepEnd& end, double smallest_half_joint) {
   VOUSSOIR_EXPECT(smallest_half_joint > 0 && "half a joint: of some length");
-  const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
-  if (followed || model.points().total() == 0 || small_motion(model, end, smallest_half_joint)) return {};
+  if (is_followed(model, end) || model.points().total() == 0 || small_motion(model, end, smallest_half_joint))
+    return {};
   const auto& comm = *model.structure().comm();
   Network<dim> network(model, end);
   std::vector<WorstJoint> found_first;
@@ -233,14 +233,11 @@ RangeFindings look_at_turns(const ModelOfBlocks<dim>& model, const StepEnd& end,
   const std::string what = model.block_name(worst.turned) + " has turned by " + three_digits(worst.turn) + " rad, " +
                            three_digits(100 * worst.share) + " % of what joint " + joint +
                            " can bear before what stands on it topples or slides";
-  const std::string advice = end.in_time || dim == 3 ? "" : "; model > rotations = finite follows the stones";
+  const std::string advice = end.in_time ? "" : "; model > rotations = finite follows the stones";
   RangeFindings found;
   found.warnings.push_back({"turn_beyond_first_order", joint, end.when, worst.share,
                             what + ": small rotations, which are all that is computed" +
-                                (end.in_time ? " in time"
-                                 : dim == 3  ? " in space"
-                                             : "") +
-                                ", overrate what holds it by that share" + advice +
+                                (end.in_time ? " in time" : "") + ", overrate what holds it by that share" + advice +
                                 and_in_others(static_cast<std::size_t>(worst.others))});
   if (worst.past_balance)
     found.out_of_range = what + ": it is past its point of balance, and small rotations would let it stand" + advice;

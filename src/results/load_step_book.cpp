@@ -10,7 +10,7 @@
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
-#include "results/plane/turning_supports.hpp"
+#include "results/turning_supports.hpp"
 
 namespace voussoir {
 namespace {

@@ -16,7 +16,7 @@
 // Friction takes the force at the end of the step times the slip, as the return mapping of the solver has it
 // (joints/friction_work.hpp). What is left is the imbalance: slips under a pressure that changes within the step (the
 // bound at its end less the mean of bounds), pressure of joints that open or close within it, and a share of t^2/12 of
-// what reactions do that turn with a support by t (results/plane/turning_supports.hpp). It goes with their size.
+// what reactions do that turn with a support by t (results/turning_supports.hpp). It goes with their size.
 #pragma once
 
 #include "dynamics/energy_book.hpp"

@@ -53,10 +53,14 @@ void check_space(const Scene& scene, InputProblems& problems) {
         "scene > model > thickness",
         " = " + number_text(model.thickness) +
             " [m]\n  is of plane meshes, and this one is in space.\n  Leave it out: the mesh has a thickness.");
-  if (model.rotations == Rotations::finite)
-    problems.add("scene > model > rotations",
-                 " = \"finite\"\n  does not go with a mesh in space, whose stones are not followed through large turns "
-                 "yet.\n  Give \"small\", or a plane scene.");
+  const auto& stones = scene.mesh.stones;
+  if (model.rotations == Rotations::finite && scene.mesh.type == MeshType::stones &&
+      stones.element == StoneElement::quadratic)
+    problems.add(
+        "scene > model > rotations",
+        " = \"finite\"\n  does not go with element = \"quadratic\": how edges of tetrahedra bend is found once, "
+        "and does not turn with a stone.\n  Give mesh > stones > element = \"linear\" (with smaller cells: see "
+        "src/stones/README.md), or small rotations. Stones of hexahedra are the same either way.");
 }
 
 }  // namespace

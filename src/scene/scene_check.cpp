@@ -1,6 +1,7 @@
 // What no single section of a scene can see.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -207,11 +208,20 @@ void check_rotations(const Scene& scene, InputProblems& problems) {
     problems.add(key, value +
                           "construction stages (stones that are not there yet cannot be followed).\n"
                           "  Give \"small\", or leave the construction out.");
-  for (const auto& load : scene.loads)
+  std::map<std::string, std::string> turns;  // the first load that turns each support
+  for (const auto& load : scene.loads) {
     if (load_as<TemperatureParameters>(load))
       problems.add(key, value + "load " + in_quotes(load.name) +
                             " (heat presses along the axes of the drawing).\n"
                             "  Give \"small\", or leave this load out.");
+    const auto* const settlement = load_as<SettlementParameters>(load);
+    if (!settlement || settlement->turn.rotation == 0) continue;
+    const auto [first, is_first] = turns.insert({settlement->support, load.name});
+    if (!is_first)
+      problems.add(key, value + "loads " + in_quotes(first->second) + " and " + in_quotes(load.name) +
+                            ", which both turn support " + in_quotes(settlement->support) +
+                            ": large turns do not add up.\n  Give one load that turns it, or \"small\".");
+  }
 }
 
 void check_mortar(const Scene& scene, InputProblems& problems) {

@@ -146,6 +146,17 @@ class Extruded(program.SceneTest):
         self.compare(plane({"move": {"type": "settlement", "support": "foot", "ux": 1e-4, "uy": -2e-3, "rotation": 2e-3}}))
         self.compare(plane({"move": {"type": "settlement", "support": "foot", "rotation": 2e-3, "about x": 0.3, "about y": -1.0}}))
 
+    def test_a_support_that_turns_far(self):
+        # By 9 degrees, in two steps: stones are followed, and reactions work along an arc.
+        turning = {"type": "settlement", "support": "foot", "ux": 0.05, "uy": -0.02, "rotation": 0.16}
+        stages = {"own weight": OWN, "half": {"loads": {"weight": 1.0, "turning": 0.5}},
+                  "all": {"loads": {"weight": 1.0, "turning": 1.0}}}
+        tree = plane({"turning": turning}, stages)
+        tree["model"]["rotations"] = "finite"
+        solid = in_space(tree)
+        solid["model"]["rotations"] = "finite"
+        self.compare(tree, solid)
+
     def test_a_side_that_slides(self):
         tree = plane({"move": {"type": "settlement", "support": "side", "ux": 1e-4}})
         tree["supports"]["side"] = {"on": "left", "components": "x"}

@@ -230,8 +230,6 @@ class WallsInSpace(program.SceneTest):
         for words, run in (
                 ("scene > model > thickness = 0.5 [m] is of plane meshes",
                  self.run_scene(scene(WALL, {}, stages(), model={"thickness": 0.5}), "--validate")),
-                ('scene > model > rotations = "finite" does not go with a mesh in space',
-                 self.run_scene(scene(WALL, {}, stages(), model={"rotations": "finite"}), "--validate")),
                 ("scene > loads > lift > az = 1 [m/s2] is across the plane of this mesh",
                  self.run_scene(scene({"courses": 2, "blocks per course": 2}, {"lift": {"type": "acceleration", "az": 1.0}},
                                       stages(), kind="wall", supports={"ground": {"on": "base"}}), "--validate")),

@@ -2,16 +2,7 @@
 
 #include <cmath>
 
-#include "base/check.hpp"
-
 namespace voussoir {
-
-/// The turn of a block would be three numbers, which nothing follows yet: scenes that ask for it are refused.
-template <>
-double ModelOfBlocks<3>::move_geometry(const std::vector<double>&) {
-  VOUSSOIR_EXPECT(!"blocks are followed in the plane alone");
-  return 0;
-}
 
 /// Of pressure waves.
 template <>

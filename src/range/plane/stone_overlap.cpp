@@ -73,7 +73,7 @@ std::vector<StoneBox> boxes_here(const PlaneModel& model, const StepEnd& end,
                                  const std::vector<double>& shortest_side) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
-  const bool followed = !end.in_time && model.settings().rotations == Rotations::finite;
+  const bool followed = is_followed(model, end);
   std::vector<StoneBox> boxes;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!end.absent.empty() && end.absent[b]) continue;

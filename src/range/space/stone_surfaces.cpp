@@ -58,12 +58,13 @@ double distance_outside(const StoneSurface& surface, const Vector<3>& place) {
 std::vector<PlacedSurface> surfaces_here(const SpaceModel& model, const StepEnd& end) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
+  const bool followed = is_followed(model, end);
   std::vector<PlacedSurface> all;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!end.absent.empty() && end.absent[b]) continue;
     auto surface = surface_now(s, u, b);
     const auto box = box_around(surface.points);
-    all.push_back({s.blocks()[b].id, std::move(surface), norm(turn_of(s, b, u)), box});
+    all.push_back({s.blocks()[b].id, std::move(surface), followed ? 0.0 : norm(turn_of(s, b, u)), box});
   }
   return all;
 }

@@ -25,7 +25,7 @@ inline Vector<3> place_now(const Structure<3>& s, const std::vector<double>& u, 
 struct PlacedSurface {
   BlockId block;
   StoneSurface surface;
-  double turn;  ///< [rad] since it was drawn
+  double turn;  ///< [rad] by which it has turned without being followed
   Box<3> box;
 };
 

@@ -12,8 +12,8 @@ namespace voussoir::test {
 
 /// A rotation of space, by 0.5 about z and then by 0.7 about x.
 inline Vector<3> turned(const Vector<3>& x) {
-  const auto about_z = Rotation(0.5)(Vector<2>{x[0], x[1]});
-  const auto about_x = Rotation(0.7)(Vector<2>{about_z[1], x[2]});
+  const auto about_z = Rotation<2>(0.5)(Vector<2>{x[0], x[1]});
+  const auto about_x = Rotation<2>(0.7)(Vector<2>{about_z[1], x[2]});
   return {about_z[0], about_x[0], about_x[1]};
 }
 

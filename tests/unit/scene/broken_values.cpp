@@ -80,6 +80,14 @@ TEUCHOS_UNIT_TEST(BrokenScenes, AJointLawThatCannotBeIsRefused) {
            "<ParameterList name=\"model\">",
            "<ParameterList name=\"model\"><Parameter name=\"rotations\" type=\"string\" value=\"finite\"/>",
            {"scene > model > rotations = \"finite\"", "heat presses along the axes of the drawing"}},
+          {"spreading-arch",
+           "\"ux\" type=\"double\" value=\"1\"/>",
+           "\"rotation\" type=\"double\" value=\"1\"/></ParameterList><ParameterList name=\"tilting\">"
+           "<Parameter name=\"type\" type=\"string\" value=\"settlement\"/>"
+           "<Parameter name=\"support\" type=\"string\" value=\"right\"/>"
+           "<Parameter name=\"rotation\" type=\"double\" value=\"0.5\"/>",
+           {"scene > model > rotations = \"finite\"", "loads \"spreading\" and \"tilting\", which both turn support",
+            "large turns do not add up"}},
           {"wall-mortar",
            "<ParameterList name=\"steps\">",
            "<ParameterList name=\"selection\"><Parameter name=\"mode\" type=\"string\" value=\"bonded\"/>"
