@@ -24,6 +24,7 @@ TOWARDS_VIEWER = np.array([0.55, -1.0, 0.6]) / np.linalg.norm([0.55, -1.0, 0.6])
 class ProjectedStep(Step):
     """A step whose displacements are those seen; the largest is the one in space."""
     largest: float = 0.0
+    nearer: np.ndarray = None  # [nodes] m, towards the viewer
 
     @property
     def largest_displacement(self):
@@ -38,7 +39,8 @@ def screen():
 
 
 def projected(results):
-    """The results as a plane structure, and the edges of its stones that are seen as it was built."""
+    """The results as a plane structure, the edges of its stones that are seen as it was built and, of a step and its
+    magnification, those that are seen then, and what is seen of displacements."""
     mesh, axes = results.mesh, screen()
     faces, block = solids.outer_faces(mesh)
     facing = solids.normals(mesh, faces) @ TOWARDS_VIEWER > 1e-6
@@ -46,17 +48,25 @@ def projected(results):
     order = np.argsort(mesh.coordinates[faces].mean(1) @ TOWARDS_VIEWER, kind="stable")
     pieces, *between = hidden_lines.cut(solids.outlines(mesh, faces), len(mesh.coordinates))
     places = hidden_lines.with_new_nodes(mesh.coordinates, *between) @ np.column_stack([axes, TOWARDS_VIEWER])
-    seen = hidden_lines.seen(places[pieces].mean(1), places[faces])
+    seen_edges = lambda x: pieces[hidden_lines.seen(x[pieces].mean(1), x[faces])]
+    then = {}  # of every state that is drawn, once for all widths of the page
+
+    def edges_of(step, scale):
+        if (step.number, scale) not in then:
+            then[step.number, scale] = seen_edges(places + scale * np.column_stack([step.displacement, step.nearer]))
+        return then[step.number, scale]
+
     # Where every stone has a name of its own, colours are for sets of several.
     kinds = {name.split()[0] for name in mesh.sets if name.split()}
     named = len(kinds) <= len(draw_structure.SET_COLOURS)
     sets = {name: blocks for name, blocks in mesh.sets.items() if named or len(blocks) > 1}
     held = np.concatenate([mesh.held, mesh.held[between[0][:, 0]] & mesh.held[between[0][:, 1]]])
     flat = replace(mesh, sets=sets, coordinates=places[:, :2], cells=faces[order], block_of_cell=block[order], held=held, projected=True)
-    steps = [ProjectedStep(**{**vars(step), "displacement": hidden_lines.with_new_nodes(np.nan_to_num(step.displacement), *between) @ axes},
-                           largest=step.largest_displacement) for step in results.stage_ends]
+    moved = lambda step: hidden_lines.with_new_nodes(np.nan_to_num(step.displacement), *between)
+    steps = [ProjectedStep(**{**vars(step), "displacement": moved(step) @ axes}, largest=step.largest_displacement,
+                           nearer=moved(step) @ TOWARDS_VIEWER) for step in results.stage_ends]
     seen_at = lambda values: hidden_lines.with_new_nodes(np.nan_to_num(values), *between) @ axes
-    return replace(results, mesh=flat, stage_ends=steps), pieces[seen], seen_at
+    return replace(results, mesh=flat, stage_ends=steps), seen_edges(places), edges_of, seen_at
 
 
 @in_both_widths
@@ -114,7 +124,7 @@ def add_motion(page, results, flat, edges, seen_at):
 
 def add_space_sections(page, results, folder, attempt):
     """The pictures of a structure in space."""
-    flat, edges, seen_at = projected(results)
+    flat, edges, edges_of, seen_at = projected(results)
     view = "in parallel projection from the front, the right and above (x along, y into the picture, z up); the bar holds along the picture"
     page.section("The structure")
     try:
@@ -130,15 +140,15 @@ def add_space_sections(page, results, folder, attempt):
     what = ("The mechanism: the motion the collapse begins with, drawn as large as it can be seen" if is_mechanism(step) else
             f"Deformed shape: displacements drawn {factor_text(scale)}, the largest is {length_text(step.largest_displacement)}")
     attempt(page, "The deformed structure", lambda: page.picture(
-        draw_structure.draw_deformed(flat.mesh, edges, step, scale, folder),
+        draw_structure.draw_deformed(flat.mesh, edges, step, scale, folder, edges_of),
         f"{what}. End of step {step.number}, stage “{step.stage}”. Thin grey: the structure as built."))
     attempt(page, "The loads", add_loads, page, results, flat, edges, folder)
     if len(flat.stage_ends) > 1:
         attempt(page, "The stages", lambda: page.picture(
-            draw_structure.draw_stages(flat.mesh, edges, flat.stage_ends, folder),
+            draw_structure.draw_stages(flat.mesh, edges, flat.stage_ends, folder, edges_of),
             "Deformed shape at the end of each stage, each with its own magnification, stated above it."))
     attempt(page, "The motion", add_motion, page, results, flat, edges, seen_at)
     page.section("Joints")
     attempt(page, "The joints", lambda: page.picture(
-        draw_points(flat, edges, step, scale, folder),
+        draw_points(flat, edges_of(step, scale), step, scale, folder),
         f"Contact points at step {step.number} on the deformed shape ({factor_text(scale)}): {points_words(step)} joints.xdmf holds all of them for ParaView."))

@@ -53,13 +53,14 @@ def draw_undeformed(mesh, edges, folder):
 
 
 @in_both_widths
-def draw_deformed(mesh, edges, step, scale, folder):
+def draw_deformed(mesh, edges, step, scale, folder, edges_of=None):
+    """`edges_of` tells, of a step and its magnification, the edges that are seen then; else they are those as built."""
     x = deformed(mesh, step, scale)
     colour, _ = colours_by_set(mesh)
     figure, axes = drawing(limits(mesh.coordinates, x), bottom=0.6)
     draw_lines(axes, mesh.coordinates[edges], GREY, 0.5)
     fill_cells(axes, x, mesh, colour[mesh.block_of_cell])
-    draw_lines(axes, x[edges], STONE_EDGE, outline_width(mesh.blocks))
+    draw_lines(axes, x[edges_of(step, scale) if edges_of else edges], STONE_EDGE, outline_width(mesh.blocks))
     legend(figure, [line_entry(f"deformed {factor_text(scale)}", STONE_EDGE, 1.5), line_entry("undeformed", GREY, 0.8)])
     return save(figure, folder, "deformed")
 
@@ -72,7 +73,7 @@ def chosen_stages(steps):
 
 
 @in_both_widths
-def draw_stages(mesh, edges, steps, folder):
+def draw_stages(mesh, edges, steps, folder, edges_of=None):
     """One small picture per stage, each with its own magnification, stated above it."""
     steps = chosen_stages(steps)
     scales = [deformation_scale(mesh, step) for step in steps]
@@ -92,7 +93,7 @@ def draw_stages(mesh, edges, steps, folder):
         prepare(axes, box, bar=False)
         fill_cells(axes, x, mesh, STONE_PALE)
         draw_lines(axes, mesh.coordinates[edges], GREY, 0.3, alpha=0.6)
-        draw_lines(axes, x[edges], STONE_EDGE, min(0.6, outline_width(mesh.blocks)))
+        draw_lines(axes, x[edges_of(step, scale) if edges_of else edges], STONE_EDGE, min(0.6, outline_width(mesh.blocks)))
         axes.set_title(f"{visible(step.stage) or 'step'}  (step {step.number})\nlargest {length_text(step.largest_displacement)}, "
                        f"drawn {factor_text(scale)}", loc="left", fontsize=9, pad=4)
     return save(figure, folder, "stages")

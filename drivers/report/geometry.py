@@ -4,6 +4,8 @@ All tables are numpy arrays over nodes, edges or points, so that a picture of ma
 """
 import numpy as np
 
+from read_results import is_mechanism
+
 
 def outline_edges(mesh):
     """Edges that belong to one cell only, [edges, 2] nodes. Blocks share no nodes, so this outlines every block."""
@@ -75,11 +77,14 @@ def span(x):
 
 
 def deformation_scale(mesh, step, share=0.04):
-    """Round magnification that draws the largest displacement as about `share` of the span. 1 if nothing moves."""
-    largest = step.largest_displacement
+    """Round magnification that draws the largest displacement as about `share` of the span; true to scale where that is
+    smaller than life, as stones that have turned far would shrink, unless something is out of sight then. 1 if nothing moves.
+    The size of a mechanism means nothing."""
+    largest, size = step.largest_displacement, span(mesh.coordinates)
     if not np.isfinite(largest) or largest <= 0:
         return 1.0
-    return round_number(share * span(mesh.coordinates) / largest)
+    scale = round_number(share * size / largest)
+    return 1.0 if scale < 1 and largest < size and not is_mechanism(step) else scale
 
 
 def deformed(mesh, step, scale):

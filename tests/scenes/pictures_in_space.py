@@ -3,8 +3,10 @@
 usage: pictures_in_space.py
 
 Set-up    A square over part of another one, seen from above; a point is hidden where it lies inside the square in front of it.
+          Two cubes side by side, one of which moves behind the other, as far as it is drawn to have moved.
 """
 
+import dataclasses
 import pathlib
 import sys
 import unittest
@@ -12,7 +14,10 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "drivers" / "report"))
-import hidden_lines  # noqa: E402  (a folder of its own)
+import draw_space  # noqa: E402  (a folder of its own)
+import hidden_lines  # noqa: E402
+from geometry import deformation_scale  # noqa: E402
+from read_results import MECHANISM, Mesh, Results, Step  # noqa: E402
 
 LOW = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], float)
 HIGH = np.array([[2, 2, 1], [6, 2, 1], [6, 6, 3], [2, 6, 3]], float)  # a slope: nearer at its far end
@@ -39,6 +44,40 @@ class HiddenLines(unittest.TestCase):
         seen = hidden_lines.seen(places[pieces].mean(1), np.stack([LOW, HIGH]))
         half = hidden_lines.PIECES // 2
         self.assertEqual(seen.tolist(), [True] * half + [False] * half + [True] * hidden_lines.PIECES)
+
+
+CUBE = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+ASIDE = 8 * draw_space.screen()[:, 0]  # [m]
+
+
+def cubes(stage="push"):
+    """A cube, and a larger one in front of where half of a step moves it to."""
+    front = CUBE.mean(0) + ASIDE / 2 + 5 * draw_space.TOWARDS_VIEWER
+    mesh = Mesh(np.concatenate([CUBE, 3 * (CUBE - CUBE.mean(0)) + front]), np.arange(16).reshape(2, 8), np.arange(2), 2, np.zeros(2, int), {},
+                set(), np.zeros(16, int))
+    none = np.zeros(0)
+    moved = np.concatenate([np.tile(ASIDE, (8, 1)), np.zeros((8, 3))])
+    return Results(pathlib.Path(), mesh=mesh, stage_ends=[Step(1, stage, 1.0, moved, none, none, none, none, none, none, none, none, None)])
+
+
+class WhatIsSeenOfMotions(unittest.TestCase):
+    def test_what_moves_behind_a_stone_is_hidden_there(self):
+        flat, edges, edges_of, _ = draw_space.projected(cubes())
+        step = flat.last
+        moves = np.linalg.norm(step.displacement, axis=1) > 0
+        self.assertEqual(edges_of(step, 0.0).tolist(), edges.tolist())
+        # Three of the edges of a cube lie behind it.
+        for scale, seen in ((0.0, 9), (0.5, 0), (1.0, 9)):
+            self.assertEqual(moves[edges_of(step, scale)].all(1).sum(), seen * hidden_lines.PIECES)
+
+    def test_what_has_moved_far_is_drawn_true_to_scale(self):
+        results = cubes()
+        whole = results.last.displacement
+        for share, least, most in ((1e-4, 100, 1000), (0.1, 1, 1), (0.4, 1, 1), (100, 0, 0.1)):  # the last is out of sight
+            step = dataclasses.replace(results.last, displacement=share * whole)
+            self.assertTrue(least <= deformation_scale(results.mesh, step) <= most, share)
+        mechanism = cubes("push" + MECHANISM)
+        self.assertLess(deformation_scale(mechanism.mesh, mechanism.last), 0.1)
 
 
 if __name__ == "__main__":
