@@ -86,14 +86,27 @@ Rotation<dim> rotation_about(const Vector<3>& direction, double angle) {
     return Rotation<3>(direction, angle);
 }
 
-/// The rotation that takes arms nearest (least squares) to where motions take them, both counted from their middles.
-/// The two sums come apart, so that a small turn keeps its digits beside long arms.
-/// @param arms     sum of arm[a] arm[b], which is [a][b]
-/// @param motions  sum of arm[a] motion[b]
-inline Rotation<2> nearest_rotation(const std::array<Vector<2>, 2>& arms, const std::array<Vector<2>, 2>& motions) {
-  return Rotation<2>(
-      std::atan2(motions[0][1] - motions[1][0], arms[0][0] + arms[1][1] + motions[0][0] + motions[1][1]));
-}
-Rotation<3> nearest_rotation(const std::array<Vector<3>, 3>& arms, const std::array<Vector<3>, 3>& motions);
+/// Finds the rotation that takes arms nearest (least squares) to where motions take them, both counted from their
+/// middles. What arms and what motions make of it is summed apart, so that a small turn keeps its digits beside long
+/// arms.
+template <int dim>
+class NearestRotation {
+ public:
+  void add(const Vector<dim>& arm, const Vector<dim>& motion) {
+    for (int a = 0; a < dim; ++a) {
+      arms_[a] = arms_[a] + arm[a] * arm;
+      motions_[a] = motions_[a] + arm[a] * motion;
+    }
+  }
+  Rotation<dim> found() const;
+
+ private:
+  std::array<Vector<dim>, dim> arms_{}, motions_{};
+};
+
+template <>
+Rotation<2> NearestRotation<2>::found() const;
+template <>
+Rotation<3> NearestRotation<3>::found() const;
 
 }  // namespace voussoir

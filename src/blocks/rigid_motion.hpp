@@ -88,15 +88,13 @@ inline RigidMotionInSpace rigid_motion(const std::vector<Vector<3>>& position, c
 template <int dim, class Rigid>
 Rotation<dim> nearest_rotation(const std::vector<Vector<dim>>& position, const LocalBlock<dim>& block,
                                const std::vector<double>& motion, const Rigid& rigid) {
-  std::array<Vector<dim>, dim> arms{}, motions{};
-  for (int i = block.first_local; i < block.first_local + block.nodes; ++i)
-    for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b) {
-        const double arm = position[i][a] - rigid.middle[a];
-        arms[a][b] += arm * (position[i][b] - rigid.middle[b]);
-        motions[a][b] += arm * (motion[dim * i + b] - rigid.mean[b]);
-      }
-  return nearest_rotation(arms, motions);
+  NearestRotation<dim> nearest;
+  for (int i = block.first_local; i < block.first_local + block.nodes; ++i) {
+    Vector<dim> moved;
+    for (int c = 0; c < dim; ++c) moved[c] = motion[dim * i + c];
+    nearest.add(position[i] - rigid.middle, moved - rigid.mean);
+  }
+  return nearest.found();
 }
 
 }  // namespace voussoir

@@ -31,19 +31,16 @@ struct HeldPart {
   double beyond_the_chord() const {
     if (from.size() < 2) return 0;
     const auto m0 = middle(from), m1 = middle(to);
-    std::array<Vector<dim>, dim> arms{}, motions{};
+    NearestRotation<dim> nearest;
     Vector<dim> longest{};
     double farthest = 0;
     for (std::size_t k = 0; k < from.size(); ++k) {
       const auto r0 = from[k] - m0, r1 = to[k] - m1;
-      for (int a = 0; a < dim; ++a) {
-        arms[a] = arms[a] + r0[a] * r0;
-        motions[a] = motions[a] + r0[a] * (r1 - r0);
-      }
+      nearest.add(r0, r1 - r0);
       if (norm(r0) > norm(longest)) longest = r0;
       farthest = std::max({farthest, norm(from[k]), norm(to[k])});
     }
-    const auto rotation = nearest_rotation(arms, motions);
+    const auto rotation = nearest.found();
     const auto turn = rotation.vector();
     const double angle = norm(turn);
     const double off = of_a_body * norm(longest) + round_off * farthest;

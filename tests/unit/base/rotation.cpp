@@ -21,13 +21,9 @@ void check_equal(const Vector<dim>& a, const Vector<dim>& b, double within, Teuc
 /// The rotation nearest to what one does to some arms about their middle.
 template <int dim>
 Rotation<dim> found(const std::vector<Vector<dim>>& arms, const Rotation<dim>& rotation) {
-  std::array<Vector<dim>, dim> of_arms{}, motions{};
-  for (const auto& r : arms)
-    for (int a = 0; a < dim; ++a) {
-      of_arms[a] = of_arms[a] + r[a] * r;
-      motions[a] = motions[a] + r[a] * (rotation(r) - r);
-    }
-  return nearest_rotation(of_arms, motions);
+  NearestRotation<dim> nearest;
+  for (const auto& r : arms) nearest.add(r, rotation(r) - r);
+  return nearest.found();
 }
 
 const std::vector<Vector<3>> corners{{1, 0, 0},       {-1, 0, 0},    {0, 0.3, 0.1},
@@ -80,13 +76,9 @@ TEUCHOS_UNIT_TEST(Rotation, TheNearestToABodysMotionIsThatOfTheBody) {
 // Blocks that have not turned share a matrix, so they must be known to the last bit.
 TEUCHOS_UNIT_TEST(Rotation, WhatOnlyMovesOrStretchesHasNotTurned) {
   TEST_ASSERT(found(corners, Rotation<3>()) == Rotation<3>());
-  std::array<Vector<3>, 3> arms{}, stretched{};
-  for (const auto& r : corners)
-    for (int a = 0; a < 3; ++a) {
-      arms[a] = arms[a] + r[a] * r;
-      stretched[a] = stretched[a] + (1.0 / 1024) * r[a] * r;  // exactly
-    }
-  TEST_ASSERT(nearest_rotation(arms, stretched) == Rotation<3>());
+  NearestRotation<3> stretched;
+  for (const auto& r : corners) stretched.add(r, (1.0 / 1024) * r);  // exactly
+  TEST_ASSERT(stretched.found() == Rotation<3>());
 }
 
 }  // namespace
