@@ -55,7 +55,7 @@ install_packages() {
 # nproc alone would answer OMP_NUM_THREADS when that is set.
 usable_cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
 
-# The heaviest source file takes 0.63 GB to compile, so there is at most one job per GB of free memory.
+# What takes most to compile takes 0.9 GB, so there is at most one job per GB of free memory.
 build_jobs() {
   local jobs free
   jobs=$(usable_cores)

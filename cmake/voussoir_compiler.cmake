@@ -13,12 +13,14 @@ if(VOUSSOIR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${VOUSSOIR_CCACHE})
 endif()
 
-# Half the time of most source files goes into reading the headers of Trilinos: they are read once. Every file includes
-# what it uses, so this may be turned off: ccache then serves all copies of the sources with what one has compiled.
-option(VOUSSOIR_PRECOMPILED_HEADERS "Read the headers of Trilinos once for all files" ON)
-set(VOUSSOIR_HEADERS_OF_LIBRARY <Teuchos_CommHelpers.hpp> <Teuchos_ParameterList.hpp> <Tpetra_CrsMatrix.hpp>
-                                <Tpetra_MultiVector.hpp> <Tpetra_Vector.hpp> <functional> <map> <sstream>)
-set(VOUSSOIR_HEADERS_OF_TESTS ${VOUSSOIR_HEADERS_OF_LIBRARY} <Teuchos_UnitTestHarness.hpp> <Tpetra_Core.hpp>)
+# CMake calls it a unity build. Names in the nameless namespaces of a folder must differ for it; who changes one file at a
+# time, or has an editor that asks compile_commands.json for each of them, turns it off.
+option(VOUSSOIR_FOLDERS_AS_ONE "Compile the sources of each folder as one" ON)
+# Tests are compiled one by one, so that what helps one has no name that others must avoid: for them the headers of Trilinos
+# are read once.
+option(VOUSSOIR_PRECOMPILED_HEADERS "Read the headers of Trilinos once for all tests" ON)
+set(VOUSSOIR_HEADERS_OF_TESTS <Teuchos_CommHelpers.hpp> <Teuchos_ParameterList.hpp> <Teuchos_UnitTestHarness.hpp> <Tpetra_Core.hpp>
+                              <Tpetra_CrsMatrix.hpp> <Tpetra_MultiVector.hpp> <Tpetra_Vector.hpp> <functional> <map> <sstream>)
 # Where a file is compiled otherwise than the headers were, it reads them itself.
 set(CMAKE_PCH_WARN_INVALID OFF)
 

@@ -26,11 +26,17 @@ class Rotation<2> {
   /// Along the axis, as long as the angle [rad].
   Vector<3> vector() const { return {0, 0, angle_}; }
   bool operator==(const Rotation& other) const { return angle_ == other.angle_; }
-  /// [rad] from another one to this one, at least 0.
-  double apart(const Rotation& other) const { return std::abs(angle_ - other.angle_); }
-  Rotation halfway_to(const Rotation& other) const { return Rotation((angle_ + other.angle_) / 2); }
+  /// [rad] from another one to this one, 0 to pi.
+  double apart(const Rotation& other) const { return std::abs(way_from(other)); }
+  /// The shorter way.
+  Rotation halfway_to(const Rotation& other) const { return Rotation(angle_ - way_from(other) / 2); }
 
  private:
+  double way_from(const Rotation& other) const {
+    constexpr double full_turn = 6.283185307179586;
+    return std::remainder(angle_ - other.angle_, full_turn);
+  }
+
   double angle_, cosine_, sine_;
 };
 

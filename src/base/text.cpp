@@ -53,6 +53,13 @@ std::string six_digits(double value) {
   return text.str();
 }
 
+std::string place_in_words(double coordinate) {
+  std::ostringstream text;
+  if (std::abs(coordinate) >= 1e4) text.precision(10);
+  text << coordinate;
+  return text.str();
+}
+
 std::string formatted(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);

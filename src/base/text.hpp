@@ -10,6 +10,15 @@ namespace voussoir {
 
 /// With six digits, which is what a factor or a share can be worth.
 std::string six_digits(double);
+/// A coordinate [m]: far from the origin with digits enough to find the place.
+std::string place_in_words(double coordinate);
+/// "(1, 0.5) m"
+template <std::size_t dim>
+std::string place_in_words(const std::array<double, dim>& place) {
+  std::string text;
+  for (const double x : place) text += (text.empty() ? "(" : ", ") + place_in_words(x);
+  return text + ") m";
+}
 /// A number as a printf format writes it: formatted("%.3f m", 0.5).
 std::string formatted(const char* format, double);
 /// With the digits a reader can use.

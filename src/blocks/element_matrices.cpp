@@ -3,7 +3,7 @@
 namespace voussoir {
 namespace {
 
-constexpr std::array<Vector<2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+constexpr std::array<Vector<2>, 4> corners_of_square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 
 ShapeValues triangle_values(const std::array<Vector<2>, 4>& x) {
   ShapeValues s;
@@ -23,7 +23,7 @@ ShapeValues quadrilateral_values(const std::array<Vector<2>, 4>& x, const Vector
   std::array<Vector<2>, 4> reference;
   Vector<2> dx{}, dy{};  // derivatives of x and y by the reference coordinates
   for (int i = 0; i < 4; ++i) {
-    const auto& c = corners[i];
+    const auto& c = corners_of_square[i];
     s.value[i] = (1 + c[0] * xi[0]) * (1 + c[1] * xi[1]) / 4;
     reference[i] = {c[0] * (1 + c[1] * xi[1]) / 4, c[1] * (1 + c[0] * xi[0]) / 4};
     dx = dx + x[i][0] * reference[i];
@@ -41,7 +41,7 @@ std::vector<ShapeValues> shape_values(const Cell& cell, const std::array<Vector<
   if (cell.count == 3) return {triangle_values(x)};
   const double g = 1 / std::sqrt(3.0);  // 2 x 2 Gauss points integrate the stiffness of a parallelogram exactly
   std::vector<ShapeValues> points;
-  for (const auto& c : corners) points.push_back(quadrilateral_values(x, g * c));
+  for (const auto& c : corners_of_square) points.push_back(quadrilateral_values(x, g * c));
   return points;
 }
 

@@ -6,7 +6,7 @@
 namespace voussoir {
 namespace {
 
-constexpr std::array<Vector<3>, 8> corners{
+constexpr std::array<Vector<3>, 8> corners_of_cube{
     {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
 const double gauss = 1 / std::sqrt(3.0);  // of two points in each direction, of weight 1
@@ -23,7 +23,7 @@ Point point_at(const std::array<Vector<3>, 8>& x, const Vector<3>& xi) {
   std::array<Vector<3>, 3> along{};  // derivatives of the place by the reference coordinates
   Point p;
   for (int i = 0; i < 8; ++i) {
-    const auto& c = corners[i];
+    const auto& c = corners_of_cube[i];
     const Vector<3> factor{1 + c[0] * xi[0], 1 + c[1] * xi[1], 1 + c[2] * xi[2]};
     p.value[i] = factor[0] * factor[1] * factor[2] / 8;
     reference[i] = {c[0] * factor[1] * factor[2] / 8, c[1] * factor[2] * factor[0] / 8,
@@ -65,7 +65,7 @@ std::vector<double> hexahedron_stiffness(const std::array<Vector<3>, 8>& x, cons
   const double lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), mu = e / (2 * (1 + nu));  // Lame
   const auto middle = point_at(x, {0, 0, 0});
   std::vector<double> k(static_cast<std::size_t>(n) * n, 0.0);
-  for (const auto& corner : corners) {
+  for (const auto& corner : corners_of_cube) {
     const auto xi = gauss * corner;
     const auto p = point_at(x, xi);
     std::array<Vector<3>, 11> gradient{};
@@ -86,7 +86,7 @@ std::vector<double> hexahedron_stiffness(const std::array<Vector<3>, 8>& x, cons
 
 std::array<double, 8> hexahedron_volumes(const std::array<Vector<3>, 8>& x) {
   std::array<double, 8> share{};
-  for (const auto& corner : corners) {
+  for (const auto& corner : corners_of_cube) {
     const auto p = point_at(x, gauss * corner);
     for (int i = 0; i < 8; ++i) share[i] += p.weight * p.value[i];
   }
@@ -95,7 +95,7 @@ std::array<double, 8> hexahedron_volumes(const std::array<Vector<3>, 8>& x) {
 
 std::vector<double> hexahedron_products(const std::array<Vector<3>, 8>& x) {
   std::vector<double> product(64, 0.0);
-  for (const auto& corner : corners) {
+  for (const auto& corner : corners_of_cube) {
     const auto p = point_at(x, gauss * corner);
     for (int i = 0; i < 8; ++i)
       for (int j = 0; j < 8; ++j) product[8 * i + j] += p.weight * p.value[i] * p.value[j];
@@ -109,7 +109,7 @@ std::array<double, 6> hexahedron_stress(const std::array<Vector<3>, 8>& x, const
   const double lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), mu = e / (2 * (1 + nu));
   std::array<Vector<3>, 3> slope{};  // integral of the derivatives [c][d] of component c by place d
   double volume = 0;
-  for (const auto& corner : corners) {
+  for (const auto& corner : corners_of_cube) {
     const auto p = point_at(x, gauss * corner);
     volume += p.weight;
     for (int i = 0; i < 8; ++i)

@@ -10,7 +10,7 @@ namespace voussoir {
 namespace {
 
 /// Of the picture [pixels]: its longer side.
-constexpr double side = 1200;
+constexpr double longer_side = 1200;
 
 class Picture {
  public:
@@ -22,7 +22,7 @@ class Picture {
     for (const auto& x : s.snapped.points) see(x);
     for (const auto& stone : s.stones)
       for (const auto& x : stone.loops[0].corners) see(x);
-    scale_ = side / std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-300});
+    scale_ = longer_side / std::max({high_[0] - low_[0], high_[1] - low_[1], 1e-300});
   }
 
   std::string svg() {

@@ -33,14 +33,13 @@ enum Code {
 };
 constexpr int header_variable = 9, extrusion_z = 230;
 /// Of an INSERT beside its name and place.
-constexpr int x_scale = 41, y_scale = 42, turn = 50, columns = 70, rows = 71, column_width = 44, row_height = 45;
+constexpr int x_scale = 41, y_scale = 42, turn_of_insert = 50, columns = 70, rows = 71, column_width = 44,
+              row_height = 45;
 
-constexpr int closed = 1, net = 16, faces = 64, spline_frame = 16, external = 4;  // of flags
+constexpr int closed_flag = 1, net_flag = 16, faces_flag = 64, spline_frame_flag = 16, external_flag = 4;  // of flags
 
 /// Blocks within blocks: no program writes more.
 constexpr int deepest_block = 20;
-/// [-] copies of blocks; more are no drawing of stones that could be computed.
-constexpr long long most_copies = 100000;
 
 /// [m] of $INSUNITS, the units of AutoCAD: inch, foot, mm, cm, m.
 const std::map<int, double> units{{1, 0.0254}, {2, 0.3048}, {4, 1e-3}, {5, 1e-2}, {6, 1.0}};
@@ -142,7 +141,7 @@ class DxfStones {
         for (const auto& p : entity.pairs) {
           if (p.code == x) block->base[0] = number(p);
           if (p.code == y) block->base[1] = number(p);
-          if (p.code == flags) block->elsewhere = (whole(p) & external) != 0;
+          if (p.code == flags) block->elsewhere = (whole(p) & external_flag) != 0;
         }
       } else if (entity.what() == "ENDBLK") {
         block = nullptr;
@@ -185,7 +184,7 @@ class DxfStones {
       if (p.code == y) at[1] = number(p);
       if (p.code == x_scale) scale[0] = number(p);
       if (p.code == y_scale) scale[1] = number(p);
-      if (p.code == turn) angle = number(p);
+      if (p.code == turn_of_insert) angle = number(p);
       if (p.code == columns) across = std::max(1, whole(p));
       if (p.code == rows) up = std::max(1, whole(p));
       if (p.code == column_width) apart[0] = number(p);
@@ -259,13 +258,13 @@ class DxfStones {
       if (p.code == extrusion_z) outline.mirrored = number(p) < 0;
       if (entity.front().value == "LWPOLYLINE") outline.take(*this, p);
     }
-    if ((outline.flags & (net | faces)) != 0) {
+    if ((outline.flags & (net_flag | faces_flag)) != 0) {
       ++unused_["meshes"];
       return;
     }
     for (const auto& vertex : vertices) {
       const bool frame = std::any_of(vertex.begin(), vertex.end(), [&](const DxfPair& p) {
-        return p.code == flags && (whole(p) & spline_frame) != 0;
+        return p.code == flags && (whole(p) & spline_frame_flag) != 0;
       });
       for (const auto& p : vertex)
         if (!frame) outline.take(*this, p);
@@ -281,7 +280,7 @@ class DxfStones {
     for (const auto& c : corners) size = std::max(size, norm(c - corners[0]));
     const double apart = norm(corners.back() - corners[0]);
     constexpr double same = 1e-9;  // of its size: the last point is the first one, written again
-    if ((outline.flags & closed) == 0 && apart > same * size)
+    if ((outline.flags & closed_flag) == 0 && apart > same * size)
       refuse(entity.front(),
              "begins a polyline on layer " + in_quotes(layer_of(entity, placed)) + " that is not closed: its ends at " +
                  place_of_drawing(corners[0]) + " and " + place_of_drawing(corners.back()) + " are " +
@@ -289,7 +288,7 @@ class DxfStones {
              "Close it, or put it on a layer that is off or frozen where it is no stone");
     loop.corners.push_back(corners[0]);
     loop.curved.push_back(0);
-    const std::size_t edges = (outline.flags & closed) != 0 ? corners.size() : corners.size() - 1;
+    const std::size_t edges = (outline.flags & closed_flag) != 0 ? corners.size() : corners.size() - 1;
     for (std::size_t k = 0; k < edges; ++k)
       add_bulge(loop, corners[k], corners[(k + 1) % corners.size()], outline.bulges[k]);
     loop.corners.pop_back();  // the first one again

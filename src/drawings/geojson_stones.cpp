@@ -15,7 +15,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 /// Collections within collections: no program writes more.
-constexpr int deepest = 20;
+constexpr int deepest_collection = 20;
 
 class GeoJsonStones {
  public:
@@ -44,7 +44,7 @@ class GeoJsonStones {
   }
 
   void visit(const json& value, const OutlinedStone& named, int depth) {
-    if (depth > deepest) refuse("nests collections more than 20 deep", "Export it anew");
+    if (depth > deepest_collection) refuse("nests collections more than 20 deep", "Export it anew");
     const std::string type = text_of(value, "type");
     if (type == "FeatureCollection" || type == "GeometryCollection") {
       const char* members = type == "FeatureCollection" ? "features" : "geometries";

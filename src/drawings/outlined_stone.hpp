@@ -44,6 +44,9 @@ std::string as_utf8(const std::string&);
 /// smallest that holds it, every other is a stone. More than one are named "name (2)", ...
 std::vector<OutlinedStone> stones_of_loops(const OutlinedStone& named, std::vector<DrawnLoop>);
 
+/// Of what a file draws again elsewhere; more are no drawing of stones that could be computed.
+constexpr int most_copies = 100000;
+
 /// Chords of an arc turn by no more than this [rad], five degrees: then they are off by a thousandth of its radius.
 constexpr double chord_turn = 0.087266462599716474;
 

@@ -18,9 +18,7 @@ namespace voussoir {
 namespace {
 
 /// Groups within groups: no program writes more, and far less than the stack bears.
-constexpr int deepest = 100;
-/// Of what is used again; more are no drawing of stones that could be computed.
-constexpr int most_copies = 100000;
+constexpr int deepest_group = 100;
 
 Transform transform_of(const std::string& word, const std::vector<double>& n) {
   const auto at = [&](std::size_t k, double otherwise) { return k < n.size() ? n[k] : otherwise; };
@@ -96,7 +94,7 @@ class SvgStones {
   }
 
   void visit(const pugi::xml_node& element, Around around) {
-    if (++around.depth > deepest) refuse_stones(file_, "nests groups more than 100 deep", "Save it anew");
+    if (++around.depth > deepest_group) refuse_stones(file_, "nests groups more than 100 deep", "Save it anew");
     const std::string what = local(element.name());
     if (hides(element)) {
       if (what != "defs") ++unused_["hidden " + what];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -60,8 +61,11 @@ void open_mesh(Gmsh& gmsh_itself, const GmshParameters& p) {
 }
 
 void open_geo(Gmsh& gmsh_itself, const GmshParameters& p, const std::map<std::string, double>& numbers) {
-  const TemporaryFile with_numbers(geo_with_numbers(numbers, std::filesystem::absolute(p.file).string()), ".geo");
-  run_on_file(gmsh_itself, p.file, "read the file", [&] { gmsh::open(with_numbers.path()); });
+  // Exit in a file of the user ends this process at once: then only what is static takes its leave.
+  static std::optional<TemporaryFile> with_numbers;
+  with_numbers.emplace(geo_with_numbers(numbers, std::filesystem::absolute(p.file).string()), ".geo");
+  run_on_file(gmsh_itself, p.file, "read the file", [&] { gmsh::open(with_numbers->path()); });
+  with_numbers.reset();
   refuse_scaling(p.file);
 }
 

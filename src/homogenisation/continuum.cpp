@@ -80,9 +80,7 @@ Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const He
   std::vector<GlobalOrdinal> nodes;
   const auto dofs = space_->map()->getNodeElementList();
   for (int k = 0; k < space_->owned_clusters(); ++k) nodes.push_back(dofs[dim * k] / dim);
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  const auto node_map = Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(nodes), 0, s.comm()));
-  auto coordinates = Teuchos::rcp(new TpetraMultiVector(node_map, dim));
+  auto coordinates = Teuchos::rcp(new TpetraMultiVector(map_of(nodes, s.comm()), dim));
   {
     auto view = coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int k = 0; k < space_->owned_clusters(); ++k)

@@ -86,11 +86,10 @@ MergedSpace::MergedSpace(const BlockSystem& s, const ContactPoints& points, cons
   std::vector<GlobalOrdinal> ids;
   for (int k = 0; k < owned_clusters_; ++k)
     for (int c = 0; c < dim; ++c) ids.push_back(dim * (first + k) + c);
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  map_ = Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(ids), 0, s.comm()));
+  map_ = map_of(ids, s.comm());
   for (long long n : ghosts)
     for (int c = 0; c < dim; ++c) ids.push_back(dim * n + c);
-  column_map_ = Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(ids), 0, s.comm()));
+  column_map_ = map_of(ids, s.comm());
   import_ = Teuchos::rcp(new TpetraImport(map_, column_map_));
   column_vector_ = Teuchos::rcp(new TpetraVector(column_map_));
 

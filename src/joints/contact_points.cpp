@@ -17,9 +17,6 @@ namespace voussoir {
 namespace {
 
 // What the plane and space do in two ways: the border of a block, the extent of a point, axes for a unit normal.
-std::vector<BorderEdge> border_of(const Block<2>& block) { return border_edges({block}); }
-std::vector<BorderFace> border_of(const Block<3>& block) { return border_faces({block}); }
-
 double extent(const PointOfTwoBlocks& p) { return p.length; }
 double extent(const PointInSpace& p) { return p.area; }
 
@@ -54,7 +51,7 @@ class Borders {
     const auto it = known_.find(b);
     if (it != known_.end()) return it->second;
     auto block = source_.block(b);
-    auto facets = border_of(block);
+    auto facets = border_facets<dim>({block});
     return known_.emplace(b, BlockWithBorder<dim>{std::move(block), std::move(facets)}).first->second;
   }
   /// Those of lower numbers have met all their neighbours.

@@ -7,9 +7,9 @@
 namespace voussoir {
 namespace {
 
-constexpr double accuracy = 1e-13;  // of an integral, relative to the largest value times the way
-constexpr int most_halvings = 40;   // of a way on which a force bends sharply
-constexpr double round_off = 1e-9;  // of the energies in play: what such bends leave
+constexpr double accuracy_of_integral = 1e-13;  // of an integral, relative to the largest value times the way
+constexpr int most_halvings = 40;               // of a way on which a force bends sharply
+constexpr double round_off_of_energy = 1e-9;    // of the energies in play: what such bends leave
 
 /// Gauss's rule of five points.
 template <class Function>
@@ -39,7 +39,7 @@ double integral(std::array<double, n> places, double largest, const Function& f)
   double sum = 0, from = 0;
   for (std::size_t k = 0; k <= n; ++k) {
     const double to = k < n ? places[k] : 1.0;
-    if (to > from) sum += refined(from, to, rule(from, to, f), accuracy * largest, most_halvings, f);
+    if (to > from) sum += refined(from, to, rule(from, to, f), accuracy_of_integral * largest, most_halvings, f);
     from = std::max(from, to);
   }
   return sum;
@@ -138,7 +138,7 @@ CrackWork crack_work(const PointLaw& whole, const Softening& softening, const Cr
                  held_after;
   }
   const double all = work.pull + work.cohesion, lost_energy = all - (held_after - held_before);
-  VOUSSOIR_ENSURE(!(lost_energy < -round_off * (std::abs(all) + held_before + held_after)));
+  VOUSSOIR_ENSURE(!(lost_energy < -round_off_of_energy * (std::abs(all) + held_before + held_after)));
   work.fracture = std::max(0.0, lost_energy);
   if (const double farthest = std::max(end, to.wear.opened); farthest > start) {
     work.peak_pull = crack.left(whole.tension, start, from.wear.slipped);

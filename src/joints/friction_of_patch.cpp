@@ -11,7 +11,7 @@ namespace {
 
 // A millionth of the share is told by nobody. It takes ten to fifty rounds; where two places bear next to all, the
 // motion turns about one of them and is found slowly: then what is told is too little by that millionth or a few.
-constexpr double accuracy = 1e-6;
+constexpr double accuracy_of_share = 1e-6;
 constexpr int most_rounds = 200;
 // Where a motion turns about a place that place has no direction: below this share of the fastest it stands.
 constexpr double stands = 1e-9;
@@ -74,7 +74,7 @@ double friction_used(const std::vector<RubbingPlace>& places) {
     }
     if (!(worn > 0)) return share;
     share = std::max(share, dot(load, motion) / worn);
-    if (above - share <= accuracy * above) break;
+    if (above - share <= accuracy_of_share * above) break;
     for (std::size_t k = 0; k < places.size(); ++k)
       weight[k] = places[k].bound / total / std::max(speed[k], stands * fastest);
   }

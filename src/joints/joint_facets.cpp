@@ -33,9 +33,6 @@ std::vector<Places<dim>> points_at_nodes(const Structure<dim>& s, const ContactP
   return at_node;
 }
 
-std::vector<BorderEdge> border_of(const Block<2>& block) { return border_edges({block}); }
-std::vector<BorderFace> border_of(const Block<3>& block) { return border_faces({block}); }
-
 Vector<2> outward(const std::array<Vector<2>, 2>& x) { return {x[1][1] - x[0][1], x[0][0] - x[1][0]}; }
 Vector<3> outward(const std::array<Vector<3>, 4>& x) { return cross(x[2] - x[0], x[3] - x[1]); }
 
@@ -64,7 +61,7 @@ std::vector<std::vector<FacetOfJoint<dim>>> facets_of_joints(const BlockSource<d
     bool any = false;
     for (int n = 0; n < static_cast<int>(block.mesh.position.size()); ++n) any |= !at(n).empty();
     if (!any) continue;
-    for (const auto& facet : border_of(source.block(block.mesh.id))) {
+    for (const auto& facet : border_facets<dim>({source.block(block.mesh.id)})) {
       std::array<Vector<dim>, BorderFacet<dim>::corners> x;
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = s.position()[block.first_local + facet.node[k]];
       const auto way = outward(x);

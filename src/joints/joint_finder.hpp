@@ -16,7 +16,7 @@ struct PointOfTwoBlocks {
 
 /// Points of the joint between two blocks, ascending by vertex. A point where the joint turns a corner
 /// of more than 20 degrees is two points, one for each side.
-/// @param border_i, border_j  border_edges() of each block alone
+/// @param border_i, border_j  border_facets() of each block alone
 std::vector<PointOfTwoBlocks> points_of_joint(const Block<2>& i, const std::vector<BorderEdge>& border_i,
                                               const Block<2>& j, const std::vector<BorderEdge>& border_j);
 

@@ -16,7 +16,7 @@ struct PointInSpace {
 
 /// Points of the joint between two blocks, ascending by vertex, as points_of_joint in the plane. Each face gives every
 /// corner the integral of its shape function, so areas sum to the joint.
-/// @param border_i, border_j  border_faces() of each block alone
+/// @param border_i, border_j  border_facets() of each block alone
 std::vector<PointInSpace> points_of_joint(const Block<3>& i, const std::vector<BorderFace>& border_i, const Block<3>& j,
                                           const std::vector<BorderFace>& border_j);
 

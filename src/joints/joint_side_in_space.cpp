@@ -9,11 +9,11 @@
 namespace voussoir {
 namespace {
 
-using Points = std::vector<PointOfJoint<3>>;
-const PointOfJoint<3>& at(const Points& points, int k) { return points[static_cast<std::size_t>(k)]; }
+using PointsInSpace = std::vector<PointOfJoint<3>>;
+const PointOfJoint<3>& at(const PointsInSpace& points, int k) { return points[static_cast<std::size_t>(k)]; }
 
 // Of the extent of a side: what its points may be beside a line between others.
-constexpr double round_off = 1e-9;
+constexpr double round_off_of_places = 1e-9;
 // A side some of whose points look away from its mean by more than 60 degrees runs round: no plane is near it.
 constexpr double looks_along = 0.5;
 
@@ -29,7 +29,7 @@ struct MeanPlane {
   Vector<3> middle{}, normal{}, along{}, across{};
   bool near = false;  ///< the side lies along it
 
-  MeanPlane(const Points& points, const JointSide& side) {
+  MeanPlane(const PointsInSpace& points, const JointSide& side) {
     double area = 0;
     for (const int k : side.points) {
       const auto& p = at(points, k);
@@ -69,7 +69,7 @@ NearestEdge nearest_edge(const std::vector<Vector<2>>& places, const Vector<2>& 
   double extent = 0;
   for (const auto& x : places) extent = std::max(extent, norm(x - places.front()));
   NearestEdge found;
-  const auto hull = convex_hull(places, round_off * extent);
+  const auto hull = convex_hull(places, round_off_of_places * extent);
   if (hull.size() < 3) return found;
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const auto a = places[static_cast<std::size_t>(hull[k])],
@@ -90,29 +90,29 @@ NearestEdge nearest_edge(const std::vector<Vector<2>>& places, const Vector<2>& 
 }
 
 /// Whether a side is open all along the far end of its width, and presses at the edge.
-bool turns_about(const Points& points, const JointSide& side, const std::vector<Vector<2>>& places,
+bool turns_about(const PointsInSpace& points, const JointSide& side, const std::vector<Vector<2>>& places,
                  const NearestEdge& edge) {
   double opening = 0;
   bool presses = false;
   for (std::size_t n = 0; n < places.size(); ++n) {
     const auto& p = at(points, side.points[n]);
     const double away = edge.away(places[n]);
-    if (away > (1 - round_off) * edge.width) opening = std::max(opening, p.gap);
-    presses |= away < round_off * edge.width && p.normal_force > 0;
+    if (away > (1 - round_off_of_places) * edge.width) opening = std::max(opening, p.gap);
+    presses |= away < round_off_of_places * edge.width && p.normal_force > 0;
   }
   return presses && opening > open_share * edge.width;
 }
 
 }  // namespace
 
-JointSide whole_side(const Points& points, const Vector<3>&) {
+JointSide whole_side(const PointsInSpace& points, const Vector<3>&) {
   JointSide side;
   side.points.resize(points.size());
   std::iota(side.points.begin(), side.points.end(), 0);
   return side;
 }
 
-std::vector<JointSide> sides_of(const Points& points, const std::vector<FacetOfJoint<3>>& facets) {
+std::vector<JointSide> sides_of(const PointsInSpace& points, const std::vector<FacetOfJoint<3>>& facets) {
   std::vector<int> group(points.size());
   std::iota(group.begin(), group.end(), 0);
   const auto first_of = [&](int k) {
@@ -135,7 +135,7 @@ std::vector<JointSide> sides_of(const Points& points, const std::vector<FacetOfJ
 }
 
 // Laid onto its mean plane: places along the normal of that, shear turned with the normal of its point.
-SideStatics<3> side_statics(const Points& points, const JointSide& side) {
+SideStatics<3> side_statics(const PointsInSpace& points, const JointSide& side) {
   SideStatics<3> s;
   const MeanPlane plane(points, side);
   s.middle = plane.middle;

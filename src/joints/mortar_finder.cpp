@@ -11,9 +11,9 @@ namespace {
 
 // Shares of the length of an edge: ends that lie so near the line of another lie on it, as coordinates of a drawing
 // have some ten digits; and what two edges have in common beside round-off is longer.
-constexpr double on_the_line = 1e-8, shortest = 1e-9;
+constexpr double on_the_line = 1e-8, shortest_overlap = 1e-9;
 // Weights of a point are about one: what is left of those that vanish is round-off.
-constexpr double vanishes = 1e-12;
+constexpr double vanishing_weight = 1e-12;
 
 /// The nodes of an edge in its direction.
 struct Edge {
@@ -50,7 +50,7 @@ bool meet(const Edge& a, const Edge& b, Overlap& overlap) {
     at[n] = dot(along, arm) / square;
   }
   overlap.here = {std::max(0.0, std::min(at[0], at[1])), std::min(1.0, std::max(at[0], at[1]))};
-  if (!(overlap.here[1] - overlap.here[0] > shortest)) return false;
+  if (!(overlap.here[1] - overlap.here[0] > shortest_overlap)) return false;
   for (int n = 0; n < 2; ++n) overlap.there[n] = (overlap.here[n] - at[0]) / (at[1] - at[0]);
   return true;
 }
@@ -150,7 +150,7 @@ std::vector<Growing> grow(const Block<2>& block, const std::vector<Edge>& edges,
 FoundPoint found(const Growing& p, const Block<2>& mine, const Block<2>& other, bool mine_is_i) {
   std::vector<NodeShare> shares;
   for (const auto& [node, weight] : p.weight)
-    if (std::abs(weight) > vanishes * p.share) shares.push_back({node, weight / p.share});
+    if (std::abs(weight) > vanishing_weight * p.share) shares.push_back({node, weight / p.share});
   if (shares.size() == 1) shares.front().weight = 1;
   FoundPoint f;
   f.coincident = shares.size() == 1 && other.vertex[shares.front().node] == mine.vertex[p.node];

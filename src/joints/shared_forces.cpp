@@ -15,7 +15,7 @@ namespace {
 using Rows = std::vector<std::vector<double>>;
 
 // Coefficients of balance are cosines: what elimination leaves of one that vanishes is round-off, far below this.
-constexpr double vanishes = 1e-10;
+constexpr double vanishing_cosine = 1e-10;
 // Sweeps over bounds of the law, each of which brings the split nearer to the least lawful one by a share that depends
 // on angles between the bounds alone; where there is none they would go on for ever.
 constexpr int most_sweeps = 1000;
@@ -39,7 +39,7 @@ Rows null_space(Rows rows, int unknowns) {
   int rank = 0;
   for (; rank < static_cast<int>(rows.size()); ++rank) {
     int row = -1, column = -1;
-    double largest = vanishes;
+    double largest = vanishing_cosine;
     for (int i = rank; i < static_cast<int>(rows.size()); ++i)
       for (int j = 0; j < unknowns; ++j)
         if (pivot_of[j] < 0 && std::abs(rows[i][j]) > largest) {
@@ -84,7 +84,7 @@ std::vector<double> shortest(const std::vector<Bound>& bounds, std::size_t size,
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       const auto& b = bounds[i];
       const double square = product(b.slope, b.slope), lacks = b.least - product(b.slope, y);
-      if (square <= vanishes * vanishes) {
+      if (square <= vanishing_cosine * vanishing_cosine) {
         worst = std::max(worst, lacks > round_off ? lacks : 0.0);  // nothing moves it
         continue;
       }

@@ -58,12 +58,6 @@ bool lacks_memory(int status) {
 int& control(DMUMPS_STRUC_C& m, int which) { return m.icntl[which - 1]; }
 
 /// Rows by numbers of a rank's own.
-Teuchos::RCP<const TpetraMap> map_of(const std::vector<GlobalOrdinal>& rows,
-                                     const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(rows), 0, comm));
-}
-
 }  // namespace
 
 struct DistributedLu::Data {

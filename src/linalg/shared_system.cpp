@@ -17,16 +17,12 @@ namespace voussoir {
 namespace {
 
 /// Of an entry of the sum.
-struct Position {
+struct EntryOfMatrix {
   GlobalOrdinal row, column;
-  friend bool operator==(const Position& a, const Position& b) { return a.row == b.row && a.column == b.column; }
+  friend bool operator==(const EntryOfMatrix& a, const EntryOfMatrix& b) {
+    return a.row == b.row && a.column == b.column;
+  }
 };
-
-Teuchos::RCP<const TpetraMap> map_of(const std::vector<GlobalOrdinal>& numbers,
-                                     const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new TpetraMap(unknown, Teuchos::arrayViewFromVector(numbers), 0, comm));
-}
 
 Teuchos::RCP<TpetraMultiVector> columns_on(const Teuchos::RCP<const TpetraMap>& map,
                                            const std::vector<std::vector<double>>& columns) {
@@ -99,10 +95,10 @@ class SharedSystem::Sum {
 
  private:
   void set_pattern(const LocalCsr& part, bool all);
-  void set_matrix(const std::vector<Position>& positions);
+  void set_matrix(const std::vector<EntryOfMatrix>& positions);
   bool is_mine(GlobalOrdinal number) const { return number >= first_ && number < first_ + unknowns_.owned; }
   /// By rows, and in each as local columns ascend: the owned ones, then others.
-  bool before(const Position& a, const Position& b) const {
+  bool before(const EntryOfMatrix& a, const EntryOfMatrix& b) const {
     const bool a_of_others = !is_mine(a.column), b_of_others = !is_mine(b.column);
     return std::tie(a.row, a_of_others, a.column) < std::tie(b.row, b_of_others, b.column);
   }
@@ -120,11 +116,11 @@ class SharedSystem::Sum {
 };
 
 void SharedSystem::Sum::set_pattern(const LocalCsr& part, bool all) {
-  std::vector<Position> positions;
-  std::vector<Parcel<Position>> out;
+  std::vector<EntryOfMatrix> positions;
+  std::vector<Parcel<EntryOfMatrix>> out;
   std::vector<int> parcel_of(comm_->getSize(), -1);
   const auto give = [&](int e, int i, int j) {
-    const Position at{unknowns_.number[i], unknowns_.number[j]};
+    const EntryOfMatrix at{unknowns_.number[i], unknowns_.number[j]};
     const int rank = unknowns_.owner[i];
     if (rank == comm_->getRank()) {
       mine_.push_back(e);
@@ -149,10 +145,10 @@ void SharedSystem::Sum::set_pattern(const LocalCsr& part, bool all) {
   const auto in = exchange_parcels(std::move(out), *comm_);
   auto found = positions;
   for (const auto& parcel : in) found.insert(found.end(), parcel.items.begin(), parcel.items.end());
-  const auto ascend = [this](const Position& a, const Position& b) { return before(a, b); };
+  const auto ascend = [this](const EntryOfMatrix& a, const EntryOfMatrix& b) { return before(a, b); };
   std::sort(found.begin(), found.end(), ascend);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  const auto place = [&](const Position& at) {
+  const auto place = [&](const EntryOfMatrix& at) {
     return static_cast<std::size_t>(std::lower_bound(found.begin(), found.end(), at, ascend) - found.begin());
   };
   for (const auto& at : positions) mine_place_.push_back(static_cast<int>(place(at)));
@@ -163,7 +159,7 @@ void SharedSystem::Sum::set_pattern(const LocalCsr& part, bool all) {
   set_matrix(found);
 }
 
-void SharedSystem::Sum::set_matrix(const std::vector<Position>& positions) {
+void SharedSystem::Sum::set_matrix(const std::vector<EntryOfMatrix>& positions) {
   std::vector<GlobalOrdinal> columns(unknowns_.number.begin(), unknowns_.number.begin() + unknowns_.owned), others;
   for (const auto& at : positions)
     if (!is_mine(at.column)) others.push_back(at.column);

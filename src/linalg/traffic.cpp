@@ -11,7 +11,7 @@ namespace {
 // MPI is called from one thread.
 TrafficByKind counts;
 TrafficOf now = TrafficOf::else_where;
-bool counted = false;
+bool is_counted = false;
 double inside_mpi = 0;  // s of the processor
 
 Traffic over_ranks(const Traffic& mine, const Teuchos::Comm<int>& comm, Teuchos::EReductionType how) {
@@ -43,7 +43,7 @@ TrafficByKind traffic_since(const TrafficByKind& before) {
   return since;
 }
 
-bool traffic_is_counted() { return counted; }
+bool traffic_is_counted() { return is_counted; }
 
 Traffic total_traffic(const Traffic& mine, const Teuchos::Comm<int>& comm) {
   return over_ranks(mine, comm, Teuchos::REDUCE_SUM);
@@ -81,6 +81,6 @@ void add_seconds_in_mpi(double seconds) { inside_mpi += seconds; }
 
 Traffic& traffic_of_now() { return counts[static_cast<int>(now)]; }
 
-void count_traffic() { counted = true; }
+void count_traffic() { is_counted = true; }
 
 }  // namespace voussoir

@@ -83,14 +83,15 @@ std::vector<LoadedFace> faces_of_set(const Structure<3>& s, const FacetSet& set)
 namespace {
 
 /// A point of a triangle, by what each of its corners has of it.
-using Shares = std::array<double, 3>;
+using SharesOfCorners = std::array<double, 3>;
 
 /// What of a polygon lies in a slab, cut at its two ends.
 /// @param corner  [m] coordinates of the corners of the triangle along the axis of the slab
-std::vector<Shares> cut(std::vector<Shares> polygon, const std::array<double, 3>& corner, const Slab& slab) {
+std::vector<SharesOfCorners> cut(std::vector<SharesOfCorners> polygon, const std::array<double, 3>& corner,
+                                 const Slab& slab) {
   for (const double side : {1.0, -1.0}) {
     const double most = side * (side > 0 ? slab.high : slab.low);
-    std::vector<Shares> kept;
+    std::vector<SharesOfCorners> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const auto& a = polygon[i];
       const auto& b = polygon[(i + 1) % polygon.size()];
@@ -112,12 +113,12 @@ void add_points(const LoadedFace& face, const std::array<int, 3>& corner, double
   if (twice == 0) return;
   const bool inward = dot(normal, face.outward[0] + face.outward[1] + face.outward[2] + face.outward[3]) < 0;
   normal = ((inward ? -1 : 1) / twice) * normal;
-  std::vector<Shares> polygon{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<SharesOfCorners> polygon{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const auto& slab : slabs)
     polygon =
         cut(polygon, {x[corner[0]][slab.component], x[corner[1]][slab.component], x[corner[2]][slab.component]}, slab);
   for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const std::array<Shares, 3> part{polygon[0], polygon[i - 1], polygon[i]};
+    const std::array<SharesOfCorners, 3> part{polygon[0], polygon[i - 1], polygon[i]};
     const double share = dot(part[0], cross(part[1], part[2]));  // of the area of the triangle
     for (int edge = 0; edge < 3; ++edge) {
       const auto middle = 0.5 * (part[edge] + part[(edge + 1) % 3]);

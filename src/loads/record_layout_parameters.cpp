@@ -7,8 +7,8 @@ namespace voussoir {
 
 namespace {
 
-constexpr int most_columns = 1000;       // far more than tables of records have
-constexpr double longest_heading = 1e5;  // lines
+constexpr int most_columns = 1000;         // far more than tables of records have
+constexpr double most_header_lines = 1e5;  // lines
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void RecordLayoutParameters::declare(ParameterSection& section) {
                                     {"peer at2", RecordLayout::peer_at2}},
                                    "of the file: a row for each time; values alone, however many a line, at equal "
                                    "times; values below a heading with NPTS and DT");
-  section.add("header lines", header_lines, "-", between(0, longest_heading),
+  section.add("header lines", header_lines, "-", between(0, most_header_lines),
               "left out at the top of the file; those that begin with neither digit, sign nor point are anyway");
   section.add("time column", time_column, "-", between(0, most_columns),
               "of longer rows, from 1; 0: rows hold two numbers, the time [s] and the value");

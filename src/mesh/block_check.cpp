@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "mesh/border.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/mesh_check.hpp"
@@ -20,8 +21,6 @@ const double degree = std::acos(-1.0) / 180;
   throw InputError("mesh: " + block.name + fault + "\n  " + why + "\n  " + advice);
 }
 
-std::string at(const Vector<2>& x) { return "(" + place_in_words(x[0]) + ", " + place_in_words(x[1]) + ") m"; }
-
 void check_nodes(const Block<2>& block) {
   VOUSSOIR_CHECK(block.vertex.size() == block.position.size());
   std::vector<char> used(block.position.size(), 0);
@@ -31,7 +30,7 @@ void check_nodes(const Block<2>& block) {
       used[cell.node[k]] = 1;
     }
   for (std::size_t n = 0; n < used.size(); ++n) {
-    const std::string node = ", node " + std::to_string(n) + " at " + at(block.position[n]);
+    const std::string node = ", node " + std::to_string(n) + " at " + place_in_words(block.position[n]);
     if (!std::isfinite(block.position[n][0]) || !std::isfinite(block.position[n][1]))
       refuse(block, node + " is nowhere", "(its coordinates must be finite numbers).",
              "Look for a division by zero or a missing number in the file.");
@@ -47,7 +46,7 @@ void check_shape(const Block<2>& block, std::size_t number) {
     const auto corner = [&](int i) { return block.position[cell.node[(k + i) % cell.count]]; };
     const Vector<2> next = corner(1) - corner(0), previous = corner(cell.count - 1) - corner(0);
     const double jacobian = cross(next, previous), angle = std::atan2(jacobian, dot(next, previous)) / degree;
-    const std::string where = ", cell " + std::to_string(number) + " with a corner at " + at(corner(0));
+    const std::string where = ", cell " + std::to_string(number) + " with a corner at " + place_in_words(corner(0));
     if (norm(next) == 0 || norm(previous) == 0)
       refuse(block, where + " has two corners in one place", "(a side without length).",
              "Choose an element size in proportion to the block, or remove very short curves.");
@@ -86,8 +85,8 @@ void check_pieces(const Block<2>& block) {
     if (sides[i].node != sides[i + 1].node) continue;
     if (sides[i].forward == sides[i + 1].forward || (i + 2 < sides.size() && sides[i].node == sides[i + 2].node))
       refuse(block,
-             ", the edge from " + at(block.position[sides[i].node[0]]) + " to " + at(block.position[sides[i].node[1]]) +
-                 " has two cells on the same side",
+             ", the edge from " + place_in_words(block.position[sides[i].node[0]]) + " to " +
+                 place_in_words(block.position[sides[i].node[1]]) + " has two cells on the same side",
              "(cells " + std::to_string(sides[i].cell) + " and " + std::to_string(sides[i + 1].cell) +
                  " there, or a third one, lie on each other).",
              "Remove doubled surfaces or elements and mesh again.");
@@ -96,8 +95,8 @@ void check_pieces(const Block<2>& block) {
   for (std::size_t c = 0; c < pieces.size(); ++c)
     if (pieces.root(static_cast<int>(c)) != pieces.root(0))
       refuse(block,
-             " is in pieces: cell 0 at " + at(block.position[block.cells[0].node[0]]) + " and cell " +
-                 std::to_string(c) + " at " + at(block.position[block.cells[c].node[0]]) +
+             " is in pieces: cell 0 at " + place_in_words(block.position[block.cells[0].node[0]]) + " and cell " +
+                 std::to_string(c) + " at " + place_in_words(block.position[block.cells[c].node[0]]) +
                  " are not connected over edges",
              "(a block is one elastic body; pieces would move freely against each other).",
              "Make each piece a surface of its own, in a .msh by an elementary number (the second tag of cells) of its "

@@ -37,6 +37,10 @@ std::vector<std::array<int, 4>> facets_of(const Cell& cell, const Block<3>& bloc
   return nodes;
 }
 
+}  // namespace
+
+std::array<VertexId, 2> ascending(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
 template <int dim>
 std::vector<BorderFacet<dim>> border_facets(const std::vector<Block<dim>>& blocks) {
   std::vector<BorderFacet<dim>> border, facets;
@@ -59,11 +63,7 @@ std::vector<BorderFacet<dim>> border_facets(const std::vector<Block<dim>>& block
   return border;
 }
 
-}  // namespace
-
-std::array<VertexId, 2> ascending(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
-
-std::vector<BorderEdge> border_edges(const std::vector<Block<2>>& blocks) { return border_facets(blocks); }
-std::vector<BorderFace> border_faces(const std::vector<Block<3>>& blocks) { return border_facets(blocks); }
+template std::vector<BorderEdge> border_facets(const std::vector<Block<2>>&);
+template std::vector<BorderFace> border_facets(const std::vector<Block<3>>&);
 
 }  // namespace voussoir

@@ -33,7 +33,7 @@ constexpr double nearly_touching_at_vertex = 0.15;
 std::array<VertexId, 2> ascending(VertexId, VertexId);
 
 /// Border facets of all blocks, sorted: the sides of a joint follow each other.
-std::vector<BorderEdge> border_edges(const std::vector<Block<2>>&);
-std::vector<BorderFace> border_faces(const std::vector<Block<3>>&);
+template <int dim>
+std::vector<BorderFacet<dim>> border_facets(const std::vector<Block<dim>>&);
 
 }  // namespace voussoir

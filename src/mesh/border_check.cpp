@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "base/words.hpp"
 #include "mesh/border.hpp"
 #include "mesh/box_tree.hpp"
@@ -36,8 +37,7 @@ struct Segment {
   }
 };
 
-std::string at(const Vector<2>& x) { return "(" + place_in_words(x[0]) + ", " + place_in_words(x[1]) + ") m"; }
-std::string between(const Segment& s) { return "from " + at(s.from) + " to " + at(s.to); }
+std::string between_ends(const Segment& s) { return "from " + place_in_words(s.from) + " to " + place_in_words(s.to); }
 
 int common_vertices(const BorderEdge& a, const BorderEdge& b) {
   int count = 0;
@@ -47,7 +47,7 @@ int common_vertices(const BorderEdge& a, const BorderEdge& b) {
 
 [[noreturn]] void refuse_overlap(const Block<2>& a, const Block<2>& b, const Vector<2>& where) {
   if (b.id < a.id) refuse_overlap(b, a, where);
-  throw InputError("mesh: " + a.name + " and " + b.name + " overlap near " + at(where) +
+  throw InputError("mesh: " + a.name + " and " + b.name + " overlap near " + place_in_words(where) +
                    "\n  (two stones cannot be in one place).\n"
                    "  Correct the geometry, or cut one surface out of the other (BooleanFragments in gmsh).");
 }
@@ -70,12 +70,12 @@ void check_sides(const std::vector<Segment>& segments, const std::vector<Block<2
     if (a.vertices != b.vertices) continue;
     const std::string names = blocks[a.block].name + ", " + blocks[b.block].name;
     if (i + 2 < segments.size() && segments[i + 2].edge->vertices == a.vertices)
-      throw InputError("mesh: the edge " + between(segments[i]) + " belongs to " + names + " and " +
+      throw InputError("mesh: the edge " + between_ends(segments[i]) + " belongs to " + names + " and " +
                        blocks[segments[i + 2].edge->block].name +
                        "\n  (a joint has two sides; a third block there lies upon one of the others).\n"
                        "  Remove doubled surfaces from the file.");
     if (dot(segments[i].along(), segments[i + 1].along()) > 0)
-      throw InputError("mesh: " + names + " lie on the same side of the edge " + between(segments[i]) +
+      throw InputError("mesh: " + names + " lie on the same side of the edge " + between_ends(segments[i]) +
                        "\n  (they overlap; a joint has one block on either side).\n"
                        "  Remove doubled surfaces from the file.");
   }
@@ -115,7 +115,7 @@ bool cross_each_other(const Segment& a, const Segment& b) {
   const bool touching = distance <= 1e-6 * shorter;  // the distance at which nodes are taken for one
   throw InputError("mesh: " + blocks[a.edge->block].name + " and " + blocks[b.edge->block].name +
                    (touching ? " touch without matching nodes" : " nearly touch, but their nodes do not match") +
-                   ": the edge " + between(a) + " lies along the edge " + between(b) + ", " +
+                   ": the edge " + between_ends(a) + " lies along the edge " + between_ends(b) + ", " +
                    in_words(touching ? 0.0 : distance) + " m apart, with " +
                    counted(common_vertices(*a.edge, *b.edge), "common vertex", "common vertices") +
                    "\n  (contact acts between coincident nodes, so this joint would carry nothing).\n"
@@ -198,7 +198,7 @@ void check_points_in_cells(const std::vector<Segment>& segments, const std::vect
 }  // namespace
 
 void check_borders(const std::vector<Block<2>>& blocks) {
-  const std::vector<BorderEdge> border = border_edges(blocks);
+  const std::vector<BorderEdge> border = border_facets(blocks);
   const std::vector<Segment> segments = segments_of(border, blocks);
   check_sides(segments, blocks);
   check_pairs_of_edges(segments, blocks);

@@ -15,7 +15,7 @@ namespace {
 constexpr double bytes_per_cell = 3000;
 // gmsh fails on stones whose cells are shorter than 1e-7 of the way to the origin, as measured; cells are rarely
 // shorter than a thousandth of a drawing. Where a drawing that failed is nearer than this, its place is no reason.
-constexpr double far = 1e4;
+constexpr double far_off = 1e4;
 
 std::string why(double cells) {
   return "asks for " + three_digits(cells) + " cells, and this machine's memory of " +
@@ -108,7 +108,7 @@ std::string far_from_origin(const Drawing& d) {
   const double size = size_of(d);
   const double away =
       std::hypot(std::max(std::abs(d.from[0]), std::abs(d.to[0])), std::max(std::abs(d.from[1]), std::abs(d.to[1])));
-  if (!(size > 0) || !(away > far * size)) return "";
+  if (!(size > 0) || !(away > far_off * size)) return "";
   return "  The drawing lies " + three_digits(away) + " m from its origin, " + three_digits(away / size) +
          " times its size: gmsh has too few digits there. Move its origin to the structure (subtract a round number "
          "from all coordinates).";

@@ -12,8 +12,6 @@
 namespace voussoir {
 namespace {
 
-constexpr int ground_part = 1;
-
 bool half_turned(const DomeParameters& p, int course) { return p.bond == WallBond::running && course % 2 == 1; }
 
 void validate(const DomeParameters& p) {

@@ -17,7 +17,8 @@ constexpr std::size_t longest_string = 1023;
 struct Command {
   const char *word, *does;
 };
-constexpr auto runs = "runs programs", files = "reads or writes other files", ends = "ends gmsh before it has meshed";
+constexpr auto runs = "runs programs", files = "reads or writes other files",
+               ends_gmsh = "ends gmsh before it has meshed";
 constexpr Command commands[] = {
     {"System", runs},
     {"SystemCall", runs},
@@ -34,7 +35,7 @@ constexpr Command commands[] = {
     {"ShapeFromFile", files},
     {"ListFromFile", files},
     {"Plugin", files},
-    {"Exit", ends},
+    {"Exit", ends_gmsh},
 };
 constexpr const char* printing[] = {"Printf", "Error", "Warning"};  // > "file" and >> "file" behind them write files
 
@@ -185,7 +186,7 @@ void refuse_commands(const std::string& file, const std::string& path) {
     return;
   }
   const std::string what = forbidden_command(contents(path));
-  if (what.find(ends) != std::string::npos) refuse_mesh("gmsh > file", file, what + ".", "Take it out.");
+  if (what.find(ends_gmsh) != std::string::npos) refuse_mesh("gmsh > file", file, what + ".", "Take it out.");
   if (!what.empty())
     refuse_mesh("gmsh > file", file, what + " (drawings of strangers must not, and none needs it).",
                 "Take it out, or draw what it brings in the file itself. " + trust);

@@ -7,7 +7,7 @@ namespace {
 
 /// @param p  const when it is written
 template <class Bytes, class Parameters>
-void exchange(Bytes& bytes, Parameters& p) {
+void exchange_request(Bytes& bytes, Parameters& p) {
   plain_list(bytes, p.file);
   bytes.plain(p.unit);
   bytes.plain(p.element_size);
@@ -18,7 +18,7 @@ void exchange(Bytes& bytes, Parameters& p) {
 
 std::string bytes_of(const GmshParameters& p) {
   ByteWriter writer;
-  exchange(writer, p);
+  exchange_request(writer, p);
   for (const auto& [name, value] : p.geometry) {
     plain_list(writer, name);
     writer.plain(value);
@@ -29,7 +29,7 @@ std::string bytes_of(const GmshParameters& p) {
 GmshParameters gmsh_parameters_of(const std::string& bytes) {
   ByteReader reader(bytes);
   GmshParameters p;
-  exchange(reader, p);
+  exchange_request(reader, p);
   while (reader.left() > 0) {
     std::string name;
     plain_list(reader, name);

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace voussoir {
 
@@ -98,20 +98,7 @@ void add_box_facets(Block<3>& block, const std::array<int, 3>& n, int axis, bool
     }
 }
 
-std::string in_words(double value) {
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
-}
-
-std::string place_in_words(double coordinate) {
-  if (!(std::abs(coordinate) >= 1e4)) return in_words(coordinate);
-  std::ostringstream text;
-  text.precision(10);
-  text << coordinate;
-  return text.str();
-}
+std::string in_words(double value) { return six_digits(value); }
 
 void refuse_mesh(const std::string& key, const std::string& value, const std::string& why, const std::string& advice) {
   throw InputError("mesh > " + key + " = " + value + "\n  " + why + "\n  " + advice);

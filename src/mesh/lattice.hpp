@@ -41,7 +41,5 @@ void require_at_least(const std::string& key, int value, int least);
 
 /// A number as people write it: "0.25", not "0.250000".
 std::string in_words(double);
-/// A coordinate [m] in words: far from the origin with digits enough to find the place.
-std::string place_in_words(double coordinate);
 
 }  // namespace voussoir

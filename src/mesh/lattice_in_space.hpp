@@ -56,6 +56,9 @@ struct Masonry {
   std::function<Vector<3>(const LatticeIndex&)> place;
 };
 
+/// Part of a masonry with one ground.
+constexpr int ground_part = 1;
+
 /// A set of facets of the outer faces of a ground, and of those below and above it with what stands on them: held
 /// there, a ground of one cell along direction 2 does not move.
 void add_ground_sides(Masonry&, const std::string& name, int part);

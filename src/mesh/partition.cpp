@@ -88,9 +88,9 @@ std::vector<idx_t> whole_weights(const std::vector<double>& weights, int ranks) 
   return whole;
 }
 
-enum class Division { k_way, bisection };
+enum class MetisMethod { k_way, bisection };
 
-std::vector<int> metis(const BlockGraph& graph, const std::vector<double>& weights, int ranks, Division division) {
+std::vector<int> metis(const BlockGraph& graph, const std::vector<double>& weights, int ranks, MetisMethod division) {
   idx_t blocks = static_cast<idx_t>(weights.size()), constraints = 1, parts = ranks, cut = 0;
   std::vector<idx_t> start(graph.start.begin(), graph.start.end());
   std::vector<idx_t> neighbour(graph.neighbour.begin(), graph.neighbour.end());
@@ -100,7 +100,7 @@ std::vector<int> metis(const BlockGraph& graph, const std::vector<double>& weigh
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;  // any fixed number: the same parts in every run
   options[METIS_OPTION_NUMBERING] = 0;
-  const bool k_way = division == Division::k_way;
+  const bool k_way = division == MetisMethod::k_way;
   if (k_way && ranks <= 4 && is_connected(graph)) options[METIS_OPTION_CONTIG] = 1;
   const auto divide = k_way ? METIS_PartGraphKway : METIS_PartGraphRecursive;
   const int outcome = divide(&blocks, &constraints, start.data(), neighbour.data(), vertex_weight.data(), nullptr,
@@ -125,10 +125,10 @@ std::vector<int> partition(const BlockGraph& graph, const std::vector<double>& v
   }
   if (graph.neighbour.empty()) return cut_by_number(vertex_weights, ranks);
   if (vertex_weights.size() >= blocks_for_k_way * static_cast<std::size_t>(ranks)) {
-    rank_of_block = metis(graph, vertex_weights, ranks, Division::k_way);
+    rank_of_block = metis(graph, vertex_weights, ranks, MetisMethod::k_way);
     if (every_rank_has_a_block(rank_of_block, ranks)) return rank_of_block;
   }
-  rank_of_block = metis(graph, vertex_weights, ranks, Division::bisection);
+  rank_of_block = metis(graph, vertex_weights, ranks, MetisMethod::bisection);
   return every_rank_has_a_block(rank_of_block, ranks) ? rank_of_block : cut_by_number(vertex_weights, ranks);
 }
 

@@ -8,8 +8,6 @@
 namespace voussoir {
 namespace {
 
-constexpr int ground_part = 1;
-
 void validate(const PrismParameters& p) {
   require_positive("prism > length", p.length, "m");
   require_positive("prism > width", p.width, "m");

@@ -7,7 +7,7 @@ namespace {
 
 /// @param mesh  const when it is written
 template <class Bytes, class Mesh>
-void exchange(Bytes& bytes, Mesh& mesh) {
+void exchange_surfaces(Bytes& bytes, Mesh& mesh) {
   plain_list(bytes, mesh.position);
   plain_list(bytes, mesh.lines);
   plain_list(bytes, mesh.corners);
@@ -47,14 +47,14 @@ void check_indices(const SurfaceMesh& mesh) {
 
 std::string bytes_of(const SurfaceMesh& mesh) {
   ByteWriter writer;
-  exchange(writer, mesh);
+  exchange_surfaces(writer, mesh);
   return writer.bytes;
 }
 
 SurfaceMesh surface_mesh_of(const std::string& bytes) {
   SurfaceMesh mesh;
   ByteReader reader(bytes);
-  exchange(reader, mesh);
+  exchange_surfaces(reader, mesh);
   if (reader.left() > 0) refuse_bytes("it goes on behind its end");
   check_indices(mesh);
   return mesh;

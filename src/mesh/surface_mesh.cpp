@@ -103,7 +103,7 @@ Block<2> block_of(const SurfaceMesh& mesh, const SurfaceMesh::Surface& surface, 
 }
 
 void tag_facets(const SurfaceMesh& mesh, const std::vector<VertexId>& vertex, std::vector<Block<2>>& blocks) {
-  const std::vector<BorderEdge> border = border_edges(blocks);
+  const std::vector<BorderEdge> border = border_facets(blocks);
   std::vector<char> found(mesh.facet_sets.size(), 0);
   for (const SurfaceMesh::Line& line : mesh.lines) {
     const BorderEdge key{ascending(vertex[line.node[0]], vertex[line.node[1]]), -1, {}};

@@ -13,8 +13,6 @@
 namespace voussoir {
 namespace {
 
-constexpr int ground_part = 1;
-
 /// Columns of a stone of the wall, or rows of one of a return.
 struct Piece {
   int from, to;
@@ -25,9 +23,9 @@ struct CourseSets {
   int course, facade, left, right, lintels;  ///< indices of sets of blocks; -1 = none
 };
 
-class Wall {
+class WallInSpace {
  public:
-  explicit Wall(const WallInSpaceParameters& p) : p_(p), openings_(openings_of(p)) {}
+  explicit WallInSpace(const WallInSpaceParameters& p) : p_(p), openings_(openings_of(p)) {}
   Masonry masonry() &&;
 
  private:
@@ -71,7 +69,7 @@ std::vector<Piece> pieces(const std::set<int>& joints) {
   return all;
 }
 
-int Wall::add_group(const std::string& name, std::vector<int> sets, int part) {
+int WallInSpace::add_group(const std::string& name, std::vector<int> sets, int part) {
   sets.erase(std::remove(sets.begin(), sets.end(), -1), sets.end());
   std::sort(sets.begin(), sets.end());
   m_.groups.push_back({name, std::move(sets), part});
@@ -79,14 +77,14 @@ int Wall::add_group(const std::string& name, std::vector<int> sets, int part) {
 }
 
 /// At a return odd courses begin behind its corner stone.
-std::set<int> Wall::joints_of_bond(int course) const {
+std::set<int> WallInSpace::joints_of_bond(int course) const {
   const int begin = odd(course) && p_.return_left > 0 ? half() : 0;
   const int end = columns() - (odd(course) && p_.return_right > 0 ? half() : 0);
   return joints_between(begin, end, odd(course) ? half() : 0, p_.cells_along);
 }
 
 /// The stones of a course along x. @param sets  those of a course with openings; none for the ground
-void Wall::add_wall(int course, int below, int above, int group, const CourseSets* sets) {
+void WallInSpace::add_wall(int course, int below, int above, int group, const CourseSets* sets) {
   std::set<int> joints = joints_of_bond(course);
   std::vector<WallRectangle> free, lintels;
   if (sets) {
@@ -110,7 +108,7 @@ void Wall::add_wall(int course, int below, int above, int group, const CourseSet
   }
 }
 
-void Wall::add_return(bool at_left, int course, int below, int above, int group) {
+void WallInSpace::add_return(bool at_left, int course, int below, int above, int group) {
   const int end = rows(at_left ? p_.return_left : p_.return_right);
   const int begin = odd(course) ? 0 : half_rows();
   const int from = at_left ? 0 : columns() - half(), to = from + half();
@@ -122,7 +120,7 @@ void Wall::add_return(bool at_left, int course, int below, int above, int group)
   }
 }
 
-void Wall::add_course(int course, const CourseSets& sets) {
+void WallInSpace::add_course(int course, const CourseSets& sets) {
   const int below = course * p_.cells_up, above = below + p_.cells_up;
   const std::string name = "course " + std::to_string(course);
   add_wall(course, below, above, add_group(name, {sets.course, sets.facade}), &sets);
@@ -133,14 +131,14 @@ void Wall::add_course(int course, const CourseSets& sets) {
 }
 
 /// Stones as those of course 0, under openings too.
-void Wall::add_ground(int set) {
+void WallInSpace::add_ground(int set) {
   const int group = add_group("ground", {set}, ground_part);
   add_wall(0, -1, 0, group, nullptr);
   if (p_.return_left > 0) add_return(true, 0, -1, 0, add_group("ground, left return", {set}, ground_part));
   if (p_.return_right > 0) add_return(false, 0, -1, 0, add_group("ground, right return", {set}, ground_part));
 }
 
-void Wall::add_sides() {
+void WallInSpace::add_sides() {
   const auto side = [this](const std::string& name, int axis, bool far, int plane, bool covered = false) {
     m_.sides.push_back({add_set(m_.facet_sets, name), axis, far, plane, covered, 0});
   };
@@ -160,7 +158,7 @@ void Wall::add_sides() {
     if (stones > 0) m_.sides.push_back({ends, 1, back, back ? rows(stones) : p_.cells_across - rows(stones), false, 0});
 }
 
-Masonry Wall::masonry() && {
+Masonry WallInSpace::masonry() && {
   for (int course = 0; course < p_.courses; ++course) add_set(m_.block_sets, "course " + std::to_string(course));
   const auto set = [this](bool there, const char* name) { return there ? add_set(m_.block_sets, name) : -1; };
   const int ground = set(p_.ground_height > 0, "ground");
@@ -229,7 +227,7 @@ void validate(const WallInSpaceParameters& p) {
 
 std::unique_ptr<BlockSource<3>> make_wall_in_space(const WallInSpaceParameters& parameters) {
   validate(parameters);
-  return make_lattice_in_space(Wall(parameters).masonry());
+  return make_lattice_in_space(WallInSpace(parameters).masonry());
 }
 
 }  // namespace voussoir

@@ -10,13 +10,13 @@
 namespace voussoir {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// So often a change of a sticking point's forces can be repeated until it slips: |q + t dq| = bound + t times its
 /// change.
 double repeats_to_slip(const PointLaw& law, const double* force, const double* change, int components) {
   const double bound = friction_bound(law, force[0]);
-  if (!std::isfinite(bound)) return infinity;
+  if (!std::isfinite(bound)) return unbounded;
   const double wider = (std::isfinite(law.friction) ? law.friction : 0.0) * change[0];
   double square = -wider * wider, mixed = -bound * wider, room = bound * bound;
   for (int c = 1; c < components; ++c) {
@@ -26,13 +26,13 @@ double repeats_to_slip(const PointLaw& law, const double* force, const double* c
   }
   room = std::max(0.0, room);
   const double root = mixed * mixed + square * room;
-  if (root < 0 || mixed + std::sqrt(root) <= 0) return infinity;
+  if (root < 0 || mixed + std::sqrt(root) <= 0) return unbounded;
   return room / (mixed + std::sqrt(root));
 }
 
 /// Until a point comes to its bound: a closed one opens, a sticking one slips; the friction of a sliding one follows.
 double repeats(const PointLaw& law, bool slides, const double* force, const double* change, int components) {
-  double most = infinity;
+  double most = unbounded;
   if (change[0] < 0 && std::isfinite(law.tension)) most = std::max(0.0, force[0] + law.tension) / -change[0];
   return slides ? most : std::min(most, repeats_to_slip(law, force, change, components));
 }
@@ -58,7 +58,7 @@ bool go_to_the_bound(NonlinearProblem& problem, const CurrentLaws& laws, const C
   const double least = alike * size_of_creeping(problem, creep, alike);
   if (!(least > 0)) return false;
   const int n = problem.components();
-  double mine = infinity;
+  double mine = unbounded;
   for (int k = 0; k < problem.owned_points(); ++k) {
     if (!problem.selected()[k] || !creep.closed[k]) continue;
     const auto* const change = &creep.change[std::size_t(k) * n];

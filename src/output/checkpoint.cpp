@@ -14,7 +14,7 @@
 namespace voussoir {
 namespace {
 
-const char* const numbers = "/run";
+const char* const group_of_numbers = "/run";
 
 std::string beside(const std::string& path) { return path + ".part"; }
 
@@ -48,9 +48,9 @@ void Checkpoint::value(const std::string& name, T& v) {
     v = static_cast<T>(wide);
     if (v != wide) throw ResourceError(outside(path_, name, wide));
   } else if (saving()) {
-    file_->write_attribute(numbers, name, v);
+    file_->write_attribute(group_of_numbers, name, v);
   } else {
-    v = file_->read_attribute<T>(numbers, name);
+    v = file_->read_attribute<T>(group_of_numbers, name);
   }
 }
 

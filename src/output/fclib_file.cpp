@@ -17,9 +17,9 @@ constexpr int compressed_columns = -1;  ///< how FCLib names such a matrix, wher
 
 const std::string elsewhere = "give another file with --fclib=FILE.hdf5";
 
-class Writer {
+class FclibWriter {
  public:
-  Writer(const std::string& file, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+  FclibWriter(const std::string& file, const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
       : file_(file, comm, Hdf5File::Mode::create, elsewhere), comm_(*comm) {}
 
   void number(const std::string& path, long long value) {
@@ -86,7 +86,7 @@ void write_open(const std::string& file, const FclibProblem& problem, bool solve
   const auto& unknowns = problem.m.column;
   const auto& forces = problem.h.column;
   const auto n = problem.m.columns, m = problem.h.columns;
-  Writer to(file, comm);
+  FclibWriter to(file, comm);
   to.number(at + "/spacedim", problem.components);
   to.matrix(at + "/M", problem.m, "N/m");
   to.matrix(at + "/H", problem.h, "-");

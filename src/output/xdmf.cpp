@@ -9,14 +9,14 @@ namespace {
 
 enum class Number { real, integer, long_integer };
 
-class Writer {
+class XdmfWriter {
  public:
-  explicit Writer(const XdmfContent& content) : content_(content) { text_.precision(15); }
+  explicit XdmfWriter(const XdmfContent& content) : content_(content) { text_.precision(15); }
 
   std::string whole(XdmfOf what) {
     text_ << "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
-    if (what == XdmfOf::stones) collection("blocks", &Writer::blocks);
-    if (what == XdmfOf::joints) collection("joints", &Writer::joints);
+    if (what == XdmfOf::stones) collection("blocks", &XdmfWriter::blocks);
+    if (what == XdmfOf::joints) collection("joints", &XdmfWriter::joints);
     if (what == XdmfOf::last_stones && !content_.steps.empty()) {
       // Without a time: meshio.read takes a grid of topology, geometry and attributes alone.
       text_ << "<Grid Name=\"blocks\" GridType=\"Uniform\">\n";
@@ -28,7 +28,7 @@ class Writer {
   }
 
  private:
-  void collection(const char* name, void (Writer::*grid)(const XdmfContent::Step&)) {
+  void collection(const char* name, void (XdmfWriter::*grid)(const XdmfContent::Step&)) {
     text_ << "<Grid Name=\"" << name << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
     for (const auto& step : content_.steps) {
       text_ << "<Grid Name=\"" << name << "\" GridType=\"Uniform\">\n<Time Value=\"" << step.time << "\"/>\n";
@@ -126,7 +126,7 @@ long long xdmf_kind_of_solid(int corners) {
 
 std::string xdmf_text(const XdmfContent& content, XdmfOf what) {
   VOUSSOIR_EXPECT(content.dim == 2 || content.dim == 3);
-  return Writer(content).whole(what);
+  return XdmfWriter(content).whole(what);
 }
 
 std::string vectors_for_viewers(const std::string& table, int dim) { return dim == 2 ? table + "_xyz" : table; }

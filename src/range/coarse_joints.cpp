@@ -22,7 +22,7 @@ constexpr double worth_saying = 0.05;
 // Points of a plane joint have one direction; the cosine of five degrees.
 constexpr double straight = 0.996;
 // Of the extent of a joint: what is beside a line by less is on it.
-constexpr double round_off = 1e-9;
+constexpr double round_off_of_places = 1e-9;
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
@@ -133,7 +133,7 @@ void CoarseJoints<dim>::add(int joint, const std::vector<int>& points, const std
   }
   Vector<2> along{1, 0};
   if constexpr (dim == 3) {
-    const auto around = least_rectangle(found.place, round_off);
+    const auto around = least_rectangle(found.place, round_off_of_places);
     along = around.along;
     for (auto& x : found.place) x = {dot(along, x), cross(along, x)};
     found.section = section_of(found.place, facets, around.length);

@@ -12,7 +12,7 @@ namespace voussoir {
 namespace {
 
 // Forces on free nodes below this share of the largest are round-off of sums over facets.
-constexpr double round_off = 1e-12;
+constexpr double round_off_of_sums = 1e-12;
 
 /// Largest force of a load on a component of a node [N].
 struct Forces {
@@ -54,7 +54,7 @@ Warnings warnings_of_idle_loads(const Scene& scene, const Model& model) {
       all.push_back({"load_without_force", scene.file + ": scene > loads > " + load.name, "", 0,
                      "presses on none of its facets, so the structure stands as without it; look whether its level or "
                      "its place is where \"on\" lies"});
-    if (!(held > 0) || free > round_off * held) continue;
+    if (!(held > 0) || free > round_off_of_sums * held) continue;
     const bool raised = scene.load_factor.pattern.count(load.name) > 0;
     all.push_back({"load_on_supports", scene.file + ": scene > loads > " + load.name, "", held,
                    "all its forces act where supports hold, so the structure stands as without it" +

@@ -21,7 +21,7 @@ constexpr int solves_bonded = 3, solves_adaptive = 40, solves_all = 45;
 constexpr int solves_in_space = 18;
 // Attempts at a load factor: 2 to 12 with an accuracy of 0.5 %. Those that collapse take hundreds of solves.
 constexpr int attempts_at_load_factor = 14;
-constexpr double round_off = 1e-12;  // of a number of time steps, which is a quotient
+constexpr double round_off_of_steps = 1e-12;  // of a number of time steps, which is a quotient
 constexpr double iterations_per_solve = 5, seconds_per_unknown = 4e-7, bytes_per_unknown = 2500;
 constexpr double seconds_of_start = 0.4;  // of MPI, of reading and of writing
 // Of a solve with contact in space, times the unknowns squared: systems are factored, which grows so in three
@@ -145,7 +145,7 @@ void predict(const Scene& scene, const BlockSource<dim>& source, const Teuchos::
     if (!stage.dynamic())
       load_steps += stage.increments;
     else if (stage.time_step > 0)
-      time_steps += static_cast<int>(std::ceil(stage.duration / stage.time_step * (1 - round_off)));
+      time_steps += static_cast<int>(std::ceil(stage.duration / stage.time_step * (1 - round_off_of_steps)));
     else
       as_it_goes = true;
   }

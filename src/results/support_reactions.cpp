@@ -17,7 +17,7 @@ namespace voussoir {
 namespace {
 
 // A reaction below this share of the largest is what solvers leave: it has no place.
-constexpr double negligible = 1e-6;
+constexpr double negligible_reaction = 1e-6;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -130,7 +130,7 @@ std::map<std::string, ReactionSummary> support_reactions(const Model& model, con
     largest = std::max(largest, norm(force));
   }
   for (auto& [name, reaction] : found)
-    if (!(norm(reaction.force) > negligible * largest)) reaction.through = {none, none, none};
+    if (!(norm(reaction.force) > negligible_reaction * largest)) reaction.through = {none, none, none};
   return found;
 }
 

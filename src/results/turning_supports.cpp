@@ -16,7 +16,7 @@ namespace {
 // settlement that matters.
 constexpr double of_a_body = 1e-9;
 // Of places far from the origin, whose differences have lost digits.
-constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
+constexpr double round_off_of_arms = 64 * std::numeric_limits<double>::epsilon();
 
 /// What supports hold of a block: places at the start and end of a step, and forces there.
 template <int dim>
@@ -43,7 +43,7 @@ struct HeldPart {
     const auto rotation = nearest.found();
     const auto turn = rotation.vector();
     const double angle = norm(turn);
-    const double off = of_a_body * norm(longest) + round_off * farthest;
+    const double off = of_a_body * norm(longest) + round_off_of_arms * farthest;
     if (angle == 0 || (dim == 3 && in_one_line(m0, longest, off))) return 0;
     Vector<3> moments{};
     double chord = 0;

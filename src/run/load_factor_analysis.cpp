@@ -20,7 +20,7 @@
 namespace voussoir {
 namespace {
 
-using Numbers = LoadFactorAnalysisParameters;
+using Search = LoadFactorAnalysisParameters;
 
 /// How far stones that press on each other would move into each other, relative to the largest motion of a mechanism.
 double overlap_of(const std::vector<double>& mechanism, const ContactState& state, const Model& model) {
@@ -84,7 +84,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::by_statics(const Attempting& run, 
     go_back(run.model, before);
     found.report.newton.newton_iterations = budget.solves();
     found.report.newton.reason = "no equilibrium within " + counted(most, "linear solve") +
-                                 ": no attempt that stands took more than 1 / " + std::to_string(Numbers::patience) +
+                                 ": no attempt that stands took more than 1 / " + std::to_string(Search::patience) +
                                  " of them";
     return found;
   }
@@ -99,7 +99,7 @@ LoadFactorAnalysis::Found LoadFactorAnalysis::decide(const Attempting& run, cons
                                                      const LoadIncrement& increment) {
   const bool in_time = can_settle_in_time(run.model);
   const int most =
-      std::max(in_time ? Numbers::fewest_solves : Numbers::fewest_in_statics, Numbers::patience * most_solves_);
+      std::max(in_time ? Search::fewest_solves : Search::fewest_in_statics, Search::patience * most_solves_);
   auto found = by_statics(run, before, increment, most);
   if (found.report.newton.outcome == NewtonOutcome::converged)
     most_solves_ = std::max(most_solves_, found.report.newton.newton_iterations);
@@ -190,7 +190,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   if (!collapse) return;
   // Close to the limit the motion of a last iteration may be no mechanism yet: stones would pass through each other.
   const auto overlap = [&](const auto& motion, const auto& state) { return overlap_of(motion, state, run.model); };
-  if (!first && overlap(found.mechanism, failed) > std::max(Numbers::believable_overlap, overlap(mechanism_, failed_)))
+  if (!first && overlap(found.mechanism, failed) > std::max(Search::believable_overlap, overlap(mechanism_, failed_)))
     return;
   mechanism_ = found.mechanism;
   mechanism_dilates_ = found.dilates;
@@ -252,7 +252,7 @@ void LoadFactorAnalysis::conclude(const Attempting& run) {
   judge(run);
   auto& summary = run.recorder.summary();
   const double share = summary.residual_displacement / run.model.structure().size();
-  if (share > Numbers::small_displacements && run.model.settings().rotations == Rotations::small)
+  if (share > Search::small_displacements && run.model.settings().rotations == Rotations::small)
     summary.message += "; by then displacements are " + six_digits(100 * share) +
                        " % of the structure, more than small displacements, which are all that is computed, can tell";
 }

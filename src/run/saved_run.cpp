@@ -30,7 +30,7 @@ namespace {
 
 constexpr int format = 13;     // of the file; raised when a value changes its meaning
 constexpr double near = 1e-9;  // [-] of the structure's size: places of one drawing, read twice, are one
-constexpr double largest = std::numeric_limits<double>::max();
+constexpr double largest_number = std::numeric_limits<double>::max();
 
 long long number_of(const std::string& text) { return static_cast<long long>(digest(text.data(), text.size())); }
 
@@ -161,10 +161,10 @@ void keep_state(Checkpoint& checkpoint, const Model& model, const RunState& run)
     else
       checkpoint.rows_within(name, points, values, list, 0, most);
   });
-  checkpoint.within("rest.error.ratio", state.rest.error.ratio, 0, largest);
-  checkpoint.within("rest.error.root_known", state.rest.error.root_known, 0, largest);
-  checkpoint.within("rest.error.root", state.rest.error.root, 0, largest);
-  checkpoint.within("rest.error.travelled", state.rest.error.travelled, 0, largest);
+  checkpoint.within("rest.error.ratio", state.rest.error.ratio, 0, largest_number);
+  checkpoint.within("rest.error.root_known", state.rest.error.root_known, 0, largest_number);
+  checkpoint.within("rest.error.root", state.rest.error.root, 0, largest_number);
+  checkpoint.within("rest.error.travelled", state.rest.error.travelled, 0, largest_number);
   bool built = model.settings().builds;  // restored: that of the scene it was saved with
   checkpoint.value("built", built);
   if (built) {

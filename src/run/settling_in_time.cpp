@@ -15,7 +15,7 @@ namespace voussoir {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-using Numbers = SettlingParameters;
+using SettlingNumbers = SettlingParameters;
 
 /// Total of the sizes of nodal loads [N].
 double size_of(const BlockSystem& s, const std::vector<double>& load) {
@@ -41,7 +41,7 @@ bool confirm(Model& model, AdaptiveStep& step, const LoadIncrement& increment, i
   auto state = settled.state;
   untie_what_moved(model, state);
   state.velocity.clear();
-  const SolveBudget budget(step, std::min(Numbers::solves_to_confirm, most_solves));
+  const SolveBudget budget(step, std::min(SettlingNumbers::solves_to_confirm, most_solves));
   const auto report = solve_load_step(model, step, state, increment.load, increment.prescribed);
   settled.stopped = report.newton.stopped && !budget.spent();
   if (budget.spent()) {
@@ -99,23 +99,24 @@ Settled settle_in_time(Model& model, AdaptiveStep& step, const ContactState& equ
   settled.state.velocity.clear();
   auto& state = settled.state;
   DynamicStep dynamics(model, step.progress());
-  const double crossing = dynamics.crossing_time(), period = Numbers::passages_in_period * crossing;
+  const double crossing = dynamics.crossing_time(), period = SettlingNumbers::passages_in_period * crossing;
   dynamics.set_stiffness_damping(period / pi);  // critical at that period
   dynamics.begin(state, false);
   const double acceleration = size_of(s, increment.load) / dynamics.total_mass();
   const double deforms = acceleration * std::pow(period / (2 * pi), 2);
-  double time_step = period / Numbers::steps_in_period, energy_before = 0, rests_below = Numbers::near_rest;
+  double time_step = period / SettlingNumbers::steps_in_period, energy_before = 0,
+         rests_below = SettlingNumbers::near_rest;
   int grown = 0;
-  for (int length = 0; length < Numbers::lengths; ++length, time_step *= 2) {
+  for (int length = 0; length < SettlingNumbers::lengths; ++length, time_step *= 2) {
     dynamics.set_time_step(time_step);
     double elastic = 0, kinetic = 0;
     const auto before = state.displacement;
-    for (int k = 0; k < Numbers::steps_of_a_length; ++k) {
-      const double share = length > 0 ? 1.0 : (k + 0.5) / Numbers::steps_of_a_length;
+    for (int k = 0; k < SettlingNumbers::steps_of_a_length; ++k) {
+      const double share = length > 0 ? 1.0 : (k + 0.5) / SettlingNumbers::steps_of_a_length;
       auto load = increment.load_before;
       for (std::size_t i = 0; i < load.size(); ++i) load[i] += share * (increment.load[i] - load[i]);
       // Supports move evenly: after an even number of steps the midpoint rule leaves them at rest.
-      const double moved = length > 0 ? 1.0 : (k + 1.0) / Numbers::steps_of_a_length;
+      const double moved = length > 0 ? 1.0 : (k + 1.0) / SettlingNumbers::steps_of_a_length;
       auto held = equilibrium.displacement;
       for (std::size_t i = 0; i < held.size(); ++i) held[i] += moved * (increment.prescribed[i] - held[i]);
       const auto report = take_step(dynamics, state, {load, held}, most_solves, settled);
@@ -123,10 +124,10 @@ Settled settle_in_time(Model& model, AdaptiveStep& step, const ContactState& equ
       settled.time += time_step;
       elastic = report.elastic, kinetic = report.kinetic;
     }
-    grown = kinetic > Numbers::growth * energy_before && length > 0 ? grown + 1 : 0;
+    grown = kinetic > SettlingNumbers::growth * energy_before && length > 0 ? grown + 1 : 0;
     energy_before = kinetic;
-    const bool moves_on = grown >= Numbers::lengths_of_growth;
-    if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > Numbers::far * deforms) {
+    const bool moves_on = grown >= SettlingNumbers::lengths_of_growth;
+    if (moves_on && largest_motion(s, state.displacement, &equilibrium.displacement) > SettlingNumbers::far * deforms) {
       settled.verdict = Verdict::collapse;
       // Not the velocity, in which stiff vibrations ring on that steps of this length do not resolve.
       settled.mechanism = state.displacement;
@@ -137,7 +138,7 @@ Settled settle_in_time(Model& model, AdaptiveStep& step, const ContactState& equ
     }
     if (length == 0 || kinetic > rests_below * elastic) continue;
     if (confirm(model, step, increment, most_solves - settled.solves, settled)) return settled;
-    rests_below = Numbers::calmer * kinetic / elastic;
+    rests_below = SettlingNumbers::calmer * kinetic / elastic;
   }
   return settled;
 }

@@ -15,15 +15,15 @@
 namespace voussoir {
 namespace {
 
-using Numbers = StaticTheoremParameters;
+using TheoremNumbers = StaticTheoremParameters;
 
 /// So many stones are asked of the theorem; and so few that asking costs next to nothing.
 int most_stones(const Model& model) {
-  return model.components() == 2 ? Numbers::most_stones : Numbers::most_stones_in_space;
+  return model.components() == 2 ? TheoremNumbers::most_stones : TheoremNumbers::most_stones_in_space;
 }
 bool has_few_stones(const Model& model) {
   return model.block_count() <=
-         (model.components() == 2 ? Numbers::most_stones_at_ends : Numbers::most_stones_at_ends_in_space);
+         (model.components() == 2 ? TheoremNumbers::most_stones_at_ends : TheoremNumbers::most_stones_at_ends_in_space);
 }
 
 bool follows(const Model& model) { return model.settings().rotations == Rotations::finite; }
@@ -58,7 +58,7 @@ GoOn StaticTheorem::after_solve() {
     solves_here_ = 0;
   }
   const bool few = places_ > 1 && has_few_stones(model_);
-  const int enough = few ? Numbers::solves_before_asking_few : Numbers::solves_before_asking;
+  const int enough = few ? TheoremNumbers::solves_before_asking_few : TheoremNumbers::solves_before_asking;
   return !asked_ && ++solves_here_ >= enough && refuses() ? GoOn::no : GoOn::yes;
 }
 
@@ -85,7 +85,7 @@ StepReport StaticTheorem::solve(AdaptiveStep& step, Model& model, ContactState& 
 
 bool StaticTheorem::refuses_any_part() const {
   if (!refusal_) return false;
-  return !follows(model_) || (at_the_start() && refusal_->share < Numbers::nothing_borne);
+  return !follows(model_) || (at_the_start() && refusal_->share < TheoremNumbers::nothing_borne);
 }
 
 /// Stones stand as drawn, and nothing presses them yet.

@@ -7,6 +7,11 @@ class ParameterSection;
 
 enum class SelectionMode { bonded, adaptive, all };
 
+/// As scenes name it.
+inline const char* name_of(SelectionMode mode) {
+  return mode == SelectionMode::bonded ? "bonded" : mode == SelectionMode::all ? "all" : "adaptive";
+}
+
 struct SelectionParameters {
   SelectionMode mode = SelectionMode::adaptive;
   double error_tolerance = 0.01;  ///< [-] wanted relative error in the energy norm; 0 releases every violating point

@@ -20,6 +20,8 @@
 
 namespace voussoir {
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
 /// Which pyramid stands for a round cone; the plane has none.
 enum class Pyramid {
   around,  ///< bears all that the cone does, and a little more
@@ -96,7 +98,6 @@ inline double least_normal_force(const PointLaw& law) {
 template <int dim>
 AdmissibleForces<dim> admissible_forces(const PointLaw& law, Pyramid pyramid = Pyramid::around) {
   VOUSSOIR_EXPECT(law.friction >= 0 && law.cohesion >= 0 && law.tension >= 0 && "a law bounds forces from both sides");
-  constexpr double endless = std::numeric_limits<double>::infinity();
   const double least = least_normal_force(law);
   AdmissibleForces<dim> set;
   const bool pulls_freely = !std::isfinite(least);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/check.hpp"
@@ -17,7 +16,6 @@ namespace {
 constexpr double none = LimitAnalysisParameters::no_motion;
 const double quarter = RoundConeParameters::pi / 2;
 const double side = RoundConeParameters::side;
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Stones that move as one have the components of motion of its first stone, turns times its radius.
 struct Part {

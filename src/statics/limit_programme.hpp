@@ -2,15 +2,12 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "statics/admissible_forces.hpp"
 #include "statics/limit_analysis.hpp"
 
 namespace voussoir {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Forces over a unit, moments over the unit times a radius too.
 template <std::size_t n>

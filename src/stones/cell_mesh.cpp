@@ -225,7 +225,7 @@ void add_folds(const StoneStructure& s, const Skins& skins, const std::vector<St
 
 /// The set "faces".
 void add_all_faces(Block<3>& block) {
-  for (const auto& face : border_faces({block}))
+  for (const auto& face : border_facets<3>({block}))
     block.facets.push_back({face.node, face.node[3] == face.node[2] ? 3 : 4, 2});
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// Faces whose planes differ by more are no part of one facet, however thin they are: 26 degrees.
 constexpr double least_cosine = 0.9;
 /// A corner that points inward by less is straight: a millionth of a radian, what rounded coordinates make of one.
-constexpr double straight = 1e-6;
+constexpr double straight_corner = 1e-6;
 
 struct Plane {
   Vector<3> normal{}, centre{};
@@ -137,7 +137,7 @@ std::vector<int> single_loop(const std::vector<std::array<int, 2>>& edges) {
 bool is_convex_in(const PlaneAxes& axes, const Places& places) {
   Polygon polygon;
   for (const auto& x : places) polygon.push_back(axes(x));
-  return is_convex(polygon, straight);
+  return is_convex(polygon, straight_corner);
 }
 
 StoneFacet facet_of(const std::vector<int>& region, const Faces& faces, const StoneSurface& stone) {

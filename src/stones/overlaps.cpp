@@ -12,12 +12,12 @@
 namespace voussoir {
 namespace {
 
-using Triangle = std::array<Vector<3>, 3>;
+using TriangleOfPlaces = std::array<Vector<3>, 3>;
 
 /// How much of the unit sphere around a place a triangle hides, signed.
 ///
 /// Theory  A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
-double solid_angle(const Triangle& t, const Vector<3>& place) {
+double solid_angle(const TriangleOfPlaces& t, const Vector<3>& place) {
   const auto a = t[0] - place, b = t[1] - place, c = t[2] - place;
   const double la = norm(a), lb = norm(b), lc = norm(c);
   const double below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
@@ -31,7 +31,7 @@ double distance_to_segment(const Vector<3>& a, const Vector<3>& b, const Vector<
   return norm(place - a - part * along);
 }
 
-double distance(const Triangle& t, const Vector<3>& place) {
+double distance(const TriangleOfPlaces& t, const Vector<3>& place) {
   const auto normal = cross(t[1] - t[0], t[2] - t[0]);
   const double size = norm(normal);
   bool above = size > 0;
@@ -44,7 +44,7 @@ double distance(const Triangle& t, const Vector<3>& place) {
 
 /// A stone as triangles.
 struct Solid {
-  std::vector<Triangle> triangles;
+  std::vector<TriangleOfPlaces> triangles;
   std::vector<std::array<Vector<3>, 2>> edges;
   Places points;
   Vector<3> centre{};

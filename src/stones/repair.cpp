@@ -46,20 +46,16 @@ std::vector<int> shell_of_face(const StoneSurface& stone) {
   return shell;
 }
 
-std::string at(const Vector<3>& x) {
-  return "(" + six_digits(x[0]) + ", " + six_digits(x[1]) + ", " + six_digits(x[2]) + ") m";
-}
-
 /// What is wrong with a mended stone, or nothing.
 std::string fault_of(const StoneSurface& stone) {
   if (stone.faces.empty()) return "has no face with an area";
   const auto edges = open_edges(stone);
   if (edges.crowded > 0)
-    return "has " + counted(edges.crowded, "edge") + " of more than two faces, one at " + at(edges.place) +
+    return "has " + counted(edges.crowded, "edge") + " of more than two faces, one at " + place_in_words(edges.place) +
            ": two stones in one group, or an inner face left over";
   if (edges.open > 0)
-    return "is not closed: " + counted(edges.open, "edge") + " of one face only, one at " + at(edges.place) +
-           ": a face is missing, or neighbouring faces do not share their corners";
+    return "is not closed: " + counted(edges.open, "edge") + " of one face only, one at " +
+           place_in_words(edges.place) + ": a face is missing, or neighbouring faces do not share their corners";
   const double size = extent(stone.points);
   // A sheet folded onto itself has the volume of its round-off.
   if (!(volume(stone) > 1e-9 * size * size * size)) return "holds no volume";
@@ -131,16 +127,16 @@ OpenEdges open_edges(const StoneSurface& stone) {
 }
 
 int turn_outward(StoneSurface& stone) {
-  struct Neighbour {
+  struct FaceBeside {
     int face;
-    bool opposed;
+    bool against;
   };
-  std::vector<std::vector<Neighbour>> neighbours(stone.faces.size());
+  std::vector<std::vector<FaceBeside>> neighbours(stone.faces.size());
   for (const auto& [edge, uses] : uses_of_edges(stone)) {
     if (uses.size() != 2) continue;
-    const bool opposed = uses[0].upward == uses[1].upward;
-    neighbours[uses[0].face].push_back({uses[1].face, opposed});
-    neighbours[uses[1].face].push_back({uses[0].face, opposed});
+    const bool against = uses[0].upward == uses[1].upward;
+    neighbours[uses[0].face].push_back({uses[1].face, against});
+    neighbours[uses[1].face].push_back({uses[0].face, against});
   }
   enum : signed char { unknown = -1, kept, turned };
   std::vector<signed char> state(stone.faces.size(), unknown);
@@ -150,9 +146,9 @@ int turn_outward(StoneSurface& stone) {
     state[first] = kept;
     std::vector<int> shell{static_cast<int>(first)};
     for (std::size_t k = 0; k < shell.size(); ++k)
-      for (const Neighbour& n : neighbours[shell[k]]) {
+      for (const FaceBeside& n : neighbours[shell[k]]) {
         if (state[n.face] != unknown) continue;
-        state[n.face] = n.opposed == (state[shell[k]] == turned) ? kept : turned;
+        state[n.face] = n.against == (state[shell[k]] == turned) ? kept : turned;
         shell.push_back(n.face);
       }
     StoneSurface alone;

@@ -23,10 +23,6 @@ using Pair = std::array<int, 2>;
 // Of the area that two stones share, which may lack node to node: slivers at corners of joints.
 constexpr double nearly_all = 1e-3;
 
-std::string at(const Vector<3>& x) {
-  return "(" + six_digits(x[0]) + ", " + six_digits(x[1]) + ", " + six_digits(x[2]) + ") m";
-}
-
 /// [m] The distance at which nodes are one, as in the plane (mesh/surface_mesh.hpp), by the shortest edge of all.
 double distance_of_one(const VolumeMesh& mesh) {
   double shortest = std::numeric_limits<double>::infinity(), far = 0;
@@ -56,7 +52,7 @@ std::vector<Block<3>> blocks_of(const VolumeMesh& mesh, double within) {
     for (const int node : nodes) {
       const int vertex = welded.add(mesh.position[node]);
       if (!known.insert(vertex).second)
-        throw InputError("mesh: " + block.name + " has two nodes at " + at(mesh.position[node]) +
+        throw InputError("mesh: " + block.name + " has two nodes at " + place_in_words(mesh.position[node]) +
                          "\n  (a slit in it, or faces that do not hang together, which would be one).\n  Make one node "
                          "of them, or two volumes of the stone.");
       block.vertex.push_back(vertex);
@@ -84,7 +80,7 @@ Places corners_of(const Block<3>& block, const BorderFace& face) {
 class Borders {
  public:
   explicit Borders(const std::vector<Block<3>>& blocks) : blocks_(blocks) {
-    const auto faces = border_faces(blocks);
+    const auto faces = border_facets(blocks);
     for (std::size_t from = 0, to = 0; from < faces.size(); from = to) {
       while (to < faces.size() && faces[to].vertices == faces[from].vertices) ++to;
       if (to == from + 1) {
@@ -109,8 +105,8 @@ class Borders {
  private:
   [[noreturn]] static void refuse(const Block<3>& a, const Block<3>& b, const Vector<3>& place,
                                   const std::string& fault, const std::string& why) {
-    throw InputError("mesh: " + a.name + " and " + b.name + " " + fault + " at " + at(place) + "\n  " + why +
-                     ".\n  Look whether a volume is there twice or misplaced.");
+    throw InputError("mesh: " + a.name + " and " + b.name + " " + fault + " at " + place_in_words(place) + "\n  " +
+                     why + ".\n  Look whether a volume is there twice or misplaced.");
   }
 
   const std::vector<Block<3>>& blocks_;
@@ -160,7 +156,7 @@ void add_faces(const Borders& borders, BlockList<3>& list) {
     else if (up > steep && heights[face.block][1] >= high - near)
       add(face, 1);
   }
-  for (const auto& face : border_faces(list.blocks)) add(face, 2);
+  for (const auto& face : border_facets(list.blocks)) add(face, 2);
 }
 
 void add_stones(const std::vector<StoneSurface>& stones, const std::map<Pair, double>& shared, BlockList<3>& list) {

@@ -18,7 +18,7 @@ using Face = VolumeMesh::Face;
 
 /// @param mesh  const when it is written
 template <class Bytes, class Mesh>
-void exchange(Bytes& bytes, Mesh& mesh) {
+void exchange_volumes(Bytes& bytes, Mesh& mesh) {
   plain_list(bytes, mesh.position);
   plain_list(bytes, mesh.faces);
   plain_list(bytes, mesh.folds);
@@ -58,10 +58,6 @@ void check_indices(const VolumeMesh& mesh) {
       for (int k = 0; k < cell.count; ++k) require_index(cell.node[k], mesh.position.size(), "a node");
     }
   }
-}
-
-std::string at(const Vector<3>& x) {
-  return "(" + six_digits(x[0]) + ", " + six_digits(x[1]) + ", " + six_digits(x[2]) + ") m";
 }
 
 [[noreturn]] void refuse(const std::string& volume, const std::string& fault, const std::string& why,
@@ -141,7 +137,7 @@ bool make_positive(const Places& x, const std::string& name, std::vector<Cell>& 
     const double jacobian = least_jacobian(cells[k], x, corner), size = diameter(cells[k], x);
     if (jacobian > flat * size * size * size) continue;
     refuse(name,
-           ", cell " + std::to_string(k) + " with a corner at " + at(x[cells[k].node[corner]]) + " is " +
+           ", cell " + std::to_string(k) + " with a corner at " + place_in_words(x[cells[k].node[corner]]) + " is " +
                (jacobian < -flat * size * size * size ? "inverted" : "flat"),
            "(its Jacobian is " + six_digits(jacobian) + " m3 there, and must be positive).",
            "Mesh the volume again with smaller elements, or leave out very short edges.");
@@ -166,15 +162,15 @@ void find_border(const Places& x, const std::string& name, VolumeMesh::Volume& v
       const auto [known, is_new] = uses.emplace(key_of(face), Uses{face, static_cast<int>(c), 1});
       if (is_new) continue;
       if (++known->second.count > 2)
-        refuse(name, ", a face at " + at(middle_of(face)) + " has three cells", "(cells lie on each other there).",
-               "Remove doubled volumes or elements and mesh again.");
+        refuse(name, ", a face at " + place_in_words(middle_of(face)) + " has three cells",
+               "(cells lie on each other there).", "Remove doubled volumes or elements and mesh again.");
       pieces.unite(static_cast<int>(c), known->second.cell);
     }
   for (std::size_t c = 0; c < pieces.size(); ++c)
     if (pieces.root(static_cast<int>(c)) != pieces.root(0))
       refuse(name,
-             " is in pieces: the cell at " + at(x[volume.cells[0].node[0]]) + " and that at " +
-                 at(x[volume.cells[c].node[0]]) + " are not connected over faces",
+             " is in pieces: the cell at " + place_in_words(x[volume.cells[0].node[0]]) + " and that at " +
+                 place_in_words(x[volume.cells[c].node[0]]) + " are not connected over faces",
              "(a stone is one elastic body; pieces would move freely against each other).",
              "Make each piece a volume of its own.");
   for (const auto& [key, use] : uses)
@@ -253,14 +249,14 @@ std::string VolumeMesh::name_of(std::size_t volume) const {
 
 std::string bytes_of(const VolumeMesh& mesh) {
   ByteWriter writer;
-  exchange(writer, mesh);
+  exchange_volumes(writer, mesh);
   return writer.bytes;
 }
 
 VolumeMesh volume_mesh_of(const std::string& bytes) {
   VolumeMesh mesh;
   ByteReader reader(bytes);
-  exchange(reader, mesh);
+  exchange_volumes(reader, mesh);
   if (reader.left() > 0) refuse_bytes("it goes on behind its end");
   check_indices(mesh);
   return mesh;

@@ -59,10 +59,6 @@ ContactState solve(const Scene& scene, const PlaneModel& model, AccuracyRow& row
   return state;
 }
 
-const char* name_of(SelectionMode mode) {
-  return mode == SelectionMode::bonded ? "bonded" : mode == SelectionMode::all ? "all" : "adaptive";
-}
-
 bool solved(const AccuracyRow& row) { return row.outcome == "equilibrium"; }
 
 /// Empty for what is not known.

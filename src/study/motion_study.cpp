@@ -67,7 +67,7 @@ void MotionStudy::add(const std::string& family, double size, double peak, Scene
     row.ranks = comm_->getSize();
     row.blocks = source->block_count();
     row.candidate_points = model.points().total();
-    row.mode = mode == SelectionMode::bonded ? "bonded" : "adaptive";
+    row.mode = name_of(mode);
     run(scene, model, row);
     if (mode == SelectionMode::bonded) bonded = row;
     row.in_bonded = row.seconds / bonded.seconds;
@@ -131,7 +131,7 @@ void MotionStudy::say(const MotionRow& r) const {
 
 void MotionStudy::write() const {
   std::vector<std::string> names;
-  const auto empty = entry_of({});
+  const auto empty = entry_of(MotionRow{});
   for (const auto& [name, value] : empty.items()) names.push_back(name);
   auto table = nlohmann::ordered_json::array();
   for (const auto& row : rows_) table.push_back(entry_of(row));

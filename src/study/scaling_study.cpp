@@ -45,10 +45,6 @@ long long bytes_of_blocks(const Structure<2>& structure) {
   return bytes;
 }
 
-const char* name_of(SelectionMode mode) {
-  return mode == SelectionMode::bonded ? "bonded" : mode == SelectionMode::all ? "all" : "adaptive";
-}
-
 const char* name_of(NewtonOutcome outcome) {
   return outcome == NewtonOutcome::converged  ? "equilibrium"
          : outcome == NewtonOutcome::collapse ? "collapse"

@@ -298,7 +298,7 @@ void SystemStudy::say(const SystemRow& r) const {
 
 void SystemStudy::write() const {
   std::vector<std::string> names;
-  const auto empty = entry_of({});
+  const auto empty = entry_of(SystemRow{});
   for (const auto& [name, value] : empty.items()) names.push_back(name);
   auto table = nlohmann::ordered_json::array();
   for (const auto& row : rows_) table.push_back(entry_of(row));

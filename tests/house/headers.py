@@ -1,9 +1,8 @@
 """Every header compiles alone: whoever includes it needs to include nothing before it.
 
-A header that a source of the build includes before anything else has been compiled alone with that source: mesh.hpp with
-mesh.cpp. The others are compiled here. One that includes Tpetra takes 2 s, so what passed is remembered in the build
-folder by a digest of the header, of all headers of ours below it and of the compiler command; only what changed is
-compiled again.
+The sources of a folder are compiled as one, so that a header may find there what another source has included. Here each
+is compiled by itself. One that includes Tpetra takes 2 s, so what passed is remembered in the build folder by a digest
+of the header, of all headers of ours below it and of the compiler command; only what changed is compiled again.
 
 usage: headers.py BUILD_FOLDER JOBS
 """
@@ -17,18 +16,6 @@ import subprocess
 import sys
 
 import house
-
-
-def proven_by(sources):
-    """Headers that a source includes before anything else; sources: texts of C++ files."""
-    firsts = [included[0] for included in map(house.includes, sources) if included]
-    return {name for quote, name in firsts if quote == '"'}
-
-
-def sources_of(entries):
-    """Texts of our sources among the entries of compile_commands.json."""
-    paths = {pathlib.Path(entry["directory"], entry["file"]).resolve() for entry in entries}
-    return [path.read_text(encoding="utf-8") for path in sorted(paths) if house.ROOT in path.parents]
 
 
 def compiler_command(entries):
@@ -67,19 +54,17 @@ def compile_alone(name, command):
 
 def main():
     build, jobs = pathlib.Path(sys.argv[1]), int(sys.argv[2])
-    entries = json.loads((build / "compile_commands.json").read_text())
-    command, proven = compiler_command(entries), proven_by(sources_of(entries))
+    command = compiler_command(json.loads((build / "compile_commands.json").read_text()))
     memory = build / "headers_that_compile_alone.json"
     passed = set(json.loads(memory.read_text())) if memory.exists() else set()
 
     names = [str(path.relative_to("src")) for path in house.code_files(".hpp") if path.parts[0] == "src"]
-    digests = {name: digest(name, command) for name in names if name not in proven}
-    changed = [name for name in digests if digests[name] not in passed]
+    digests = {name: digest(name, command) for name in names}
+    changed = [name for name in names if digests[name] not in passed]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         complaints = dict(zip(changed, pool.map(lambda name: compile_alone(name, command), changed)))
-    memory.write_text(json.dumps(sorted(digests[name] for name in digests if not complaints.get(name))))
-    print(f"{len(names)} headers, {len(names) - len(digests)} come first in a source, {len(changed)} compiled, "
-          "the others have not changed since they passed")
+    memory.write_text(json.dumps(sorted(digests[name] for name in names if not complaints.get(name))))
+    print(f"{len(names)} headers, {len(changed)} compiled, the others have not changed since they passed")
     house.finish("Every header compiles alone", [text for text in complaints.values() if text])
 
 

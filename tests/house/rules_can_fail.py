@@ -282,16 +282,6 @@ class HeadersCompileAlone(unittest.TestCase):
         command = ["c++", "-fsyntax-only", "-x", "c++", "-"]
         self.assertIn("does not compile alone", headers.compile_alone("mesh/no_such_header.hpp", command))
 
-    def test_only_what_a_source_includes_first_is_proven_by_it(self):
-        sources = ['// About meshes.\n#include "mesh/mesh.hpp"\n#include "mesh/cell.hpp"\n',
-                   '#include <vector>\n#include "mesh/border.hpp"\n', "int no_include_at_all;\n"]
-        self.assertEqual(headers.proven_by(sources), {"mesh/mesh.hpp"})
-
-    def test_a_source_of_a_library_proves_nothing(self):
-        ours = {"directory": str(house.ROOT / "build"), "file": "../src/mesh/mesh.cpp"}
-        theirs = {"directory": "/usr/include", "file": "stdio.h"}
-        self.assertEqual(headers.proven_by(headers.sources_of([ours, theirs])), {"mesh/mesh.hpp"})
-
     def test_a_change_below_a_header_is_a_change(self):
         self.assertIn("base/ids.hpp", headers.headers_below("mesh/mesh.hpp", {}))
         self.assertNotEqual(headers.digest("mesh/mesh.hpp", ["c++"]), headers.digest("mesh/mesh.hpp", ["c++", "-O2"]))

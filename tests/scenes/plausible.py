@@ -103,7 +103,11 @@ class Plausible(program.SceneTest):
         script = DRAWING + 'SystemCall "touch ran";\n'
         self.refused(["has SystemCall, which runs programs", "--trust"], scene(), drawing=script)
         self.refused(["Exit, which ends gmsh before it has meshed"], scene(), drawing=DRAWING + "Exit;\n")
-        self.refused(["made gmsh end by itself", "Exit"], scene(), "--trust", drawing=DRAWING + "Exit;\n")
+        rooms = self.folder / "rooms"
+        rooms.mkdir()
+        self.refused(["made gmsh end by itself", "Exit"], scene(), "--trust", drawing=DRAWING + "Exit;\n",
+                     environment={"TMPDIR": str(rooms)})
+        self.assertEqual([path.name for path in rooms.glob("voussoir*")], [])
         trusted = self.run_scene(scene(), "--validate", "--trust", drawing=DRAWING + 'Printf("x") >> "said";\n')
         self.assertEqual(trusted.code, 0, trusted.said)
         harmless = DRAWING + '// SystemCall "touch ran";\nPrintf("Merge, Exit; and SystemCall");\n'

@@ -44,7 +44,7 @@ StoneSurface surface_now(const Structure<3>& s, const std::vector<double>& u, in
   std::iota(alone.vertex.begin(), alone.vertex.end(), 0);
   StoneSurface surface;
   for (int i = 0; i < local.nodes; ++i) surface.points.push_back(place_now(s, u, local.first_local + i));
-  for (const auto& face : border_faces({alone})) {
+  for (const auto& face : border_facets<3>({alone})) {
     surface.faces.emplace_back(face.node.begin(), face.node.end());
     if (face.node[3] == face.node[2]) surface.faces.back().pop_back();
   }

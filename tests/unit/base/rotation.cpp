@@ -53,7 +53,17 @@ TEUCHOS_UNIT_TEST(Rotation, HalfTheWayIsAsFarFromEitherEnd) {
     TEST_COMPARE(std::abs(middle.apart(b) - a.apart(b) / 2), <=, round_off);
     TEST_COMPARE(a.apart(b), <=, pi);
   }
-  TEST_COMPARE(std::abs(Rotation<2>(0.2).halfway_to(Rotation<2>(0.6)).apart(Rotation<2>(0.4))), <=, round_off);
+  // Stones that have turned past half a turn have angles near pi and near -pi.
+  for (int k = 0; k < 50; ++k) {
+    const Rotation<2> a(9 * any(random)), b(9 * any(random)), middle = a.halfway_to(b);
+    TEST_COMPARE(std::abs(middle.apart(a) - a.apart(b) / 2), <=, round_off);
+    TEST_COMPARE(std::abs(middle.apart(b) - a.apart(b) / 2), <=, round_off);
+    TEST_COMPARE(a.apart(b), <=, pi);
+    TEST_COMPARE(
+        std::abs(a.apart(b) -
+                 rotation_about<3>({0, 0, 1}, a.vector()[2]).apart(rotation_about<3>({0, 0, 1}, b.vector()[2]))),
+        <=, round_off);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Rotation, TheNearestToABodysMotionIsThatOfTheBody) {

@@ -32,7 +32,7 @@ double area_of(const Block<2>& block) {
 /// Edges of the border by their vertices, and how many blocks have each.
 std::map<std::array<VertexId, 2>, int> border_uses(const BlockList<2>& list) {
   std::map<std::array<VertexId, 2>, int> uses;
-  for (const auto& edge : border_edges(list.blocks)) ++uses[edge.vertices];
+  for (const auto& edge : border_facets(list.blocks)) ++uses[edge.vertices];
   return uses;
 }
 
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(PlaneMesh, EveryNodeOfAJointIsThereOnBothSidesInASurveyToo) {
     const auto s = plane_stones_of(file_of(bond(5, 4, 0.6, 0.3, 5e-3)), asked(0, 0.1));
     double joint_length = 0;
     const auto uses = border_uses(meshes.list);
-    for (const auto& edge : border_edges(meshes.list.blocks))
+    for (const auto& edge : border_facets(meshes.list.blocks))
       if (uses.at(edge.vertices) == 2)
         joint_length += norm(meshes.list.blocks[edge.block].position[edge.node[1]] -
                              meshes.list.blocks[edge.block].position[edge.node[0]]) /

@@ -13,7 +13,7 @@ using namespace voussoir::test;
 constexpr double h = 0.25;  // side of a cell [m]
 
 std::vector<PointOfTwoBlocks> joint(const Block<2>& i, const Block<2>& j) {
-  return points_of_joint(i, border_edges({i}), j, border_edges({j}));
+  return points_of_joint(i, border_facets<2>({i}), j, border_facets<2>({j}));
 }
 
 double length(const std::vector<PointOfTwoBlocks>& points) {

@@ -133,7 +133,7 @@ std::vector<StoneSurface> on_top_of(const std::vector<Vector<2>>& top) {
 
 std::vector<PointInSpace> points_between(const std::vector<StoneSurface>& stones) {
   const auto blocks = mesh_stones(structure_of(stones, tetrahedra())).list.blocks;
-  return points_of_joint(blocks[0], border_faces({blocks[0]}), blocks[1], border_faces({blocks[1]}));
+  return points_of_joint(blocks[0], border_facets<3>({blocks[0]}), blocks[1], border_facets<3>({blocks[1]}));
 }
 
 TEUCHOS_UNIT_TEST(StoneMeshes, HavePointsOfTheirOwnOnBothSidesOfAFoldThatIsDrawn) {
@@ -169,7 +169,7 @@ TEUCHOS_UNIT_TEST(StoneMeshes, HaveContactPointsThatStandForTheWholeJoint) {
     for (const auto& joint : s.joints.joints) {
       const auto &i = blocks[joint.stone[0]], &j = blocks[joint.stone[1]];
       double area = 0;
-      for (const auto& point : points_of_joint(i, border_faces({i}), j, border_faces({j}))) {
+      for (const auto& point : points_of_joint(i, border_facets<3>({i}), j, border_facets<3>({j}))) {
         area += point.area;
         TEST_COMPARE(norm(point.normal - joint.normal), <=, 1e-12);
         TEST_ASSERT(i.vertex[point.node_i] == point.vertex && j.vertex[point.node_j] == point.vertex);
