@@ -228,8 +228,8 @@ bool RigidLimits<dim>::first_rank_says(const Ask& ask) const {
 }
 
 template <int dim>
-LimitAnswer<dim> RigidLimits<dim>::largest_factor(double largest, const LimitAnswer<dim>& begin) const {
-  return ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.largest_factor(largest, begin.basis); });
+LimitAnswer<dim> RigidLimits<dim>::largest_factor(double largest, const LimitAnswer<dim>& borne) const {
+  return ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.largest_factor(largest, borne); });
 }
 
 template <int dim>

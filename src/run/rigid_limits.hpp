@@ -24,9 +24,9 @@ class RigidLimits {
   RigidLimits(const ModelOfBlocks<dim>&, const RigidTask&);
 
   /// As those of LimitAnalysis; the same on every rank, but for motions and forces, which the first has. Collective.
-  /// @param begin  where the programme begins: that of another answer, if it had one
-  LimitAnswer<dim> largest_factor(double largest, const LimitAnswer<dim>& begin = {}) const;
+  LimitAnswer<dim> largest_factor(double largest, const LimitAnswer<dim>& borne = {}) const;
   /// With the least forces that balance a hair less.
+  /// @param begin  where the programme begins: that of another answer, if it had one
   LimitAnswer<dim> largest_borne(double largest, const LimitAnswer<dim>& begin) const;
   LimitAnswer<dim> bears(double factor) const;
   LimitAnswer<dim> refuses(double factor) const;

@@ -199,7 +199,7 @@ LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& t
     p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
     p.lp.set_cost(p.factor_column, 1);
     if (begun) p.lp.start_from(*basis);
-    const auto found = solve(p, basis);
+    const auto found = solve(p, largest, *basis, terms.borne);
     *balanced_unraised = found.end != ProgrammeEnd::infeasible;
     answer = judge(p, found, largest);
     answer.basis = *basis;
@@ -270,12 +270,20 @@ ProgrammeBasis LimitAnalysis<dim>::for_raising(ProgrammeBasis basis) const {
   return basis;
 }
 
+/// Pyramids around the cones, which need be no finer than forces within them ask for.
 template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest, const ProgrammeBasis& begin) const {
+typename LimitAnalysis<dim>::Terms LimitAnalysis<dim>::around_cones(const LimitAnswer<dim>& borne) const {
+  Terms terms;
+  if (dim == 3 && borne.verdict == LimitVerdict::limited) terms.borne = borne.factor;
+  return terms;
+}
+
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest, const LimitAnswer<dim>& borne) const {
   VOUSSOIR_EXPECT(largest > 0 && "largest factor: positive");
   bool balanced_unraised = true;
-  auto basis = for_raising(begin);
-  auto answer = raised_up_to(largest, {}, &balanced_unraised, &basis);
+  auto basis = for_raising(borne.basis);
+  auto answer = raised_up_to(largest, around_cones(borne), &balanced_unraised, &basis);
   if (balanced_unraised) return in_motion(largest, with_forces(largest, std::move(answer)));
   answer = refuses(0);
   if (answer.verdict != LimitVerdict::refused) answer.verdict = LimitVerdict::unknown;
@@ -307,11 +315,12 @@ LimitAnswer<dim> LimitAnalysis<dim>::bears(double factor) const {
   VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
   bool balanced = true;
   const auto loaded = under_loads(factor);
+  LimitAnswer<dim> borne;
   if (dim == 3) {  // forces within cones settle it, and stones that stand have them more often than a mechanism
-    auto borne = loaded.largest_borne(1);
+    borne = loaded.largest_borne(1);
     if (borne.verdict == LimitVerdict::unlimited) return borne;
   }
-  auto answer = loaded.in_motion(1, loaded.with_forces(1, loaded.raised_up_to(1, {}, &balanced)));
+  auto answer = loaded.in_motion(1, loaded.with_forces(1, loaded.raised_up_to(1, around_cones(borne), &balanced)));
   if (answer.verdict == LimitVerdict::limited) answer.verdict = LimitVerdict::refused;
   return answer;
 }
@@ -321,11 +330,15 @@ LimitAnswer<dim> LimitAnalysis<dim>::refuses(double factor) const {
   VOUSSOIR_EXPECT(std::isfinite(factor) && "factor: finite");
   bool balanced = true;
   const auto loaded = under_loads(factor);
-  if (dim == 3) {  // as bears() asks: pyramids around are made finer for long where there are such forces
-    auto borne = loaded.largest_borne(1);
-    if (std::exchange(borne.verdict, LimitVerdict::unknown) == LimitVerdict::unlimited) return borne;
+  LimitAnswer<dim> borne;
+  if (dim == 3) {  // as bears() asks
+    borne = loaded.largest_borne(1);
+    if (borne.verdict == LimitVerdict::unlimited) {
+      borne.verdict = LimitVerdict::unknown;
+      return borne;
+    }
   }
-  auto answer = loaded.in_motion(1, loaded.raised_up_to(1, {}, &balanced));
+  auto answer = loaded.in_motion(1, loaded.raised_up_to(1, around_cones(borne), &balanced));
   answer.verdict = answer.verdict == LimitVerdict::limited ? LimitVerdict::refused : LimitVerdict::unknown;
   return answer;
 }

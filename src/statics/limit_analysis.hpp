@@ -52,8 +52,9 @@ class LimitAnalysis {
   const RigidStructure<dim>& structure() const { return s_; }
   /// The largest factor of raised loads, up to a largest one, that can be balanced together with the fixed loads. In
   /// space no equilibrium exists above it.
-  /// @param begin  the basis of another answer, where the programme begins; none where there is none
-  LimitAnswer<dim> largest_factor(double largest, const ProgrammeBasis& begin = {}) const;
+  /// @param borne  the answer of largest_borne(largest), where it is known: there the programme begins, and it ends
+  ///               where both are alike; in the plane the basis of any other answer
+  LimitAnswer<dim> largest_factor(double largest, const LimitAnswer<dim>& borne = {}) const;
   /// The largest factor for which admissible forces are found that balance the loads, and these: in the plane that
   /// above, in space up to a thousandth less. No verdict where not even the fixed loads are.
   /// @param least  tell the forces with the least sum of normal forces, of those that balance a hair less: at the limit
@@ -99,6 +100,7 @@ class LimitAnalysis {
     bool sliding = false;  ///< friction with hardly any slope beside a bound on shear that the caller sets
     bool finer = true;     ///< pyramids are made finer where it matters
     bool least = false;    ///< forces that balance a hair less than the limit, with the least sum of normal forces
+    std::optional<double> borne = {};  ///< [-] factor for which forces within the cones balance, where one is known
   };
   /// What a mechanism proves: the factor of raised loads [-], and their power along it [N m].
   struct Bound {
@@ -109,7 +111,7 @@ class LimitAnalysis {
   void add_forces_of_joints(Programme&, const Terms&) const;
   void add_forces_of_supports(Programme&) const;
   void add_raised_loads(Programme&) const;
-  ProgrammeSolution solve(Programme&, ProgrammeBasis* basis) const;
+  ProgrammeSolution solve(Programme&, double largest, ProgrammeBasis&, std::optional<double> borne) const;
   bool make_finer(Programme&, const ProgrammeSolution&) const;
   bool cut_pyramid(Programme&, std::size_t kept, const std::vector<double>& x) const;
   bool cut_edge(Programme&, std::size_t kept, double angle) const;
@@ -118,6 +120,7 @@ class LimitAnalysis {
   void bound_shear(Programme&, const std::vector<double>& presses) const;
   LimitAnswer<dim> raised_up_to(double largest, const Terms&, bool* balanced_unraised,
                                 ProgrammeBasis* basis = nullptr) const;
+  Terms around_cones(const LimitAnswer<dim>& borne) const;
   LimitAnswer<dim> with_forces(double largest, LimitAnswer<dim>) const;
   LimitAnswer<dim> least_of_joints(double share_of_joints, const ProgrammeBasis&) const;
   void seek_least(Programme&) const;

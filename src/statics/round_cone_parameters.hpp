@@ -2,6 +2,8 @@
 // told more coarsely there.
 #pragma once
 
+#include "base/order_of_magnitude.hpp"
+
 namespace voussoir {
 
 struct RoundConeParameters {
@@ -15,6 +17,9 @@ struct RoundConeParameters {
   /// cone where a motion presses into it by more than this share of its slip, until there are none: that is finer than
   /// any friction is known. Each round leaves a quarter of what the last did.
   static constexpr double off_the_cone = 1e-3;
+  /// What a factor may be above one for which forces within the cones balance, where nothing is left to be made finer:
+  /// an order of magnitude below what it is told to.
+  static constexpr double nothing_left = off_the_cone / order_of_magnitude;
   /// Ends what moves between motions that are alike: rounds for each of the 25 points that a joint of a stone has with
   /// usual cells, to which forces go in turn where it is not flat, and for six of which each leaves a quarter.
   static constexpr int most_rounds = 32;

@@ -2,6 +2,7 @@
 // it and them, those within it where a motion presses into it that does not press into them.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "statics/limit_analysis_parameters.hpp"
@@ -14,21 +15,33 @@ using Numbers = LimitAnalysisParameters;
 
 }  // namespace
 
-/// Solves a programme again and again, from where it was, with finer pyramids.
-/// @param basis  where wanted: after the first time, for another programme
+/// Solves a programme for the largest factor again and again, from where it was, with finer pyramids.
+/// @param basis  after the first time, for another programme
+/// @param borne  a factor for which forces within the cones balance, where one is known
 template <int dim>
-ProgrammeSolution LimitAnalysis<dim>::solve(Programme& p, ProgrammeBasis* basis) const {
+ProgrammeSolution LimitAnalysis<dim>::solve(Programme& p, double largest, ProgrammeBasis& basis,
+                                            std::optional<double> borne) const {
   auto found = p.lp.maximise();
-  if (basis) *basis = p.lp.basis();
+  basis = p.lp.basis();
   if (dim == 2 || !p.finer) return found;
-  // A round that changes nothing says nothing: where a face is cut forces go to another of the same worth, until none
-  // is left.
+  const int at_first = found.iterations;
+  int for_nothing = 0;
   for (int round = 0; round < RoundConeParameters::most_rounds && found.end == ProgrammeEnd::optimal; ++round) {
     if (!make_finer(p, found)) break;
-    const int before = found.iterations;
+    const auto before = found;
     // Cut pyramids leave prices as they may be and take forces away, added lines do the opposite.
     found = p.pyramid == Pyramid::around ? p.lp.maximise_from_prices() : p.lp.maximise();
-    found.iterations += before;
+    found.iterations += before.iterations;
+    if (p.pyramid == Pyramid::within || found.end != ProgrammeEnd::optimal) continue;
+    // A round that changes nothing says nothing: where a face is cut forces go to another of the same worth. Whether
+    // forces within the cones are among them is asked once such rounds have cost as much as the first solution.
+    if (found.value >= before.value * (1 - RoundConeParameters::nothing_left))
+      for_nothing += found.iterations - before.iterations;
+    if (!borne && for_nothing > at_first) {
+      const auto found_within = largest_borne(largest);
+      borne = found_within.verdict == LimitVerdict::unknown ? 0.0 : found_within.factor;
+    }
+    if (borne && found.value * unit_ / raised_unit_ <= *borne * (1 + RoundConeParameters::nothing_left)) break;
   }
   return found;
 }
@@ -117,7 +130,7 @@ bool LimitAnalysis<2>::extend_pyramid(Programme&, std::size_t, const std::vector
   return false;
 }
 
-template ProgrammeSolution LimitAnalysis<2>::solve(Programme&, ProgrammeBasis*) const;
-template ProgrammeSolution LimitAnalysis<3>::solve(Programme&, ProgrammeBasis*) const;
+template ProgrammeSolution LimitAnalysis<2>::solve(Programme&, double, ProgrammeBasis&, std::optional<double>) const;
+template ProgrammeSolution LimitAnalysis<3>::solve(Programme&, double, ProgrammeBasis&, std::optional<double>) const;
 
 }  // namespace voussoir
