@@ -9,6 +9,8 @@ namespace voussoir {
 ///   ends would remove it while another begins;
 /// - nor files for pointers of files that ranks share, which would lie there. HDF5 uses no such pointers, and the kind
 ///   named here makes no file before it is used;
+/// - ranks on one machine look for no network: `ob1` sends through memory. To open what drives networks, which `cm` and
+///   `ucx` do to see whether there is one, takes a fifth of a second, longer than a small scene;
 /// - a single rank waits for nobody, so that it never leaves its core to other programs. Where mpi_yield_when_idle asks
 ///   for that, each look for a message gives away a slice of time, and MUMPS looks for many: beside a compiler on the
 ///   same core a run would take many times as long.

@@ -33,10 +33,15 @@ class Variables {
   }
 
  private:
-  static constexpr const char* names[] = {
-      "OMPI_COMM_WORLD_SIZE",           "PMIX_RANK",         "PMI_RANK",
-      "OMPI_MCA_mpi_yield_when_idle",   "OMPI_MCA_sharedfp", "OMPI_MCA_orte_create_session_dirs",
-      "OMPI_MCA_ess_singleton_isolated"};
+  static constexpr const char* names[] = {"OMPI_COMM_WORLD_SIZE",
+                                          "PMIX_RANK",
+                                          "PMI_RANK",
+                                          "OMPI_COMM_WORLD_LOCAL_SIZE",
+                                          "OMPI_MCA_pml",
+                                          "OMPI_MCA_mpi_yield_when_idle",
+                                          "OMPI_MCA_sharedfp",
+                                          "OMPI_MCA_orte_create_session_dirs",
+                                          "OMPI_MCA_ess_singleton_isolated"};
   std::vector<std::optional<std::string>> was_;
 };
 
@@ -76,11 +81,35 @@ TEUCHOS_UNIT_TEST(BeforeMpi, RunsWithoutMpirunShareNoFolder) {
   TEST_EQUALITY(variables.value(folders), "0");
 }
 
+TEUCHOS_UNIT_TEST(BeforeMpi, RanksOnOneMachineLookForNoNetwork) {
+  constexpr const char* messages = "OMPI_MCA_pml";
+  Variables variables;
+  ::setenv("OMPI_COMM_WORLD_SIZE", "4", 1);
+  before_mpi();
+  TEST_EQUALITY(variables.value(messages), "none");
+  ::setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "2", 1);
+  before_mpi();
+  TEST_EQUALITY(variables.value(messages), "none");
+  ::setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "4", 1);
+  before_mpi();
+  TEST_EQUALITY(variables.value(messages), "ob1");
+  ::unsetenv(messages);
+  ::unsetenv("OMPI_COMM_WORLD_SIZE");
+  ::setenv("PMIX_RANK", "0", 1);  // of a batch system, which tells not how many there are
+  before_mpi();
+  TEST_EQUALITY(variables.value(messages), "none");
+  ::unsetenv("PMIX_RANK");
+  before_mpi();
+  TEST_EQUALITY(variables.value(messages), "ob1");
+}
+
 TEUCHOS_UNIT_TEST(BeforeMpi, WhatAUserHasSetIsKept) {
   Variables variables;
+  ::setenv("OMPI_MCA_pml", "ucx", 1);
   ::setenv("OMPI_MCA_sharedfp", "sm", 1);
   before_mpi();
   TEST_EQUALITY(variables.value("OMPI_MCA_sharedfp"), "sm");
+  TEST_EQUALITY(variables.value("OMPI_MCA_pml"), "ucx");
   TEST_EQUALITY(variables.value("OMPI_MCA_ess_singleton_isolated"), "1");
 }
 
