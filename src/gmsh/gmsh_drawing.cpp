@@ -142,6 +142,19 @@ void refuse_too_fine(Gmsh& gmsh_itself, const GmshParameters& p, Drawing& drawin
   }
 }
 
+/// The stones as drawn, from an open file.
+Drawing measured(Gmsh& gmsh_itself, const GmshParameters& p) {
+  Drawing drawing;
+  run_on_file(gmsh_itself, p.file, "measure the file", [&] { drawing = drawing_of(p.unit); });
+  return drawing;
+}
+
+/// Refuses a drawing with more cells of the size a scene asks for than can be computed with. Nothing is meshed for it.
+void refuse_too_small_cells(const GmshParameters& p, Drawing& drawing) {
+  drawing.divide(p.element_size);
+  refuse_too_many_cells(p, drawing);
+}
+
 void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
   require_file(p.file);
   const std::filesystem::path path = std::filesystem::absolute(p.file);
@@ -150,6 +163,10 @@ void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
   } else if (path.extension() == ".geo") {
     const auto numbers = numbers_to_set(p, path.string());
     open_geo(gmsh_itself, p, numbers);
+    if (p.element_size > 0) {
+      Drawing drawing = measured(gmsh_itself, p);
+      refuse_too_small_cells(p, drawing);
+    }
     if (p.element_size > 0 && numbers.count("element_size") == 0) divide_by_size(gmsh_itself, p);
     run_on_file(gmsh_itself, p.file, "mesh the file", [] { gmsh::model::mesh::generate(2); });
   } else {
@@ -210,14 +227,11 @@ std::string gmsh_work::looked_at(const std::string& request) {
   Gmsh gmsh_itself;
   const auto numbers = numbers_to_set(p, path.string());
   open_geo(gmsh_itself, p, numbers);
-  Drawing drawing;
-  run_on_file(gmsh_itself, p.file, "measure the file", [&] { drawing = drawing_of(p.unit); });
-  if (p.element_size > 0) {
-    drawing.divide(p.element_size);
-    refuse_too_many_cells(p, drawing);
-  } else {
+  Drawing drawing = measured(gmsh_itself, p);
+  if (p.element_size > 0)
+    refuse_too_small_cells(p, drawing);
+  else
     refuse_too_fine(gmsh_itself, p, drawing);
-  }
   return far_from_origin(drawing);
 }
 

@@ -19,13 +19,19 @@ void require_file(const std::string& file);
 [[noreturn]] void refuse_end(const std::string& file, const ChildEnd&);
 
 /// Does work; to what it refuses a line is added that may explain it.
-template <class Work>
-auto with_hint(const std::string& hint, const Work& work) {
+/// @param hint  called then alone; gives the line, or "". Where it refuses too, what work said stands
+template <class Hint, class Work>
+auto with_hint(const Hint& hint, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    if (hint.empty()) throw;
-    throw InputError(error.what() + ("\n" + hint));
+    std::string line;
+    try {
+      line = hint();
+    } catch (const InputError&) {
+    }
+    if (line.empty()) throw;
+    throw InputError(error.what() + ("\n" + line));
   }
 }
 

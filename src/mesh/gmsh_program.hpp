@@ -11,10 +11,11 @@ namespace voussoir {
 
 /// Its pieces of work, by their names.
 namespace gmsh_work {
-/// Of GmshParameters (gmsh_request.hpp). Before a drawing is meshed, in a process of its own because meshes depend on
-/// what was meshed before: refuses one that asks for too many cells. The answer may explain why gmsh fails.
+/// Of GmshParameters (gmsh_request.hpp): refuses a drawing that asks for too many cells. The answer may explain why
+/// gmsh fails. A drawing whose scene asks for no size is looked at before it is meshed: its curves are meshed for it,
+/// and what is meshed depends on what was meshed before, so that this is another process.
 constexpr const char* look_at_drawing = "look at a drawing";
-/// Of GmshParameters; the answer is a SurfaceMesh.
+/// Of GmshParameters; the answer is a SurfaceMesh. Where the scene asks for a size, it refuses too many cells itself.
 constexpr const char* mesh_drawing = "mesh a drawing";
 /// Of GmshParameters; the answer is a VolumeMesh, of cells or of borders.
 constexpr const char *mesh_volumes = "mesh volumes", *outline_volumes = "outline volumes";

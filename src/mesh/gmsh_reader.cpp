@@ -17,9 +17,11 @@ std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, cons
   on_first_rank(comm, [&] {
     if (trust == Trust::no) refuse_commands(parameters.file, parameters.file);
     const auto died = [&](const ChildEnd& end) { refuse_end(parameters.file, end); };
-    const std::string hint = ask_gmsh(gmsh_work::look_at_drawing, bytes_of(parameters), died);
+    const std::string request = bytes_of(parameters);
+    const auto look = [&] { return ask_gmsh(gmsh_work::look_at_drawing, request, died); };
+    if (!(parameters.element_size > 0)) look();
     const SurfaceMesh mesh =
-        with_hint(hint, [&] { return surface_mesh_of(ask_gmsh(gmsh_work::mesh_drawing, bytes_of(parameters), died)); });
+        with_hint(look, [&] { return surface_mesh_of(ask_gmsh(gmsh_work::mesh_drawing, request, died)); });
     list = blocks_of_surfaces(mesh);
     list.quadratic = parameters.cells == CellType::quadratic_triangle;
     if (is_mesh(parameters.file)) list.warnings = warnings_of_format(parameters.file, mesh);
