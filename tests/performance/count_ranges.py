@@ -1,6 +1,6 @@
 """Measures solve_counts.csv: what scenes cost under every kernel of OpenBLAS that this processor can run.
 
-usage: count_ranges.py TEST_SOLVE_COUNTS PROGRAM > tests/performance/solve_counts.csv
+usage: count_ranges.py PROGRAM TEST_SOLVE_COUNTS TEST_DEAR_SOLVE_COUNTS > tests/performance/solve_counts.csv
 
 A count whose most is more than twice its least, by more than ten, is one that jumps.
 """
@@ -15,8 +15,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 from kernels import kernels
 
 
-def counts(test, kernel):
+def counts(tests, kernel):
     """Per scene its four counts."""
+    return {scene: values for test in tests for scene, values in counts_of(test, kernel).items()}
+
+
+def counts_of(test, kernel):
     with tempfile.TemporaryDirectory() as folder:
         said = subprocess.run([test, "--details=ALL"], env={**os.environ, "OPENBLAS_CORETYPE": kernel}, cwd=folder,
                               capture_output=True, text=True, check=False).stdout
@@ -32,8 +36,8 @@ def told(values):
 
 
 if __name__ == "__main__":
-    able = [name for name, why in kernels(sys.argv[2]).items() if not why]
-    per_kernel = [counts(sys.argv[1], kernel) for kernel in able]
+    able = [name for name, why in kernels(sys.argv[1]).items() if not why]
+    per_kernel = [counts(sys.argv[2:], kernel) for kernel in able]
     print(f"# Least-most over the kernels {', '.join(able)} of OpenBLAS; ~ before a range that jumps from one to the next.")
     print("scene,solves,krylov,whole,patches")
     for scene in per_kernel[0]:
