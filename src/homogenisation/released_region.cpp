@@ -34,7 +34,7 @@ ReleasedRegion::ReleasedRegion(const BlockSystem& s, const ContactPoints& points
   const auto& cluster = space.cluster();
   const auto unknowns = static_cast<double>(space.map()->getGlobalNumElements());
   const auto most =
-      static_cast<int>(std::min(numbers.largest_region * unknowns, static_cast<double>(SparseLu::most_rows)));
+      static_cast<long long>(std::min(numbers.largest_region * unknowns, static_cast<double>(SparseLu::most_rows)));
   number(inside);
   for (int layer = 0; layer < numbers.layers && size_ > 0 && size_ <= most; ++layer) {
     TpetraVector mark(space.map()), seen(space.column_map());
@@ -67,11 +67,11 @@ void ReleasedRegion::number(const std::vector<char>& inside) {
   for (int i = 0; i < dim * space_.owned_clusters(); ++i)
     if (inside[i / dim] && !space_.held()[i]) unknown_.push_back(i);
   const auto& comm = *space_.map()->getComm();
-  const int mine = static_cast<int>(unknown_.size());
-  int until = 0;
+  const auto mine = static_cast<long long>(unknown_.size());
+  long long until = 0;
   Teuchos::scan(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(until));
   first_ = until - mine;
-  size_ = static_cast<int>(total_over_ranks(comm, mine));
+  size_ = total_over_ranks(comm, mine);
 }
 
 void ReleasedRegion::set_pattern(const OwnedRows& h) {
@@ -80,7 +80,7 @@ void ReleasedRegion::set_pattern(const OwnedRows& h) {
   TpetraVector mine(space_.map()), all(space_.column_map());
   mine.putScalar(-1);
   for (std::size_t i = 0; i < unknown_.size(); ++i)
-    local_view_to_write(mine)[unknown_[i]] = first_ + static_cast<double>(i);
+    local_view_to_write(mine)[unknown_[i]] = static_cast<double>(first_) + static_cast<double>(i);
   all.doImport(mine, space_.import(), Tpetra::INSERT);
   const double* number = local_view(all);
   std::vector<int> length, column;
@@ -100,7 +100,7 @@ void ReleasedRegion::set_pattern(const OwnedRows& h) {
   matrix_.column = gather_on_first(column, comm);
   known_ = true;
   if (comm.getSize() == 1) return;
-  const auto rows = [&](int first, int count) {
+  const auto rows = [&](long long first, int count) {
     std::vector<GlobalOrdinal> numbers(count);
     std::iota(numbers.begin(), numbers.end(), first);
     return Teuchos::rcp(

@@ -20,7 +20,7 @@ class ReleasedRegion {
                  const CoarseOperatorParameters& = {});
 
   /// Unknowns of all ranks; 0 where no two nodes have parted.
-  int size() const { return size_; }
+  long long size() const { return size_; }
   /// Whether so few unknowns lie in the region that to factor it is worth its time; where not, layers are missing.
   bool pays() const { return pays_; }
   /// Factors the region's part of H. Returns whether it is regular, the same on all ranks. Collective.
@@ -37,8 +37,8 @@ class ReleasedRegion {
 
   const MergedSpace& space_;
   std::vector<int> unknown_;  ///< owned ones of the region, ascending
-  int size_ = 0;              ///< of all ranks, numbered rank by rank
-  int first_ = 0;             ///< number of the first owned one
+  long long size_ = 0;        ///< of all ranks, numbered rank by rank
+  long long first_ = 0;       ///< number of the first owned one
   bool pays_ = false;
   std::vector<std::size_t> entry_;  ///< of the owned rows: where in H each entry of the region stands
   bool known_ = false;              ///< the pattern is

@@ -3,6 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "base/check.hpp"
+#include "linalg/parcels.hpp"
 #include "mesh/same_side.hpp"
 
 namespace voussoir {
@@ -51,6 +53,36 @@ std::vector<int> same_places(const std::vector<PointPlace>& points, const std::v
     }
     if (same.back() >= 0) taken[same.back()] = 1;
   }
+  return same;
+}
+
+std::vector<long long> same_places_over_ranks(const std::vector<PointPlace>& points,
+                                              const std::vector<PointPlace>& others, long long first, double near,
+                                              const Teuchos::Comm<int>& comm) {
+  struct Numbered {
+    PointPlace place;
+    long long number;
+  };
+  const auto meeting = [&](const PointPlace& p) { return static_cast<int>(p.block_i % comm.getSize()); };
+  Post<Numbered> tell(comm);
+  for (const auto& p : others) tell.add(meeting(p), {p, first++});
+  std::vector<PointPlace> here;
+  std::vector<long long> number;
+  for (const auto& other : std::move(tell).send_all()) {
+    here.push_back(other.place);
+    number.push_back(other.number);
+  }
+  Post<PointPlace> ask(comm);
+  for (const auto& p : points) ask.add(meeting(p), p);
+  // Rank by rank, since several know the points at their borders.
+  Post<long long> answer(comm);
+  for (const auto& parcel : std::move(ask).send())
+    for (const int k : same_places(parcel.items, here, near)) answer.add(parcel.rank, k < 0 ? -1 : number[k]);
+  std::vector<std::vector<long long>> from(comm.getSize());
+  for (auto& parcel : std::move(answer).send()) from[parcel.rank] = std::move(parcel.items);
+  std::vector<std::size_t> next(from.size(), 0);
+  std::vector<long long> same;
+  for (const auto& p : points) same.push_back(from[meeting(p)].at(next[meeting(p)]++));
   return same;
 }
 

@@ -122,9 +122,12 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   const TpetraVector start(*x, Teuchos::Copy);
   try {
     result.converged = manager->solve() == Belos::Converged;
+  } catch (const Belos::BelosError& error) {
+    // Curvature or directions lost to round-off, which all ranks see alike in the same sums; x holds what was reached.
+    result.failure = method + " stopped: " + last_line(error.what());
   } catch (const std::exception& error) {
-    // Anything else is curvature lost to round-off, or a preconditioner that a library fails; x holds what was reached.
-    if (is_out_of_memory(error) || is_our_mistake(error)) throw;
+    // A preconditioner that a library fails. Other ranks know nothing of it, and wait for this one.
+    if (is_out_of_memory(error) || is_our_mistake(error) || a->getDomainMap()->getComm()->getSize() > 1) throw;
     result.failure = method + " stopped: " + last_line(error.what());
   }
   result.iterations = manager->getNumIters();

@@ -77,7 +77,7 @@ class PatchCutter : public PatchSource {
   int dim_;
   Teuchos::RCP<TpetraVector> linear_;  ///< K x - f
   PointField gap_;
-  std::vector<BlockId> stuck_;  ///< ascending, the same on every rank
+  std::vector<BlockId> stuck_;  ///< that this rank knows of, ascending
   std::vector<BlockId> block_;  ///< of patches, ascending, the same on every rank
   std::vector<int> patch_;      ///< of each of them
   std::vector<int> owner_of_patch_;

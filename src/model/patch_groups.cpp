@@ -17,9 +17,9 @@ namespace {
 
 constexpr WhyWhole numbers_alone{"numbers of blocks that are stuck or parted, and which of them meet"};
 
-/// Blocks that any rank names, ascending, the same list on every rank.
-std::vector<BlockId> over_ranks(std::vector<BlockId> mine, const Teuchos::Comm<int>& comm) {
-  sort_unique(mine);
+/// Blocks that any rank names, ascending, the same list on every rank. To be asked once share_of() has told that they
+/// are not many.
+std::vector<BlockId> over_ranks(const std::vector<BlockId>& mine, const Teuchos::Comm<int>& comm) {
   auto all = all_gather(mine, comm, numbers_alone);
   sort_unique(all);
   return all;
@@ -35,7 +35,8 @@ bool PatchCutter::find_stuck(const TpetraVector& x, const PointField& lambda, do
   const auto& cluster = parts_.space.cluster();
   auto& problem = parts_.problem;
   const auto id_of = [&](int node) { return s.nodes_of(s.block_of_node()[node]).id; };
-  std::vector<BlockId> mine;
+  auto& mine = stuck_;
+  mine.clear();
   TpetraVector residual(*linear_, Teuchos::Copy);
   problem.subtract_contact_forces(lambda, residual);
   const double* off = local_view(residual);
@@ -52,23 +53,23 @@ bool PatchCutter::find_stuck(const TpetraVector& x, const PointField& lambda, do
     for (int c = dim_ * k; c < dim_ * (k + 1); ++c)
       if (std::abs(lawful[c] - lambda[c]) > threshold) mine.insert(mine.end(), {joint.block_i, joint.block_j});
   }
-  stuck_ = over_ranks(mine, *s.comm());
-  return !stuck_.empty();
+  sort_unique(mine);
+  return any_of_ranks(*s.comm(), !mine.empty());
 }
 
-/// Blocks that a selection has parted from others.
+/// Blocks that a selection has parted from others, as far as this rank knows.
 std::vector<BlockId> PatchCutter::parted_blocks() const {
-  const auto& s = parts_.structure;
   std::vector<BlockId> mine;
   for (int k = 0; k < parts_.problem.owned_points(); ++k) {
     if (!parts_.problem.selected()[k]) continue;
     const auto& joint = parts_.points.joint_of(k);
     mine.insert(mine.end(), {joint.block_i, joint.block_j});
   }
-  return over_ranks(mine, *s.comm());
+  sort_unique(mine);
+  return mine;
 }
 
-/// Of the unknowns of all stones those of some blocks. Collective.
+/// Of the unknowns of all stones those of some blocks, which their owners have to know of. Collective.
 double PatchCutter::share_of(const std::vector<BlockId>& blocks) const {
   const auto& s = parts_.structure;
   double mine = 0;
@@ -136,13 +137,18 @@ int PatchCutter::patch_of_block(BlockId b) const {
 
 bool PatchCutter::group(bool all_that_parted, double most) {
   const TrafficScope sent_for(TrafficOf::set_up);
-  const auto of = all_that_parted ? parted_blocks() : stuck_;
+  // Ranks ask of their own what they know first. What only their neighbours know of lies at their borders.
+  const auto known = all_that_parted ? parted_blocks() : stuck_;
+  if (share_of(known) > most) return false;
+  const auto& comm = *parts_.structure.comm();
+  const auto of = over_ranks(known, comm);
   if (share_of(of) > most) return false;
   const auto is_of = [&](BlockId b) { return std::binary_search(of.begin(), of.end(), b); };
   auto with_neighbours = of;
   for (const auto& j : parts_.points.joints())
     if (is_of(j.block_i) || is_of(j.block_j)) with_neighbours.insert(with_neighbours.end(), {j.block_i, j.block_j});
-  block_ = over_ranks(with_neighbours, *parts_.structure.comm());
+  sort_unique(with_neighbours);
+  block_ = over_ranks(with_neighbours, comm);
   if (share_of(block_) > most) return false;
   find_patches();
   return true;

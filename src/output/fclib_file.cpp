@@ -80,13 +80,11 @@ std::vector<long long> points_of(const SparseColumns& h, int components) {
   return points;
 }
 
-void write_open(const std::string& file, const FclibProblem& problem, bool solved, const FclibWords& words,
-                const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
+void write_all(FclibWriter& to, const FclibProblem& problem, bool solved, const FclibWords& words) {
   const std::string at = "/fclib_global";
   const auto& unknowns = problem.m.column;
   const auto& forces = problem.h.column;
   const auto n = problem.m.columns, m = problem.h.columns;
-  FclibWriter to(file, comm);
   to.number(at + "/spacedim", problem.components);
   to.matrix(at + "/M", problem.m, "N/m");
   to.matrix(at + "/H", problem.h, "-");
@@ -114,7 +112,8 @@ long long entries_of(const FclibProblem& problem, const Teuchos::Comm<int>& comm
 void write_fclib(const std::string& file, const FclibProblem& problem, bool solved, const FclibWords& words,
                  const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
   const std::string beside = file + ".part";
-  fail_together(*comm, [&] { write_open(beside, problem, solved, words, comm); });
+  FclibWriter to(beside, comm);
+  fail_together(*comm, [&] { write_all(to, problem, solved, words); });  // before it is closed, which takes all ranks
   on_first_rank(*comm, [&] { publish_file(beside, file, elsewhere); });
 }
 

@@ -11,6 +11,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/fail_together.hpp"
 #include "linalg/reduce.hpp"
 #include "output/safe_file.hpp"
 
@@ -78,15 +79,17 @@ FieldsFile::FieldsFile(const std::string& path, Teuchos::RCP<const Teuchos::Comm
       dim_(dim),
       file_(path, comm_, steps > 0 ? Hdf5File::Mode::append : Hdf5File::Mode::create) {
   VOUSSOIR_EXPECT(dim == 2 || dim == 3);
-  const std::filesystem::path fields(path);
-  folder_ = fields.parent_path().string();
-  xdmf_.fields = fields.filename().string();
-  xdmf_.dim = dim;
-  for (int k = 1; k <= steps; ++k) {
-    const auto group = step_group(k);
-    const bool timed = file_.has_attribute(group, "time_s");
-    list(group, timed ? file_.read_attribute<double>(group, "time_s") : k, timed);
-  }
+  fail_together(*comm_, [&] {  // before the file is closed, which takes all ranks
+    const std::filesystem::path fields(path);
+    folder_ = fields.parent_path().string();
+    xdmf_.fields = fields.filename().string();
+    xdmf_.dim = dim;
+    for (int k = 1; k <= steps; ++k) {
+      const auto group = step_group(k);
+      const bool timed = file_.has_attribute(group, "time_s");
+      list(group, timed ? file_.read_attribute<double>(group, "time_s") : k, timed);
+    }
+  });
 }
 
 FieldsFile::Rows FieldsFile::counted(const std::vector<long long>& ids) const {

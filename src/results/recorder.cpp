@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "blocks/stresses.hpp"
+#include "linalg/fail_together.hpp"
 #include "linalg/reduce.hpp"
 #include "model/handed_over.hpp"
 #include "model/joint_strength.hpp"
@@ -51,15 +52,6 @@ Recorder::Recorder(const Scene& scene, const Model& model, const AdaptiveStep& s
     : model_(model), step_(step), observations_(scene, model), record_(so_far) {
   Phase phase("output");
   const auto& comm = model.structure().comm();
-  history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps, observations_.columns());
-  if (scene.output.fields) {
-    const std::string path = folder + "/fields.h5";
-    const bool kept = so_far.written > 0 && cut_fields(path, so_far.written, *comm);
-    fields_lost_ = so_far.written > 0 && !kept;
-    if (!kept) record_.written = 0;
-    fields_ = std::make_unique<FieldsFile>(path, comm, model.components(), record_.written);
-    write_tables();
-  }
   auto& sum = record_.summary;
   sum.scene = scene.file;
   sum.ranks = comm->getSize();
@@ -68,6 +60,15 @@ Recorder::Recorder(const Scene& scene, const Model& model, const AdaptiveStep& s
   sum.nodes = model.structure().total_nodes();
   sum.unknowns = model.components() * sum.nodes;
   sum.candidate_points = model.points().total();
+  history_ = std::make_unique<History>(folder + "/history.csv", comm, so_far.summary.steps, observations_.columns());
+  if (scene.output.fields) {
+    const std::string path = folder + "/fields.h5";
+    const bool kept = so_far.written > 0 && cut_fields(path, so_far.written, *comm);
+    fields_lost_ = so_far.written > 0 && !kept;
+    if (!kept) record_.written = 0;
+    fields_ = std::make_unique<FieldsFile>(path, comm, model.components(), record_.written);
+    fail_together(*comm, [this] { write_tables(); });  // before the file is closed, which takes all ranks
+  }
 }
 
 void Recorder::write_tables() {

@@ -28,7 +28,7 @@ inline bool jumped(const StepReport& report, const StepParameters& numbers) {
 /// @param when  stage and load factor
 inline Warnings lost_in_jump(double lost, const Energies& book, const std::string& when) {
   constexpr double seen = 0.01;  // of the energy that went in: less is hidden by the size of steps
-  const double in = std::max(book.external_work, book.elastic);
+  const double in = std::max({0.0, book.external_work, book.elastic});  // no energy goes into stones that only turn
   if (!(lost > seen * in)) return {};
   return {
       {"lost_in_jump", "the structure", when, lost,

@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "linalg/fail_together.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/phase.hpp"
 #include "range/input_warnings.hpp"
@@ -66,11 +67,17 @@ Run::Run(const Scene& scene, Model& model, const Appraisal& appraisal, const Run
   if (branched) branched->copy_records(scene.output.fields);
   // What is looked up by place is looked up where the structure was drawn, then it goes to where it has moved to.
   recorder_ = std::make_unique<Recorder>(scene, model, step_, options.folder, so_far);
-  if ((options.restart || branched) && model.settings().rotations == Rotations::finite)
-    model_.move_geometry(state_.displacement);
-  if (recorder_->fields_lost())
-    say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
-  narrator_ = std::make_unique<Narrator>(say, options.verbose, seconds_since_start());
+  fail_together(*model_.structure().comm(), [&] {  // before its files are closed, which takes all ranks
+    if ((options.restart || branched) && model.settings().rotations == Rotations::finite)
+      model_.move_geometry(state_.displacement);
+    if (recorder_->fields_lost())
+      say << "fields.h5 is missing or was damaged when the run was interrupted: fields begin anew from here.\n";
+    tell_of_solves(options.verbose);
+  });
+}
+
+void Run::tell_of_solves(bool verbose) {
+  narrator_ = std::make_unique<Narrator>(say_, verbose, seconds_since_start());
   progress_.print = [this](const NewtonProgress& p) { narrator_->solve(p); };
   progress_.print_round = [this](int round, long long selected, double estimate) {
     narrator_->round(round, selected, estimate);

@@ -69,6 +69,7 @@ class Run {
     bool collapse() const { return report.newton.outcome == NewtonOutcome::collapse; }
   };
 
+  void tell_of_solves(bool verbose);
   /// A load step, a time step or an attempt at a load factor. False when the run ends here.
   bool one_step();
 

@@ -131,12 +131,15 @@ LocalRows point_rows(Checkpoint& checkpoint, const Model& model) {
     PlaceRows(here).keep(checkpoint, rows);
     return rows;
   }
-  LocalRows all{{}, rows.total, rows.total};
-  for (long long k = 0; k < rows.total; ++k) all.ids.push_back(k);
-  PlaceRows saved(std::vector<PointPlace>(static_cast<std::size_t>(rows.total)));
-  saved.keep(checkpoint, all);
-  const auto same = same_places(here, saved.list(), near * model.structure().size());
-  rows.ids.assign(same.begin(), same.end());
+  const auto& comm = *model.structure().comm();
+  const auto bound = [&](long long rank) {
+    return rows.total / comm.getSize() * rank + std::min(rank, rows.total % comm.getSize());
+  };
+  LocalRows even{{}, bound(comm.getRank() + 1) - bound(comm.getRank()), rows.total};
+  for (long long k = 0; k < even.owned; ++k) even.ids.push_back(bound(comm.getRank()) + k);
+  PlaceRows saved(std::vector<PointPlace>(even.ids.size()));
+  saved.keep(checkpoint, even);
+  rows.ids = same_places_over_ranks(here, saved.list(), bound(comm.getRank()), near * model.structure().size(), comm);
   return rows;
 }
 
@@ -307,8 +310,8 @@ void SavedRun::save(const RunState& run) {
   VOUSSOIR_EXPECT(is_of_nodes(model_, run.load) && "load: of node copies");
   Phase phase("output");
   const auto comm = model_.structure().comm();
-  fail_together(*comm, [&] {
-    Checkpoint checkpoint(path_, comm, Checkpoint::Way::save);
+  Checkpoint checkpoint(path_, comm, Checkpoint::Way::save);
+  fail_together(*comm, [&] {  // before it is closed, which takes all ranks
     write(checkpoint, run);
     checkpoint.publish();
   });
@@ -347,10 +350,8 @@ void SavedRun::save_when_due(const RunState& run) {
 std::vector<std::string> SavedRun::restore(const RunState& run) const {
   Phase phase("output");
   const auto comm = model_.structure().comm();
-  return fail_together(*comm, [&] {
-    Checkpoint checkpoint(source_, comm, Checkpoint::Way::restore);
-    return read(checkpoint, run);
-  });
+  Checkpoint checkpoint(source_, comm, Checkpoint::Way::restore);
+  return fail_together(*comm, [&] { return read(checkpoint, run); });
 }
 
 std::vector<std::string> SavedRun::read(Checkpoint& checkpoint, const RunState& run) const {

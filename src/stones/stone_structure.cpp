@@ -13,6 +13,7 @@
 #include "stones/overlaps.hpp"
 #include "stones/repair.hpp"
 #include "stones/stone_files.hpp"
+#include "stones/stone_text.hpp"
 
 namespace voussoir {
 namespace {
@@ -172,8 +173,12 @@ class Teller {
     const double nearest = distance_to_others(without[0]);
     warn("stones_without_joint", static_cast<double>(alone.size()),
          counted(alone.size(), "stone shares", "stones share") + " no joint with another (" + list_of(alone, 5) +
-             "), " + alone[0] + " is " + metres(nearest) +
-             " from the next: raise mesh > stones > joint tolerance where they are meant to touch");
+             "), " + alone[0] +
+             (nearest > s_.tolerance
+                  ? " is " + metres(nearest) +
+                        " from the next: raise mesh > stones > joint tolerance where they are meant to touch"
+                  : " touches the next in no face, but at an edge, a corner or a sliver that was left out: draw where "
+                    "they are meant to touch"));
   }
 
   /// [m] from a stone to the nearest of those whose boxes may be nearer than the nearest so far.
@@ -251,8 +256,22 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
   return s;
 }
 
+/// Refuses a stone that is called as a set is that every scene knows.
+void refuse_names_of_sets(const std::string& file, const std::vector<StoneSurface>& stones) {
+  const bool flagged = std::any_of(stones.begin(), stones.end(), [](const auto& stone) { return stone.support; });
+  for (const auto& stone : stones) {
+    const std::string means = stone.name == "all"                   ? "every stone"
+                              : stone.name == "one neighbour"       ? "all stones that touch one other"
+                              : stone.name == "supports" && flagged ? "all that the file calls supports"
+                                                                    : "";
+    if (!means.empty())
+      refuse_stones(file, in_words(stone) + " has a name that always means " + means, "Give it another");
+  }
+}
+
 StoneStructure structure_of(const StonesParameters& p) {
   auto drawn = read_stones(p.file, p.unit);
+  refuse_names_of_sets(p.file, drawn);
   for (auto& stone : drawn) turn_up(p.up, stone.points);
   return structure_of(drawn, p);
 }

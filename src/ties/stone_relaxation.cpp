@@ -258,13 +258,13 @@ RelaxedStones StoneRelaxation<dim>::relax(const std::vector<double>& bearable, i
   const auto begun = measure(lacks);
   std::vector<double> lacks_there;
   double lacking_there = 0;
-  if (!known_.empty()) {
-    go_to(known_);
+  if (known_) {
+    go_to(*known_);
     lacking_there = measure(lacks_there).stones;
   }
   auto [lacking, force, loose_already, there] = over_ranks(begun, lacking_there);
-  if (!known_.empty() && lacking > 0 && there == 0) return {lacks_there, loose_already > 0};
-  if (!known_.empty()) take_back();
+  if (known_ && lacking > 0 && there == 0) return {lacks_there, loose_already > 0};
+  if (known_) take_back();
   double least = force;  // [N] that all stones which lack too much have lacked together
   // A push crosses a stone in a sweep, and may have to cross the whole structure before anything gets better.
   const auto across = static_cast<int>(std::sqrt(static_cast<double>(model_.structure().total_blocks())));

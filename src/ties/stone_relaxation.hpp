@@ -11,6 +11,7 @@
 // nothing is searched. Where they do not, the search begins as if there had been none.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/model.hpp"
@@ -107,7 +108,8 @@ class StoneRelaxation {
       way_;                                    ///< of local blocks: from where they began, and in the last sweep
   std::vector<StoneVector<dim>> lack_;         ///< of owned blocks
   std::vector<StoneVector<dim>> known_alone_;  ///< of local blocks: where balance was found, alone
-  std::vector<StoneVector<dim>> known_;        ///< and together
+  /// And together: of local blocks. All ranks have a list or none has, one of no stones where there are none.
+  std::optional<std::vector<StoneVector<dim>>> known_;
 };
 
 extern template class StoneRelaxation<2>;

@@ -30,7 +30,7 @@ GRAVITY, DENSITY, FRICTION = 9.81, 2000.0, 0.7
 FACTOR_TOLERANCE = 0.05  # a step of a search, and joints whose edge is a cell wide
 ENCLOSED = 3e-3  # pyramids are made finer until they differ from cones by a thousandth; one cell is round-off of places
 DURATION, TIME_STEP = 0.1, 0.002  # [s]
-LONGEST = 300  # [s] of a run
+LONGEST = 1500  # [s] of a run, for hangs
 WAYS = {"hangs": ("load step", "construction", "time"), "slides": ("load step", "load factor", "time"),
         "tips": ("load step", "load factor"), "wedge": ("load step", "time")}
 

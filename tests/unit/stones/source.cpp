@@ -50,6 +50,22 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
   TEST_EQUALITY(graph_of(*read).neighbour.size(), 6u);
 }
 
+// A support on such a set would hold the stone of that name too, or that stone in the place of the set.
+TEUCHOS_UNIT_TEST(StoneSource, RefusesNamesThatMeanSets) {
+  const auto comm = Tpetra::getDefaultComm();
+  StonesParameters p;
+  p.file = "named.obj";
+  const auto refused = [&](const std::string& name) {
+    auto stones = corner();
+    stones[2].name = name;
+    if (comm->getRank() == 0) write_obj(p.file, stones);
+    return input_error([&] { read_stone_blocks(p, *comm); });
+  };
+  TEST_ASSERT(holds(refused("all"), "always means every stone"));
+  TEST_ASSERT(holds(refused("one neighbour"), "always means all stones that touch one other"));
+  TEST_EQUALITY(refused("supports"), "");  // no stone of an OBJ file is called a support
+}
+
 TEUCHOS_UNIT_TEST(StoneSource, RefusesOnEveryRank) {
   const auto comm = Tpetra::getDefaultComm();
   auto stones = corner();

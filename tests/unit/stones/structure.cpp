@@ -86,6 +86,13 @@ TEUCHOS_UNIT_TEST(Structure, JointsLeftOpenForMortarAreTold) {
   TEST_ASSERT(touching.warnings.empty());
 }
 
+TEUCHOS_UNIT_TEST(Structure, StonesThatMeetAtAnEdgeAreToldSo) {
+  const auto s = structure_of({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1, 0, 1}, {2, 1, 2})}, {});
+  TEST_EQUALITY(s.warnings.size(), 1u);
+  TEST_EQUALITY(s.warnings[0].what, "stones_without_joint");
+  TEST_ASSERT(holds(s.warnings[0].text, "touches the next in no face"));
+}
+
 TEUCHOS_UNIT_TEST(Structure, JointsThatWeldingClosesAreJointsAndAreTold) {
   // Joints by default are 0.002 of the stones, which have a size of 1; corners are one up to 0.006.
   const auto a = box("a", {0, 0, 0}, {1, 1, 1}), b = box("b", {1.005, 0, 0}, {2.005, 1, 1}),
