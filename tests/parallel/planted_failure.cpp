@@ -1,6 +1,6 @@
 // A library that makes one rank fail in one exchange: loaded before a program (LD_PRELOAD) it stands in the place of
-// MPI's calls, counts those of rank FAILING_RANK, and throws in the place of number FAILING_CALL. With number 0 it throws
-// nowhere, and says at the end how many there were.
+// MPI's calls, counts those of rank FAILING_RANK, and throws in the place of number FAILING_CALL. With number 0 it
+// throws nowhere, and says at the end how many there were.
 //
 // Calls of libraries written in C or Fortran, of HDF5 and MUMPS among them, pass: what is thrown must not go through
 // them. So do looks for messages (MPI_Iprobe), of which there are more the longer one waits.
