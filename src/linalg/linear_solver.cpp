@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
+#include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
@@ -125,8 +126,10 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
   } catch (const Belos::BelosError& error) {
     // Curvature or directions lost to round-off, which all ranks see alike in the same sums; x holds what was reached.
     result.failure = method + " stopped: " + last_line(error.what());
+  } catch (const SolverFailure& error) {  // of all ranks
+    result.failure = method + " stopped: " + last_line(error.what());
   } catch (const std::exception& error) {
-    // A preconditioner that a library fails. Other ranks know nothing of it, and wait for this one.
+    // A library has failed in the preconditioner. Other ranks know nothing of it, and wait for this one.
     if (is_out_of_memory(error) || is_our_mistake(error) || a->getDomainMap()->getComm()->getSize() > 1) throw;
     result.failure = method + " stopped: " + last_line(error.what());
   }

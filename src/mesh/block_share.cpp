@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "base/sort_unique.hpp"
@@ -53,26 +52,13 @@ BlockShare share_of(const BlockSource<dim>& source, const std::vector<int>& owne
 
 }  // namespace
 
-/// What the blocks that a rank reads bring their owners, in unknowns: motions of their nodes, and half of the forces of
-/// the points that may come to be where they share vertices with others.
-template <int dim>
-std::vector<double> weights_of(const BlockSource<dim>& source, const BlockSpan& read, const BlockGraph& graph) {
-  std::vector<double> weight;
-  for (BlockId b = read.from; b < read.to; ++b) {
-    const auto* shared = graph.shared_vertices.data();
-    const int points = std::accumulate(shared + graph.start[b - read.from], shared + graph.start[b - read.from + 1], 0);
-    weight.push_back(dim * (source.node_count(b) + points / 2.0));
-  }
-  return weight;
-}
-
 template <int dim>
 BlockShare share_out(const BlockSource<dim>& source, const Teuchos::Comm<int>& comm,
                      const PartitionSettings& settings) {
   const auto read = source.read_by(comm.getRank(), comm.getSize());
-  const auto graph = graph_of(source, read);
-  const auto weight = weights_of(source, read, graph);
-  return share_of(source, partition(graph, weight, source.block_count(), comm, settings), comm);
+  std::vector<double> weight;
+  for (BlockId b = read.from; b < read.to; ++b) weight.push_back(static_cast<double>(dim) * source.node_count(b));
+  return share_of(source, partition(graph_of(source, read), weight, source.block_count(), comm, settings), comm);
 }
 
 template <int dim>

@@ -46,7 +46,7 @@ STOPPED = 5  # exit code of a run that a signal stopped
 # loads may act on it while it is not there. Joints that soften may snap where a support settles, and tell what energy that took.
 MAY_SAY = {"velocity_dropped", "time_step_over_load", "unusual_value"}
 MAY_SAY_IN_CONSTRUCTION = {"load_on_absent_stones"}
-MAY_SAY_OF_SOFTENING = {"lost_in_jump"}
+MAY_SAY_OF_SOFTENING = {"lost_in_jump", "forces_undetermined"}
 SNAP = 0.05  # of the largest energy: five times what is told at all; more is no joint that snaps but a structure that falls
 
 
