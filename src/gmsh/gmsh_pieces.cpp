@@ -2,12 +2,14 @@
 // piece is must not depend on those before it.
 #include <gmsh.h>
 
+#include <map>
 #include <numeric>
 #include <utility>
 
 #include "gmsh/gmsh_session.hpp"
 #include "gmsh/gmsh_works.hpp"
 #include "stones/gmsh_pieces.hpp"
+#include "stones/polygon.hpp"
 
 namespace voussoir {
 namespace {
@@ -25,44 +27,94 @@ class Tags {
   std::vector<int> number_;
 };
 
+/// A part of a flat domain, and its border as curves of gmsh.
+struct FlatPart {
+  Polygon outline;
+  std::vector<int> curves;  ///< loops, the outer one first
+};
+
+/// Borders of a domain, in units of its size. Where one touches itself or another the curves share a point.
+class FlatBorders {
+ public:
+  explicit FlatBorders(const FlatDomain& domain) : domain_(domain), origin_(domain.loops[0][0]) {
+    std::vector<std::pair<Polygon, int>> holes;
+    for (std::size_t k = 0; k < domain.loops.size(); ++k) {
+      const auto& loop = domain.loops[k];
+      for (const auto& apart : loops_apart(loop)) {
+        Polygon outline;
+        for (const int n : apart) outline.push_back(loop[n]);
+        // What the border touches from within is a hole, and what touches a hole from within is a part.
+        const bool as_whole = (area(outline) > 0) == (area(loop) > 0);
+        if (as_whole == (k == 0))
+          parts_.push_back({outline, {curve(outline)}});
+        else
+          holes.emplace_back(outline, curve(outline));
+      }
+      for (const auto& x : loop) corners_.push_back(point(x));
+    }
+    for (const auto& [outline, curve] : holes) part_around(outline).curves.push_back(curve);
+  }
+  const std::vector<FlatPart>& parts() const { return parts_; }
+  const std::vector<int>& corners() const { return corners_; }  ///< of all loops in their order, as points of gmsh
+
+ private:
+  int point(const Vector<2>& x) {
+    const auto [known, is_new] = point_.emplace(x, 0);
+    const auto p = (1 / domain_.size) * (x - origin_);
+    if (is_new) known->second = gmsh::model::geo::addPoint(p[0], p[1], 0);
+    return known->second;
+  }
+  int curve(const Polygon& outline) {
+    std::vector<int> lines;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      lines.push_back(gmsh::model::geo::addLine(point(outline[k]), point(outline[(k + 1) % outline.size()])));
+      gmsh::model::geo::mesh::setTransfiniteCurve(lines.back(), 2);
+    }
+    return gmsh::model::geo::addCurveLoop(lines);
+  }
+  /// A hole may touch its part in corners, not in the middle of its edges.
+  FlatPart& part_around(const Polygon& hole) {
+    const Vector<2> middle = 0.5 * (hole[0] + hole[1]);
+    for (auto& part : parts_)
+      if (holds(part.outline, middle)) return part;
+    return parts_.front();
+  }
+
+  const FlatDomain& domain_;
+  Vector<2> origin_;
+  std::map<Vector<2>, int> point_;
+  std::vector<FlatPart> parts_;
+  std::vector<int> corners_;
+};
+
 FlatMesh mesh_one(Gmsh& gmsh_itself, const FlatDomain& domain) {
   FlatMesh mesh;
   const auto& origin = domain.loops[0][0];
   mesh.failure = gmsh_itself.run_piece([&] {
-    namespace geo = gmsh::model::geo;
-    std::vector<int> points, curves;
-    for (const auto& loop : domain.loops) {
-      const std::size_t first = points.size();
-      for (const auto& x : loop) {
-        const auto p = (1 / domain.size) * (x - origin);
-        points.push_back(geo::addPoint(p[0], p[1], 0));
-      }
-      std::vector<int> lines;
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        lines.push_back(geo::addLine(points[first + k], points[first + (k + 1) % loop.size()]));
-        geo::mesh::setTransfiniteCurve(lines.back(), 2);
-      }
-      curves.push_back(geo::addCurveLoop(lines));
-    }
-    const int surface = geo::addPlaneSurface(curves);
-    geo::synchronize();
+    const FlatBorders borders(domain);
+    const auto& points = borders.corners();
+    std::vector<int> surfaces;
+    for (const auto& part : borders.parts()) surfaces.push_back(gmsh::model::geo::addPlaneSurface(part.curves));
+    gmsh::model::geo::synchronize();
     gmsh::model::mesh::generate(2);
     Tags tags;
-    std::vector<std::size_t> nodes, elements;
+    std::vector<std::size_t> nodes;
     std::vector<double> x, parametric;
     for (std::size_t k = 0; k < points.size(); ++k) {
       gmsh::model::mesh::getNodes(nodes, x, parametric, 0, points[k]);
       tags.set(nodes.at(0), static_cast<int>(k));
     }
-    gmsh::model::mesh::getNodes(nodes, x, parametric, 2, surface);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      tags.set(nodes[k], static_cast<int>(points.size() + k));
-      mesh.inside.push_back(origin + domain.size * Vector<2>{x[3 * k], x[3 * k + 1]});
+    for (const int surface : surfaces) {
+      gmsh::model::mesh::getNodes(nodes, x, parametric, 2, surface);
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        tags.set(nodes[k], static_cast<int>(points.size() + mesh.inside.size()));
+        mesh.inside.push_back(origin + domain.size * Vector<2>{x[3 * k], x[3 * k + 1]});
+      }
+      std::vector<std::size_t> elements, corners;  // empty: gmsh takes lists with members for memory of the right size
+      gmsh::model::mesh::getElementsByType(2, elements, corners, surface);
+      for (std::size_t k = 0; k < corners.size(); k += 3)
+        mesh.triangles.push_back({tags[corners[k]], tags[corners[k + 1]], tags[corners[k + 2]]});
     }
-    std::vector<std::size_t> corners;  // empty: gmsh takes lists with members for memory of the right size
-    gmsh::model::mesh::getElementsByType(2, elements, corners, surface);
-    for (std::size_t k = 0; k < corners.size(); k += 3)
-      mesh.triangles.push_back({tags[corners[k]], tags[corners[k + 1]], tags[corners[k + 2]]});
   });
   return mesh;
 }

@@ -107,6 +107,21 @@ bool holds(const Polygon& p, const Vector<2>& x) {
   return inside;
 }
 
+std::vector<std::vector<int>> loops_apart(const Polygon& border) {
+  std::vector<std::vector<int>> loops;
+  std::vector<int> open;
+  for (int k = 0; k < static_cast<int>(border.size()); ++k) {
+    const auto again = std::find_if(open.begin(), open.end(), [&](int n) { return border[n] == border[k]; });
+    if (again != open.end()) {
+      loops.emplace_back(again, open.end());
+      open.erase(again, open.end());
+    }
+    open.push_back(k);
+  }
+  loops.push_back(open);
+  return loops;
+}
+
 Polygon common_part(Polygon p, const Polygon& clip) {
   for (std::size_t side = 0; side < clip.size(); ++side) {
     const auto &from = clip[side], &to = clip[(side + 1) % clip.size()];

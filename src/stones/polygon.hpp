@@ -23,6 +23,10 @@ bool is_convex(const Polygon&, double slack);
 /// Whether a point lies inside: odd numbers of edges lie to its right.
 bool holds(const Polygon&, const Vector<2>&);
 
+/// A border that comes to a place again touches itself there: the corners, by number, of loops that do not, each from
+/// where it touches on. One loop where it touches itself nowhere.
+std::vector<std::vector<int>> loops_apart(const Polygon&);
+
 /// What is common to a convex polygon and a convex one that clips it; fewer than three corners when nothing is.
 ///
 /// Theory  I. E. Sutherland, G. W. Hodgman, Commun. ACM 17 (1974) 32-42.

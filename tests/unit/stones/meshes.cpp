@@ -220,4 +220,30 @@ TEUCHOS_UNIT_TEST(StoneMeshes, ASurfaceThatCannotBeFilledFailsAlone) {
   TEST_ASSERT(meshes[2].cells == meshes[0].cells);
 }
 
+double area_of(const FlatMesh& mesh, const FlatDomain& domain) {
+  Polygon nodes;
+  for (const auto& loop : domain.loops) nodes.insert(nodes.end(), loop.begin(), loop.end());
+  nodes.insert(nodes.end(), mesh.inside.begin(), mesh.inside.end());
+  double sum = 0;
+  for (const auto& t : mesh.triangles) sum += area({nodes[t[0]], nodes[t[1]], nodes[t[2]]});
+  return sum;
+}
+
+// As where measured corners fall on each other: what is cut out of a face touches its border from within, a face hangs
+// together in a corner, or two holes touch.
+TEUCHOS_UNIT_TEST(Meshes, FacesWhoseBordersTouchThemselvesAreMeshed) {
+  const Polygon square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const FlatDomain hole_at_a_corner{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 2}, {2, 1}}}, 0.8};
+  const FlatDomain two_parts{{{{0, 0}, {2, 0}, {2, 2}, {4, 2}, {4, 4}, {2, 4}, {2, 2}, {0, 2}}}, 0.8};
+  const FlatDomain holes_that_touch{{square, {{2, 2}, {1, 3}, {3, 3}}, {{2, 2}, {3, 1}, {1, 1}}}, 0.8};
+  const FlatDomain island{{square, {{1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}, {2.5, 1.5}, {1.5, 2.5}}}, 0.8};
+  const std::vector<FlatDomain> domains{hole_at_a_corner, two_parts, holes_that_touch, island};
+  const std::vector<double> areas{16 - 1.5, 8, 16 - 2, 16 - 4 + 1};
+  const auto meshes = meshed(domains);
+  for (std::size_t k = 0; k < domains.size(); ++k) {
+    TEST_EQUALITY(meshes[k].failure, "");
+    TEST_FLOATING_EQUALITY(area_of(meshes[k], domains[k]), areas[k], 1e-12);
+  }
+}
+
 }  // namespace

@@ -74,4 +74,16 @@ TEUCHOS_UNIT_TEST(Polygon, ASaddleIsCutAlikeFromEitherSide) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Polygon, ABorderThatTouchesItselfIsLoopsThatDoNot) {
+  const Polygon square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  TEST_ASSERT((loops_apart(square) == std::vector<std::vector<int>>{{0, 1, 2, 3}}));
+  // A hole that touches the corner at the origin, and another that touches that hole.
+  const Polygon touched{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 3}, {2, 4}, {4, 4}, {2, 4}, {3, 1}};
+  const auto loops = loops_apart(touched);
+  TEST_EQUALITY(loops.size(), 3u);
+  TEST_ASSERT((loops[0] == std::vector<int>{0, 1, 2, 3}));
+  TEST_ASSERT((loops[1] == std::vector<int>{6, 7}));  // an edge there and back
+  TEST_ASSERT((loops[2] == std::vector<int>{4, 5, 8, 9}));
+}
+
 }  // namespace
