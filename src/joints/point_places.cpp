@@ -63,7 +63,10 @@ std::vector<long long> same_places_over_ranks(const std::vector<PointPlace>& poi
     PointPlace place;
     long long number;
   };
-  const auto meeting = [&](const PointPlace& p) { return static_cast<int>(p.block_i % comm.getSize()); };
+  const auto ranks = static_cast<unsigned>(comm.getSize());
+  const auto meeting = [ranks](const PointPlace& p) {
+    return static_cast<int>(static_cast<unsigned>(p.block_i) % ranks);
+  };
   Post<Numbered> tell(comm);
   for (const auto& p : others) tell.add(meeting(p), {p, first++});
   std::vector<PointPlace> here;
