@@ -43,11 +43,10 @@ PATIENCE = 300  # [s] of a run
 STOPPED = 5  # exit code of a run that a signal stopped
 # What any of these scenes may say and mean: load steps drop the velocity of a structure that still moves, and a time step
 # is longer than a piece of its pulse. A force drawn by lot may be as small as nobody gives it. Where a stone comes or goes,
-# loads may act on it while it is not there. Joints that soften may snap where a support settles, and tell what energy that took;
-# where stones meet in threes their strength leaves open how forces run round.
+# loads may act on it while it is not there. Joints that soften may snap where a support settles, and tell what energy that took.
 MAY_SAY = {"velocity_dropped", "time_step_over_load", "unusual_value"}
 MAY_SAY_IN_CONSTRUCTION = {"load_on_absent_stones"}
-MAY_SAY_OF_SOFTENING = {"lost_in_jump", "forces_undetermined"}
+MAY_SAY_OF_SOFTENING = {"lost_in_jump"}
 SNAP = 0.05  # of the largest energy: five times what is told at all; more is no joint that snaps but a structure that falls
 
 

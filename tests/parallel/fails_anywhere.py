@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = pathlib.Path("fails-anywhere").resolve()
 RANK, RANKS, LIMIT = 1, 2, 60
 SCENES = {
-    "load steps": ("wall", ["selection/mode=adaptive", "output/checkpoint every=1"]),
+    "load steps": ("wall", ["selection/mode=adaptive"]),
     "time steps": ("sliding-block", ["steps/stages/sliding/duration=2e-3", "steps/stages/sliding/time step=1e-4"]),
     "in space": ("wall-in-space", ["mesh/wall in space/courses=3"]),
     "limit analysis": ("doorway", []),
@@ -32,7 +32,7 @@ def run(command, name, sets, extra, call):
         line += ["-x", f"{variable}={value}"]
     out = FOLDER / f"{name}-{call}"
     line += [command["program"], f"--xml={ROOT / 'xml' / name}.xml", f"--out={out}", "--overwrite", "--quiet", *extra]
-    for one in sets:
+    for one in [*sets, "output/checkpoint every=1"]:
         line += ["--set", one]
     with open(FOLDER / "said.txt", "w+", encoding="utf-8") as said:
         child = subprocess.Popen(line, stdout=said, stderr=said, start_new_session=True)
