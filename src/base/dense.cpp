@@ -7,6 +7,9 @@
 namespace voussoir {
 namespace {
 
+// [-] What is left of a column beside others on which it depends is its round-off, a few hundred times less than this.
+constexpr double depends = 1e-13;
+
 template <int n>
 using Rows = Eigen::Matrix<double, n, n, Eigen::RowMajor>;
 
@@ -44,6 +47,21 @@ Matrix<3> solve_general(const Matrix<3>& m, const Matrix<3>& a) {
 }
 
 double determinant(const Matrix<3>& a) { return view(a).determinant(); }
+
+std::vector<double> least_squares(const std::vector<std::vector<double>>& columns, const std::vector<double>& b) {
+  const auto rows = static_cast<Eigen::Index>(b.size());
+  Eigen::MatrixXd a(rows, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    VOUSSOIR_EXPECT(columns[j].size() == b.size());
+    a.col(static_cast<Eigen::Index>(j)) = Eigen::Map<const Eigen::VectorXd>(columns[j].data(), rows);
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(a.rows(), a.cols());
+  factors.setThreshold(depends);
+  std::vector<double> x(columns.size());
+  Eigen::Map<Eigen::VectorXd>(x.data(), a.cols()) =
+      factors.compute(a).solve(Eigen::Map<const Eigen::VectorXd>(b.data(), rows));
+  return x;
+}
 
 Eigenvectors eigenvectors(const Matrix<4>& a) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(Eigen::Map<const Rows<4>>(a[0].data()));

@@ -24,6 +24,10 @@ Matrix<3> solve_general(const Matrix<3>& m, const Matrix<3>& a);
 
 double determinant(const Matrix<3>&);
 
+/// The x with the least |sum x_i column_i - b|; where columns depend on each other to round-off those that the others
+/// stand for count for nothing. At least one column, each as long as b.
+std::vector<double> least_squares(const std::vector<std::vector<double>>& columns, const std::vector<double>& b);
+
 /// Eigenvalues of a symmetric matrix, ascending, with their eigenvectors of length one, a row each.
 struct Eigenvectors {
   Vector<4> value;

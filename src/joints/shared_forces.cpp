@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/half_spaces.hpp"
 #include "base/orthogonal.hpp"
 
 namespace voussoir {
@@ -16,10 +17,6 @@ using Rows = std::vector<std::vector<double>>;
 
 // Coefficients of balance are cosines: what elimination leaves of one that vanishes is round-off, far below this.
 constexpr double vanishing_cosine = 1e-10;
-// Sweeps over bounds of the law, each of which brings the split nearer to the least lawful one by a share that depends
-// on angles between the bounds alone; where there is none they would go on for ever.
-constexpr int most_sweeps = 1000;
-constexpr double exact = 1e-13;  // [-] of the largest force
 // [-] of the largest force: so far within its law a point is left that bears what it can, or round-off would decide
 // whether it sticks. A hundred times what solvers leave of forces.
 constexpr double within = 1e-6;
@@ -68,34 +65,6 @@ Rows null_space(Rows rows, int unknowns) {
     basis.push_back(z);
   }
   return basis;
-}
-
-/// A bound of the law: slope . y >= least.
-struct Bound {
-  std::vector<double> slope;
-  double least = 0;
-};
-
-/// The shortest y within all bounds (Hildreth's method); none where there is no such y.
-std::vector<double> shortest(const std::vector<Bound>& bounds, std::size_t size, double round_off) {
-  std::vector<double> y(size, 0.0), multiplier(bounds.size(), 0.0);
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double worst = 0;
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      const auto& b = bounds[i];
-      const double square = product(b.slope, b.slope), lacks = b.least - product(b.slope, y);
-      if (square <= vanishing_cosine * vanishing_cosine) {
-        worst = std::max(worst, lacks > round_off ? lacks : 0.0);  // nothing moves it
-        continue;
-      }
-      const double change = std::max(lacks / square, -multiplier[i]);
-      multiplier[i] += change;
-      for (std::size_t j = 0; j < size; ++j) y[j] += change * b.slope[j];
-      worst = std::max(worst, std::abs(change) * std::sqrt(square));
-    }
-    if (worst <= round_off) return y;
-  }
-  return {};
 }
 
 /// Makes vectors orthonormal.
@@ -179,10 +148,9 @@ class LawfulSplit {
   }
 
   /// The shortest change within all laws; none where there is no such change.
-  std::vector<double> shortest_change(double round_off) {
-    auto y = shortest(bounds_, basis_.size(), round_off);
-    for (int cut = 0; n_ == 3 && !y.empty() && cut < most_cuts && cut_discs(y); ++cut)
-      y = shortest(bounds_, basis_.size(), round_off);
+  std::vector<double> shortest_change() {
+    auto y = within_bounds();
+    for (int cut = 0; n_ == 3 && !y.empty() && cut < most_cuts && cut_discs(y); ++cut) y = within_bounds();
     return y;
   }
 
@@ -194,15 +162,21 @@ class LawfulSplit {
 
   void add(std::size_t i, const PointForce& slope, double strength) {
     if (!std::isfinite(strength) || !std::isfinite(slope[0])) return;
-    Bound b;
+    HalfSpace b;
     b.least = margin_ - strength;
     for (std::size_t c = 0; c < n_; ++c) b.least -= slope[c] * force_[n_ * i + c];
     for (const auto& z : basis_) {
       b.slope.push_back(0);
       for (std::size_t c = 0; c < n_; ++c) b.slope.back() += slope[c] * z[n_ * i + c];
     }
-    bounds_.push_back(b);
+    const double length = std::sqrt(product(b.slope, b.slope));
+    if (length <= vanishing_cosine) return;  // no change moves the point this way, so that none can keep or break it
+    for (auto& value : b.slope) value /= length;
+    b.least /= length;
+    bounds_.push_back(std::move(b));
   }
+
+  std::vector<double> within_bounds() const { return shortest_within(bounds_, basis_.size()); }
 
   /// Whether a force was left outside of its disc by more than half the margin: now none goes as far that way.
   bool cut_discs(const std::vector<double>& y) {
@@ -225,7 +199,7 @@ class LawfulSplit {
   const std::vector<double>& force_;
   double margin_;
   std::size_t n_;
-  std::vector<Bound> bounds_;
+  std::vector<HalfSpace> bounds_;
   std::vector<Shear> shears_;
 };
 
@@ -324,7 +298,7 @@ void SharedForces::split(const Place& place, const std::vector<PointFreedom>& fr
   LawfulSplit lawful(basis, force, within * largest, n);
   for (std::size_t i = 0; i < place.points.size(); ++i)
     lawful.add_point(freedom[place.points[i]], i, std::sqrt(place.weight[i]));
-  const auto y = lawful.shortest_change(exact * largest);
+  const auto y = lawful.shortest_change();
   for (std::size_t i = 0; i < place.points.size(); ++i)
     for (std::size_t c = 0; c < n; ++c) {
       for (std::size_t j = 0; j < y.size(); ++j) force[n * i + c] += y[j] * basis[j][n * i + c];

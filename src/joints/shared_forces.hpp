@@ -13,7 +13,8 @@
 // wants it.
 //
 // In space friction is bounded by a disc, which half planes that touch it stand for: in the direction of a force that
-// they leave outside there is one more, until none is left.
+// they leave outside there is one more, until none is left. So bounds may be nearly parallel, and the least split
+// within them is found exactly (base/half_spaces.hpp): a method that sweeps over bounds does not get there.
 #pragma once
 
 #include <vector>

@@ -230,28 +230,56 @@ bool ContactSolver::leave_branch(const Instability& found, double sign, const It
 }
 
 /// Forces that nothing tells apart do not depend on the way to this equilibrium. Where friction has to follow, the
-/// state that it leads to is solved for and split again, as long as that brings the two nearer; where no state is found
-/// they stay as they were, and the report says by how much they could be others.
+/// state that it leads to is solved for and split again, as long as that brings the two nearer now and then; where no
+/// state is found they stay as they were, and the report says by how much they could be others.
 void ContactSolver::split_forces(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
   if (!problem_.shares_forces()) return;
   PointField gap;
   TpetraVector residual(problem_.map());
-  for (double last = std::numeric_limits<double>::infinity();;) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int left = methods_.active_set.patience;;) {
     problem_.evaluate(at.x, residual, gap);
     const PointField as_found = at.lambda;
     voussoir::split_forces(problem_, CurrentLaws(problem_, {&at.damage, request.strength}, at.lambda, gap), gap,
                            request.tolerance * force_scale(problem_, at.lambda), at.lambda);
     const double apart = measure(at, request.strength, report);
     if (apart <= request.tolerance) return;
-    const bool nearer = apart <= methods_.active_set.gained * std::exchange(last, apart);
+    const bool nearer = apart <= methods_.active_set.gained * nearest;
+    left = nearer ? methods_.active_set.patience : left - 1;
+    nearest = std::min(nearest, apart);
     const PointField split = at.lambda;
-    if (!nearer || try_active_set(at, {request.tolerance, request.strength}, methods_.active_set.patience, report) !=
-                       ActiveSetEnd::arrived) {
+    if (left == 0 || !solve_from(at, {request.tolerance, request.strength}, report)) {
       if (!report.stopped) tell_undetermined(as_found, split, report);
       at.lambda = as_found;
       return;
     }
   }
+}
+
+/// Goes on from a state that is no equilibrium; false where none is found, and then all is as it was.
+bool ContactSolver::solve_from(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
+  if (try_active_set(at, request, methods_.active_set.patience, report) == ActiveSetEnd::arrived) return true;
+  if (report.stopped) return false;
+  const SavedPosition x(problem_, at.x);
+  const PointField lambda = at.lambda;
+  const Damage damage = at.damage;
+  NewtonReport attempt;
+  go_the_hard_way(at, request, attempt);
+  const bool arrived = attempt.outcome == NewtonOutcome::converged;
+  report.add_work(attempt);
+  if (arrived && !report.stopped) leave_the_way(at, request, report);
+  if (arrived || report.stopped) return arrived;
+  x.restore(at.x);
+  at.lambda = lambda;
+  at.damage = damage;
+  return false;
+}
+
+void ContactSolver::go_the_hard_way(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
+  if (problem_.softening() && request.strength == StrengthIs::falling)
+    wear_down(at, request, report);
+  else
+    go_the_ways(at, request, report);
 }
 
 /// By how much two sets of forces differ that the same motion admits, and where most. Collective.
@@ -299,12 +327,17 @@ void ContactSolver::wear_down(const Iterate& at, const ContactRequest& request, 
   }
 }
 
+/// Where joints soften a state is to be what its step makes it, not the way to it, and one that stays.
+void ContactSolver::leave_the_way(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
+  if (!problem_.softening() || request.strength != StrengthIs::falling) return;
+  forget_the_way(at, request.tolerance, report);
+  if (!report.stopped && !parameters_.has_inertia) find_stable_branch(at, request.tolerance, report);
+}
+
 /// What is left to do where contact conditions are closed.
 void ContactSolver::finish(const Iterate& at, const ContactRequest& request, NewtonReport& report) {
-  if (problem_.softening() && request.strength == StrengthIs::falling) {
-    forget_the_way(at, request.tolerance, report);
-    if (!report.stopped && !parameters_.has_inertia) find_stable_branch(at, request.tolerance, report);
-  }
+  leave_the_way(at, request, report);
+  if (report.stopped) return;
   split_forces(at, request, report);
   if (report.stopped) return;
   const bool at_round_off = measure(at, request.strength, report) == 0;
@@ -327,10 +360,7 @@ NewtonReport ContactSolver::solve(const Iterate& at, const ContactRequest& reque
     } else if (!report.stopped) {
       if (fast) fast_.offered = end == ActiveSetEnd::circled;
       report.hard = methods_.solver.active_sets && !parameters_.time_follows;
-      if (problem_.softening() && request.strength == StrengthIs::falling)
-        wear_down(at, request, report);
-      else
-        go_the_ways(at, request, report);
+      go_the_hard_way(at, request, report);
     }
   }
   if (report.outcome == NewtonOutcome::converged && !report.stopped) {

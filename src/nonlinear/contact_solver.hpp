@@ -72,6 +72,9 @@ class ContactSolver {
   bool leave_branch(const Instability&, double sign, const Iterate&, double tolerance, NewtonReport&);
   void finish(const Iterate&, const ContactRequest&, NewtonReport&);
   void split_forces(const Iterate&, const ContactRequest&, NewtonReport&);
+  void leave_the_way(const Iterate&, const ContactRequest&, NewtonReport&);
+  bool solve_from(const Iterate&, const ContactRequest&, NewtonReport&);
+  void go_the_hard_way(const Iterate&, const ContactRequest&, NewtonReport&);
   void tell_undetermined(const PointField& found, const PointField& split, NewtonReport&) const;
   void in_pseudo_time(const Iterate&, const ContactRequest&, int most, NewtonReport&);
   /// Are active sets to be tried now? Counts what they wait for.

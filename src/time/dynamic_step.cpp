@@ -210,17 +210,40 @@ DynamicStep::Midpoint DynamicStep::midpoint(const ContactState& before, const St
   return mid;
 }
 
+/// What joints go through from the middle of a step to its end. How far they are open there is asked of the
+/// displacements that the next step begins with, so that a joint that has not closed again is at its largest opening to
+/// the last bit: short of it by round-off it would be taken for one that closes.
+/// @param slips  at which slips of the step begin
+void DynamicStep::wear_to_the_end(const ContactState& before, const PointField& slips, ContactState& mid) const {
+  const int dim = at_rest_.components();
+  auto at_end = model_->gaps(mid.displacement);
+  const auto middle = model_->gaps(mid.displacement, mid.lambda);
+  const auto opening = at_rest_.gaps(displacement_at_end(before, mid));
+  for (std::size_t i = 0; i < at_end.size(); ++i) {
+    const bool is_normal = i % dim == 0;
+    if (!yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim)))
+      at_end[i] = is_normal ? opening[i] : 2 * at_end[i];
+    else
+      at_end[i] = is_normal || slips.empty() ? middle[i] : 2 * (middle[i] - slips[i]);
+  }
+  wear(at_rest_, before, mid, at_end, at_end);
+}
+
+std::vector<double> DynamicStep::displacement_at_end(const ContactState& before, const ContactState& mid) const {
+  auto end = before.displacement;
+  for (std::size_t i = 0; i < end.size(); ++i) end[i] = rule_.displacement_at_end(end[i], mid.displacement[i]);
+  return end;
+}
+
 /// The state at the end of a step, but for what joints that closed do to velocities. All that is no motion is as the
 /// middle of the step has left it.
 ContactState DynamicStep::at_end(const ContactState& before, ContactState mid, const PointField& slips) const {
   const int dim = at_rest_.components();
   auto after = std::move(mid);
   const auto slipped = model_->gaps(after.displacement, after.lambda);  // of the stones, with what mortar gives way
-  for (std::size_t i = 0; i < after.displacement.size(); ++i) {
-    const double w = after.displacement[i];
-    after.displacement[i] = rule_.displacement_at_end(before.displacement[i], w);
-    after.velocity[i] = rule_.velocity_at_end(before.velocity[i], w);
-  }
+  for (std::size_t i = 0; i < after.displacement.size(); ++i)
+    after.velocity[i] = rule_.velocity_at_end(before.velocity[i], after.displacement[i]);
+  after.displacement = displacement_at_end(before, after);
   after.slip_origin = before.slip_origin;
   if (after.slip_origin.empty()) return after;
   after.slip_origin = slip_origins(at_rest_, after, at_rest_.gaps(after.displacement), before.slip_origin);
@@ -258,7 +281,6 @@ bool DynamicStep::update_velocities(ContactState& after, const std::vector<doubl
 }
 
 TimeStepResult DynamicStep::take(const ContactState& before, const StepInput& input) {
-  const int dim = at_rest_.components();
   VOUSSOIR_EXPECT(step_ && "a time step has been set");
   expect_state(at_rest_, before);
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, before.velocity) && "velocity: of node copies, in time");
@@ -279,15 +301,7 @@ TimeStepResult DynamicStep::take(const ContactState& before, const StepInput& in
     after = report.step.newton.stopped ? before : std::move(mid);
     return result;
   }
-  if (at_rest_.weakens()) {
-    auto at_end = model_->gaps(mid.displacement), middle = model_->gaps(mid.displacement, mid.lambda);
-    for (std::size_t i = 0; i < at_end.size(); ++i) {
-      at_end[i] *= 2;
-      if (!yields(at_rest_, static_cast<int>(i / dim), static_cast<int>(i % dim))) continue;
-      at_end[i] = i % dim == 0 || start.slip_origin.empty() ? middle[i] : 2 * (middle[i] - start.slip_origin[i]);
-    }
-    wear(at_rest_, before, mid, at_end, at_end);
-  }
+  if (at_rest_.weakens()) wear_to_the_end(before, start.slip_origin, mid);
   const double closing = std::max(0.0, book(mid, before, input.load, midpoint.load, report));
   after = at_end(before, std::move(mid), start.slip_origin);
   move_supports(after, midpoint.half, report);

@@ -1,6 +1,6 @@
 """Random small masonry through three stages, of load steps, of time and of construction, in any order.
 
-    three_stages.py PROGRAM MPIEXEC [--count N] [--first SEED] [--space]
+    three_stages.py PROGRAM MPIEXEC [--count N] [--first SEED] [--seeds SEED ...] [--space]
 
 Set-up    A wall in bond, a stack or a portal whose lintel has a prop (in space a corner of two walls too), dry, with joints that soften, or on mortar as springs.
           Its first stage is its own weight. The other two are load steps or take time; in each a support may settle, the
@@ -223,14 +223,16 @@ def main():
     parser.add_argument("mpiexec")
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seeds", type=int, nargs="+", help="these alone")
     parser.add_argument("--space", action="store_true", help="masonry in space")
     parser.add_argument("--keep", type=pathlib.Path, help="a folder to keep the runs in")
     options = parser.parse_args()
     program.PROGRAM, program.MPIEXEC = options.program, options.mpiexec
     posed = PosedInSpace if options.space else Posed
     failed = 0
+    seeds = options.seeds or range(options.first, options.first + options.count)
     with tempfile.TemporaryDirectory() as temporary:
-        for seed in range(options.first, options.first + options.count):
+        for seed in seeds:
             start = time.monotonic()
             judge = Judge(posed(seed), (options.keep or pathlib.Path(temporary)) / str(seed))
             faults = judge.judge()
@@ -238,7 +240,7 @@ def main():
             print(f"{seed:4} {'FAILS' if faults else 'holds'} {time.monotonic() - start:5.1f} s  {judge.posed}", flush=True)
             for fault in faults:
                 print("       ", fault, flush=True)
-    print(f"{options.count - failed} hold, {failed} fail")
+    print(f"{len(seeds) - failed} hold, {failed} fail")
     return 1 if failed else 0
 
 

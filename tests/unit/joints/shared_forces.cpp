@@ -5,6 +5,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "joints/tractions.hpp"
 #include "mesh/generators.hpp"
@@ -252,6 +253,32 @@ TEUCHOS_UNIT_TEST(SharedForcesInSpace, AreSplitInOneWayWithinTheDiscOfFriction) 
   three.shared.split(three.freedom, SharedFriction::follows, three.lambda);
   for (std::size_t i = 0; i < once.size(); ++i)
     TEST_COMPARE(std::abs(three.lambda[i] - once[i]), <=, 1e-4);  // the margin
+}
+
+TEUCHOS_UNIT_TEST(SharedForcesInSpace, AreLawfulWhereverSomeSplitIs) {
+  const Comm alone = Teuchos::rcp(new Teuchos::SerialComm<int>());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> turned(-20, 20), spare(0.001, 1);
+  for (int drawn = 0; drawn < 200; ++drawn) {
+    ThreeInSpace three(alone);
+    // Laws that one split keeps, far from the one that nothing bounds: some of them by little.
+    three.turn({turned(random), turned(random), turned(random)});
+    for (int k = 0; k < three.points.size(); ++k) {
+      if (!three.meets(k)) continue;
+      const double* const f = &three.lambda[3 * k];
+      const double shear = std::hypot(f[1], f[2]);
+      three.freedom[k].law = {0.7, std::max(0.0, shear * (1 + spare(random)) - 0.7 * f[0]),
+                              std::max(0.0, -f[0]) + 20 * spare(random)};
+    }
+    three.shared.split(three.freedom, SharedFriction::follows, three.lambda);
+    for (int k = 0; k < three.points.size(); ++k) {
+      if (!three.meets(k)) continue;
+      const double* const f = &three.lambda[3 * k];
+      const auto& law = three.freedom[k].law;
+      TEST_COMPARE(f[0], >=, -law.tension);
+      TEST_COMPARE(std::hypot(f[1], f[2]), <=, law.cohesion + law.friction * f[0]);
+    }
+  }
 }
 
 }  // namespace
