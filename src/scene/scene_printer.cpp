@@ -44,11 +44,27 @@ std::string words_of(StoneCells cells) {
   return "";
 }
 
+const char* words_of(UpAxis up) {
+  switch (up) {
+    case UpAxis::usual:
+      return "";
+    case UpAxis::x:
+      return ", x up";
+    case UpAxis::y:
+      return ", y up";
+    case UpAxis::z:
+      return ", z up";
+    case UpAxis::minus_y:
+      return ", -y up";
+  }
+  return "";
+}
+
 std::string mesh_text(const MeshParameters& mesh) {
   if (const auto* masonry = mesh.masonry()) return masonry->words();
   if (mesh.type == MeshType::stones) {
     const StonesParameters& s = mesh.stones;
-    std::string text = "stones of " + s.file + ", unit " + number_text(s.unit) + " m" +
+    std::string text = "stones of " + s.file + ", unit " + number_text(s.unit) + " m" + words_of(s.up) +
                        (s.element_size > 0 ? ", element size " + number_text(s.element_size) + " m" : "") +
                        words_of(s.cells) + (s.snap > 0 ? ", snap " + number_text(s.snap) + " m" : "");
     for (const auto& [name, value] : s.geometry) text += ", " + name + " = " + number_text(value);

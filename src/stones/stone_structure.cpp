@@ -20,6 +20,10 @@ namespace {
 
 constexpr StoneDefaults defaults;
 
+// [-] of the joint tolerance: shallower overlaps are those of numbers in files. The least of the tolerances that joints
+// are counted at (count_joints).
+constexpr double least_told = 0.01;
+
 std::string metres(double length) { return six_digits(length) + " m"; }
 
 /// Axes of the file in their order from the one that becomes x; even permutations mirror nothing.
@@ -102,6 +106,7 @@ class Teller {
         counted(s_.joints.slivers, "sliver") + " narrower than the tolerance left out, " +
         six_digits(s_.joints.sliver_area) + " m2");
     of_welded_joints();
+    of_overlaps();
     const double size = s_.tetrahedron_size;
     say("shortest edge " + metres(s_.imprint.shortest_edge) + ", tetrahedra of " + metres(size) + ", hexahedra of " +
         metres(s_.hexahedron_size));
@@ -110,6 +115,18 @@ class Teller {
            "cut by their joints, faces have edges down to " + metres(s_.imprint.shortest_edge) +
                " where cells are of " + metres(size) + ": cells there are flat; a larger weld makes such corners one");
     of_neighbours(pairs);
+  }
+
+  /// Stones that were measured, or drawn with round numbers, lie in each other by less than the tolerance: which most.
+  void of_overlaps() {
+    const auto& joints = s_.joints.joints;
+    const auto most = std::min_element(joints.begin(), joints.end(),
+                                       [](const auto& a, const auto& b) { return a.opening < b.opening; });
+    const auto lies_in = [&](const auto& joint) { return joint.opening < -least_told * s_.tolerance; };
+    if (most == joints.end() || !lies_in(*most)) return;
+    say(counted(std::count_if(joints.begin(), joints.end(), lies_in), "joint") + " of stones that lie in each other, " +
+        in_words(s_.stones[most->stone[0]]) + " and " + in_words(s_.stones[most->stone[1]]) + " most, by " +
+        metres(-most->opening) + " on the mean");
   }
 
   /// Facets that face each other just beyond the tolerance: joints whose mortar was not drawn.

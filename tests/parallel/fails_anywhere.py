@@ -2,9 +2,10 @@
 
     fails_anywhere.py PROGRAM MPIEXEC PLANTED_LIBRARY [PLACES]
 
-Set-up    Small scenes from input to result, with fields and a state saved after every step; the calls of MPI are counted
-          first (planted_failure.cpp). Then so many PLACES, shared out over all of them, in which one rank throws what nobody
-          foresaw. Those at the beginning stand closer, since there every call is another.
+Set-up    Small scenes from input to result, or from a state that was kept, with fields and a state saved after every
+          step; the calls of MPI are counted first (planted_failure.cpp). Then so many PLACES, shared out over all of
+          them, in which one rank throws what nobody foresaw. Those at the beginning stand closer, since there every call
+          is another.
 Expected  An exit code that is not 0, within a minute (a run takes a second), and words that the program, or a library, has
           failed. What HDF5 and MUMPS exchange among themselves is not reached: tests/restart/out_of_memory.py is about them.
 """
@@ -13,6 +14,7 @@ import pathlib
 import re
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = pathlib.Path("fails-anywhere").resolve()
@@ -22,7 +24,31 @@ SCENES = {
     "time steps": ("sliding-block", ["steps/stages/sliding/duration=2e-3", "steps/stages/sliding/time step=1e-4"]),
     "in space": ("wall-in-space", ["mesh/wall in space/courses=3"]),
     "limit analysis": ("doorway", []),
+    "a restart": ("wall-in-space", ["mesh/wall in space/courses=3", "selection/mode=adaptive"]),
 }
+
+
+def begun(command, name, sets):
+    """The folder of a run of the first stage of a scene alone."""
+    scene = ElementTree.parse(ROOT / "xml" / f"{name}.xml")
+    stages = scene.getroot().find("ParameterList[@name='steps']/ParameterList[@name='stages']")
+    for stage in list(stages)[1:]:
+        stages.remove(stage)
+    scene.write(FOLDER / "begun.xml")
+    line = [command["mpiexec"], "--oversubscribe", "-np", str(RANKS), command["program"],
+            f"--xml={FOLDER / 'begun.xml'}", f"--out={FOLDER / 'begun'}", "--overwrite", "--quiet"]
+    for one in sets:
+        line += ["--set", one]
+    subprocess.run(line, check=True, timeout=LIMIT)
+    return FOLDER / "begun"
+
+
+def options_of(what, command, name, sets):
+    if what == "limit analysis":
+        return ["--limit-analysis"]
+    if what == "a restart":
+        return [f"--restart-from={begun(command, name, sets)}"]
+    return []
 
 
 def run(command, name, sets, extra, call):
@@ -30,7 +56,7 @@ def run(command, name, sets, extra, call):
     line = [command["mpiexec"], "--oversubscribe", "-np", str(RANKS)]
     for variable, value in environment.items():
         line += ["-x", f"{variable}={value}"]
-    out = FOLDER / f"{name}-{call}"
+    out = FOLDER / f"{name}-{len(extra)}-{call}"
     line += [command["program"], f"--xml={ROOT / 'xml' / name}.xml", f"--out={out}", "--overwrite", "--quiet", *extra]
     for one in [*sets, "output/checkpoint every=1"]:
         line += ["--set", one]
@@ -53,7 +79,7 @@ def main():
     FOLDER.mkdir(exist_ok=True)
     wrong = []
     for what, (name, sets) in SCENES.items():
-        extra = ["--limit-analysis"] if what == "limit analysis" else []
+        extra = options_of(what, command, name, sets)
         code, said = run(command, name, sets, extra, 0)
         counted = re.search(r"counted (\d+) calls", said)
         if code != 0 or not counted:

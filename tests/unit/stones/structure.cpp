@@ -63,6 +63,17 @@ TEUCHOS_UNIT_TEST(Structure, OverlappingStonesAreRefusedByNameAndPlace) {
   TEST_ASSERT(holds(input_error([&] { structure_of(stones, {}); }), "1 pair of stones lies in each other"));
 }
 
+TEUCHOS_UNIT_TEST(Structure, OverlapsWithinTheToleranceAreToldByPair) {
+  const auto a = box("a", {0, 0, 0}, {1, 1, 1}), b = box("b", {0.9995, 0, 0}, {2, 1, 1});
+  const auto c = box("c", {0, 0, 1}, {1, 1, 2}), above = box("above", {1, 0, 0.9992}, {2, 1, 2});
+  const auto s = structure_of({a, b, c, above}, {});
+  TEST_ASSERT(tells(s,
+                    "2 joints of stones that lie in each other, stone \"b\" (drawn) and stone \"above\" (drawn)"
+                    " most, by 0.0008 m"));
+  TEST_ASSERT(s.warnings.empty());
+  TEST_ASSERT(!tells(structure_of(arch(9), {}), "lie in each other"));
+}
+
 TEUCHOS_UNIT_TEST(Structure, ChoosesNumbersByTheSizeOfStonesAndTellsWhatItFinds) {
   const auto s = structure_of(arch(9), {});
   const double size = std::cbrt(volume(s.stones[0]));
