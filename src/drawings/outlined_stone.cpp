@@ -54,20 +54,6 @@ std::string in_words(const OutlinedStone& stone) {
   return "stone " + in_quotes(stone.name) + " (" + stone.origin + ") at " + place_of_drawing(middle_of(stone));
 }
 
-std::string as_utf8(const std::string& text) {
-  if (is_plain_text(text)) return text;
-  std::string plain;
-  for (const char byte : text) {
-    const auto letter = static_cast<unsigned char>(byte);
-    if (letter < 0x20 || (letter >= 0x7f && letter < 0xa0)) continue;
-    if (letter < 0x7f)
-      plain += byte;
-    else
-      plain += {static_cast<char>(0xc0 | (letter >> 6)), static_cast<char>(0x80 | (letter & 0x3f))};
-  }
-  return plain;
-}
-
 std::vector<OutlinedStone> stones_of_loops(const OutlinedStone& named, std::vector<DrawnLoop> loops) {
   const auto size_of = [](const DrawnLoop& loop) { return std::abs(area(loop.corners)); };
   std::vector<int> depth(loops.size(), 0), holder(loops.size(), -1);

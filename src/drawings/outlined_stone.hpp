@@ -37,9 +37,6 @@ std::string place_of_drawing(const Vector<2>&);
 /// `stone "b7" (wall.csv, line 17) at (1.25, 0.4)`
 std::string in_words(const OutlinedStone&);
 
-/// The text, or what it is in UTF-8 where it is in Latin-1, without control characters.
-std::string as_utf8(const std::string&);
-
 /// Loops that a file gives without saying which is a hole: one that lies in an odd number of others is a hole of the
 /// smallest that holds it, every other is a stone. More than one are named "name (2)", ...
 std::vector<OutlinedStone> stones_of_loops(const OutlinedStone& named, std::vector<DrawnLoop>);

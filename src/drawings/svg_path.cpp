@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "drawings/curves.hpp"
+#include "stones/stone_text.hpp"
 
 namespace voussoir {
 namespace {

@@ -10,28 +10,92 @@
 namespace voussoir {
 
 void refuse_stones(const std::string& file, const std::string& why, const std::string& advice) {
-  throw InputError("mesh > stones > file = " + file + sentence(why) + sentence(advice));
+  std::string shown;
+  for (const auto& line : split(why, "\n")) shown += (shown.empty() ? "" : "\n") + as_utf8(line);
+  throw InputError("mesh > stones > file = " + file + sentence(shown) + sentence(advice));
+}
+
+std::string as_utf8(const std::string& text) {
+  std::string plain, letters;
+  for (const char byte : text)
+    if (static_cast<unsigned char>(byte) >= 0x20 && byte != 0x7f) plain += byte;
+  if (is_plain_text(plain)) return plain;
+  for (const char byte : plain) {
+    const auto letter = static_cast<unsigned char>(byte);
+    if (letter < 0x7f)
+      letters += byte;
+    else if (letter >= 0xa0)  // below are control characters of Latin-1
+      letters += {static_cast<char>(0xc0 | (letter >> 6)), static_cast<char>(0x80 | (letter & 0x3f))};
+  }
+  return letters;
+}
+
+std::size_t begin_of_text(const std::string& file, const std::string& contents) {
+  const auto is_zero = [&](std::size_t at) { return contents[at] == '\0'; };
+  const bool marked = contents.compare(0, 2, "\xff\xfe") == 0 || contents.compare(0, 2, "\xfe\xff") == 0;
+  // Without a mark, plain letters have a zero before or behind each.
+  const bool in_pairs =
+      contents.size() >= 4 && is_zero(0) == is_zero(2) && is_zero(1) == is_zero(3) && is_zero(0) != is_zero(1);
+  if (marked || in_pairs)
+    refuse_stones(file, "is text in UTF-16, which has two bytes for a letter", "Save it as UTF-8, or as plain text");
+  return contents.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
 }
 
 bool StoneLines::next() {
   words_.clear();
-  while (words_.empty() && at_ < contents_.size()) {
-    const std::size_t end = std::min(contents_.find('\n', at_), contents_.size());
-    ++line_;
-    std::string word;
-    for (std::size_t k = at_; k <= end; ++k) {
-      const char c = k < end ? contents_[k] : ' ';
-      if (c != ' ' && c != '\t' && c != '\r') {
-        word += c;
-      } else if (!word.empty()) {
-        words_.push_back(std::move(word));
-        word.clear();
-      }
-    }
-    at_ = end + 1;
+  bool more = false;
+  while ((words_.empty() || more) && at_ < contents_.size()) {
+    const std::size_t begin = at_, end = std::min(contents_.find('\n', at_), contents_.size());
+    ++read_;
+    if (words_.empty()) line_ = read_;
+    add_words(end);
+    more = goes_on(begin, end);
+    if (!more) drop_comment();
   }
   at_ = std::min(at_, contents_.size());
   return !words_.empty();
+}
+
+/// Of the text up to an end of line; goes behind it.
+void StoneLines::add_words(std::size_t end) {
+  std::string word;
+  for (std::size_t k = at_; k <= end; ++k) {
+    const char c = k < end ? contents_[k] : ' ';
+    if (c != ' ' && c != '\t' && c != '\r') {
+      word += c;
+    } else if (!word.empty()) {
+      words_.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  at_ = end + 1;
+}
+
+/// Whether the line ends in the sign that it goes on, which is taken off. In a comment it is no sign: many name a
+/// folder of Windows.
+bool StoneLines::goes_on(std::size_t begin, std::size_t end) {
+  if (rules_ != LineRules::obj || words_.empty() || words_.back().back() != '\\') return false;
+  if (std::find(contents_.begin() + static_cast<std::ptrdiff_t>(begin),
+                contents_.begin() + static_cast<std::ptrdiff_t>(end),
+                '#') != contents_.begin() + static_cast<std::ptrdiff_t>(end))
+    return false;
+  words_.back().pop_back();
+  if (words_.back().empty()) words_.pop_back();
+  return true;
+}
+
+/// In names the sign of a comment stands alone, since a name may hold it ("Block #3"), and stones whose names were cut
+/// there would be one.
+void StoneLines::drop_comment() {
+  if (rules_ != LineRules::obj || words_.empty()) return;
+  const bool in_name = words_[0] == "o" || words_[0] == "g";
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    const std::size_t at = in_name ? (words_[k] == "#" ? 0 : std::string::npos) : words_[k].find('#');
+    if (at == std::string::npos) continue;
+    words_[k].resize(at);
+    words_.resize(at > 0 ? k + 1 : k);
+    return;
+  }
 }
 
 std::string StoneLines::place() const {

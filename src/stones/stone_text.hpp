@@ -11,17 +11,28 @@
 
 namespace voussoir {
 
-/// Throws InputError "mesh > stones > file = `file`\n  `why`\n  `advice`".
+/// Throws InputError "mesh > stones > file = `file`\n  `why`\n  `advice`", without control characters: words of a file
+/// that is none of text may hold any, and one of zero would end the message.
 [[noreturn]] void refuse_stones(const std::string& file, const std::string& why, const std::string& advice);
+
+/// The text, or what it is in UTF-8 where it is in Latin-1, without control characters.
+std::string as_utf8(const std::string&);
+
+/// [bytes] before the first letter: the mark that some programs set to say that a text is UTF-8. Refuses UTF-16.
+std::size_t begin_of_text(const std::string& file, const std::string& contents);
+
+/// What lines are made of. In OBJ "#" begins a comment, and a line that ends in "\" goes on in the next one.
+enum class LineRules { plain, obj };
 
 /// The lines of a text that hold words.
 class StoneLines {
  public:
-  StoneLines(std::string file, const std::string& contents) : file_(std::move(file)), contents_(contents) {}
+  StoneLines(std::string file, const std::string& contents, LineRules rules = LineRules::plain)
+      : file_(std::move(file)), contents_(contents), rules_(rules), at_(begin_of_text(file_, contents)) {}
   /// Goes to the next line with words; false at the end.
   bool next();
   const std::vector<std::string>& words() const { return words_; }
-  int line() const { return line_; }
+  int line() const { return line_; }          ///< of one that goes on, the first
   std::size_t behind() const { return at_; }  ///< [bytes] from the beginning to the next line
   /// "vault.obj, line 17"
   std::string place() const;
@@ -34,10 +45,15 @@ class StoneLines {
   [[noreturn]] void refuse(const std::string& why, const std::string& advice) const;
 
  private:
+  void add_words(std::size_t end);
+  bool goes_on(std::size_t begin, std::size_t end);
+  void drop_comment();
+
   std::string file_;
   const std::string& contents_;
-  std::size_t at_ = 0;
-  int line_ = 0;
+  LineRules rules_;
+  std::size_t at_;
+  int line_ = 0, read_ = 0;
   std::vector<std::string> words_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "drawings/curves.hpp"
 #include "drawings/drawing_files.hpp"
+#include "stones/stone_text.hpp"
 #include "support/input_error.hpp"
 
 namespace {

@@ -101,58 +101,6 @@ TEUCHOS_UNIT_TEST(Ply, TextAndBytesOfEitherOrderHoldTheSameStone) {
   TEST_ASSERT(holds(input_error([&] { read_ply("s.ply", header("zip") + little); }), "format \"zip\""));
 }
 
-const std::string mesh_data = R"({"vertex": {"0": {}, "7": {"x": 1.0}, "12": {"y": 1.0}, "3": {"z": 1.0}},
-  "face": {"0": [0, 12, 7], "1": [0, 7, 3], "2": [7, 12, 3], "5": [0, 3, 12]}})";
-
-std::string mesh() { return R"({"dtype": "compas.datastructures/Mesh", "data": )" + mesh_data + "}"; }
-
-TEUCHOS_UNIT_TEST(Compas, ANumberThatNoComputerHoldsIsRefused) {
-  TEST_ASSERT(holds(input_error([&] { read_compas("m.json", "{\"x\": 1e970}"); }), "s no JSON: number overflow"));
-}
-
-TEUCHOS_UNIT_TEST(Compas, MeshesOfListsAssembliesAndModelsAreStonesAndThoseOfInterfacesAreNot) {
-  TEST_EQUALITY(read_compas("m.json", mesh())[0].name, "m");
-  const auto list = read_compas("m.json", "[" + mesh() + ", [" + mesh() + "]]");
-  TEST_EQUALITY(list.size(), 2u);
-  TEST_EQUALITY(list[0].faces.size(), 4u);
-  TEST_ASSERT(list[0].points[1] == (Vector<3>{1, 0, 0}));
-  TEST_FLOATING_EQUALITY(volume(list[0]), 1.0 / 6, 1e-15);
-
-  const auto assembly =
-      read_compas("a.json", R"({"dtype": "compas_assembly.datastructures/Assembly", "data": {"graph": {"data": {
-    "node": {"10": {"block": )" +
-                                mesh() + R"(, "is_support": true}, "9": {"block": )" + mesh() + R"(}},
-    "edge": {"9": {"10": {"interfaces": [)" +
-                                mesh() + "]}}}}}}}");
-  TEST_EQUALITY(assembly.size(), 2u);
-  TEST_EQUALITY(assembly[0].name, "10");
-  TEST_ASSERT(assembly[0].support && !assembly[1].support);
-
-  const std::string move = R"({"dtype": "compas.geometry/Transformation", "data": {"matrix":
-    [[0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}})";
-  const auto model = read_compas(
-      "b.json", R"({"dtype": "compas_dem.models/BlockModel", "data": {"elements": {
-    "71c1eba0-3b01-4daa-a066-5b5c4074b946": {"data": {"transformation": )" +
-                    move + R"(, "geometry": )" + mesh() +
-                    R"(, "is_support": true}}}, "graph": {"edge": {"0": {"1": {"contacts": [)" + mesh() + "]}}}}}}");
-  TEST_EQUALITY(model.size(), 1u);
-  TEST_EQUALITY(model[0].name, "0");
-  TEST_ASSERT(model[0].support);
-  TEST_ASSERT(model[0].points[1] == (Vector<3>{5, 1, 0}));
-}
-
-TEUCHOS_UNIT_TEST(Compas, WhatIsWrongIsToldByPath) {
-  TEST_ASSERT(holds(input_error([] { read_compas("a.json", "{\"data\": [1, "); }), "s no JSON"));
-  TEST_ASSERT(holds(input_error([] { read_compas("a.json", "{\"data\": 3}"); }), "olds no mesh"));
-  TEST_ASSERT(
-      holds(input_error([] { read_compas("a.json", R"({"node": {"4": {"vertex": {"0": {"x": "1"}}, "face": {}}}})"); }),
-            "node > 4 > vertex > 0 a number"));
-  TEST_ASSERT(holds(input_error([] { read_compas("a.json", R"({"vertex": {"0": {}}, "face": {"2": [0, 0, 8]}})"); }),
-                    "face 2 names the vertex \"8\""));
-  TEST_ASSERT(
-      holds(input_error([] { read_compas("a.json", std::string(3000, '[') + std::string(3000, ']')); }), "nested"));
-}
-
 TEUCHOS_UNIT_TEST(StoneFiles, AFolderIsReadByNamesInTheUnitOfItsFiles) {
   const std::string folder = "stones of a folder";
   std::filesystem::create_directory(folder);
