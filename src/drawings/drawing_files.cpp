@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/file_ending.hpp"
 #include "base/text.hpp"
 #include "stones/stone_text.hpp"
-#include "stones/stones_parameters.hpp"
 
 namespace voussoir {
 namespace {

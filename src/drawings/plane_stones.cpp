@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/file_ending.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "drawings/drawing_files.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/file_ending.hpp"
 #include "base/words.hpp"
 #include "gmsh/gmsh_file.hpp"
 #include "gmsh/gmsh_works.hpp"
@@ -160,7 +161,7 @@ void open_file(Gmsh& gmsh_itself, const GmshParameters& p) {
   const std::filesystem::path path = std::filesystem::absolute(p.file);
   if (is_mesh(p.file)) {
     open_mesh(gmsh_itself, p);
-  } else if (path.extension() == ".geo") {
+  } else if (lower_ending(p.file) == ".geo") {
     const auto numbers = numbers_to_set(p, path.string());
     open_geo(gmsh_itself, p, numbers);
     if (p.element_size > 0) {
@@ -223,7 +224,7 @@ SurfaceMesh read_surfaces(const GmshParameters& p) {
 std::string gmsh_work::looked_at(const std::string& request) {
   const GmshParameters p = gmsh_parameters_of(request);
   const std::filesystem::path path = std::filesystem::absolute(p.file);
-  if (path.extension() != ".geo" || !std::filesystem::is_regular_file(path)) return "";
+  if (lower_ending(p.file) != ".geo" || !std::filesystem::is_regular_file(path)) return "";
   Gmsh gmsh_itself;
   const auto numbers = numbers_to_set(p, path.string());
   open_geo(gmsh_itself, p, numbers);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/file_ending.hpp"
 #include "mesh/lattice.hpp"
 
 namespace voussoir {
@@ -176,7 +177,7 @@ void refuse_commands(const std::string& file, const std::string& path) {
   const std::string trust = "If the file is yours, or you trust who made it, say --trust.";
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;
-  if (std::filesystem::path(path).extension() == ".msh") {
+  if (lower_ending(path) == ".msh") {
     if (!begins_as_mesh(path))
       refuse_mesh("gmsh > file", file, "does not begin with $MeshFormat, so it is no mesh.", "Save it anew in gmsh.");
     if (const std::string beside = path + ".opt"; std::filesystem::exists(beside, error))

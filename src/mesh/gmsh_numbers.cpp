@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/file_ending.hpp"
 #include "mesh/geo_commands.hpp"
 #include "mesh/lattice.hpp"
 
@@ -46,7 +47,8 @@ void read_code(const std::filesystem::path& path, std::set<std::string>& seen, C
     const std::filesystem::path name((*it)[3].str());
     if (name.empty()) code.complete = false;  // a name that is computed
     // Other formats (.step, .brep, .msh) define no numbers.
-    if (name.extension() == ".geo" || (*it)[1] == "Include") read_code(path.parent_path() / name, seen, code);
+    if (lower_ending(name.string()) == ".geo" || (*it)[1] == "Include")
+      read_code(path.parent_path() / name, seen, code);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "base/file_ending.hpp"
 #include "base/text.hpp"
 #include "mesh/lattice.hpp"
 
@@ -16,7 +17,7 @@ bool starts_with(const std::string& line, const char* word) { return line.rfind(
 
 }  // namespace
 
-bool is_mesh(const std::string& file) { return std::filesystem::path(file).extension() == ".msh"; }
+bool is_mesh(const std::string& file) { return lower_ending(file) == ".msh"; }
 
 bool lists_surfaces(const std::string& file) {
   std::ifstream text(file, std::ios::binary);

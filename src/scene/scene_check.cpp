@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/file_ending.hpp"
 #include "base/text.hpp"
 #include "scene/scene_reader.hpp"
 
@@ -49,7 +50,7 @@ void find_file(const Scene& scene, std::string& file, const std::string& path, I
 
 void find_files(Scene& scene, InputProblems& problems) {
   std::string& mesh = scene.mesh.gmsh.file;
-  const std::string path = "scene > mesh > gmsh > file", ending = fs::path(mesh).extension().string();
+  const std::string path = "scene > mesh > gmsh > file", ending = lower_ending(mesh);
   if (scene.mesh.type == MeshType::gmsh && !mesh.empty() && !problems.concern(path)) {
     if (ending != ".geo" && ending != ".msh")
       problems.add(path, " = " + in_quotes(mesh) +

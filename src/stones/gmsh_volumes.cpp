@@ -1,9 +1,9 @@
 #include "stones/gmsh_volumes.hpp"
 
-#include <filesystem>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/file_ending.hpp"
 #include "mesh/gmsh_failures.hpp"
 #include "mesh/gmsh_program.hpp"
 #include "mesh/gmsh_request.hpp"
@@ -31,7 +31,7 @@ std::string of_stones(std::string text) {
 }  // namespace
 
 bool is_of_gmsh(const std::string& file) {
-  const auto ending = std::filesystem::path(file).extension();
+  const std::string ending = lower_ending(file);
   return ending == ".geo" || ending == ".msh";
 }
 

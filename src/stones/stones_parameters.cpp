@@ -1,16 +1,11 @@
 #include "stones/stones_parameters.hpp"
 
-#include <filesystem>
-
+#include "base/file_ending.hpp"
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
 
 namespace voussoir {
-
-std::string lower_ending(const std::string& file) {
-  return in_small_letters(std::filesystem::path(file).extension().string());
-}
 
 bool StonesParameters::is_drawing() const {
   const std::string ending = lower_ending(file);

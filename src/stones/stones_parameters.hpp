@@ -35,7 +35,4 @@ struct StonesParameters {
   void declare(ParameterSection&);
 };
 
-/// ".dxf" of "Wall.DXF"
-std::string lower_ending(const std::string& file);
-
 }  // namespace voussoir

@@ -1,5 +1,6 @@
 // The length of the cells, wherever the mesh comes from.
 #include "base/error.hpp"
+#include "base/file_ending.hpp"
 #include "base/text.hpp"
 #include "study/accuracy_study.hpp"
 
@@ -24,7 +25,7 @@ Scene with_element_size(Scene scene, double factor) {
   }
   if (mesh.type != MeshType::gmsh || factor == 1) return scene;
   const std::string& file = mesh.gmsh.file;
-  if (file.size() > 4 && file.compare(file.size() - 4, 4, ".msh") == 0)
+  if (lower_ending(file) == ".msh")
     throw InputError(scene.file + ": scene > mesh > gmsh > file = " + in_quotes(file) +
                      "\n  is a finished mesh, whose element size cannot be changed.\n"
                      "  Give the geometry (.geo) it was made from, or leave this sweep out: --sizes=none.");
