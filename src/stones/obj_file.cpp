@@ -1,18 +1,31 @@
 // Wavefront OBJ: points, and faces of them in objects and groups.
+//
+// A stone is an object. Programs use the groups in it for many things: layers, which have one name in all objects, the
+// sides of a stone, or, where the whole file is one object, the stones. Whether a group is closed tells them apart.
 #include <map>
 #include <utility>
 
 #include "base/text.hpp"
 #include "base/words.hpp"
+#include "stones/repair.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/stone_text.hpp"
 
 namespace voussoir {
 namespace {
 
+/// The faces of one group in one object, over the points of the file.
+struct ObjPiece {
+  std::string object, group, origin;
+  std::vector<std::vector<int>> faces;
+};
+
+using ObjPieces = std::vector<const ObjPiece*>;
+
 class ObjReader {
  public:
-  ObjReader(const std::string& file, const std::string& contents) : file_(file), lines_(file, contents) {}
+  ObjReader(const std::string& file, const std::string& contents)
+      : file_(file), lines_(file, contents, LineRules::obj) {}
 
   std::vector<StoneSurface> read() {
     while (lines_.next()) {
@@ -26,11 +39,10 @@ class ObjReader {
       else if (word == "g")
         begin(object_, lines_.text_from(1));
     }
-    if (stones_.empty())
+    if (pieces_.empty())
       refuse_stones(file_, "has no faces (lines that begin with f)",
                     "Export the stones as meshes, not as curves or surfaces of splines");
-    for (auto& stone : stones_) keep_used_points(stone);
-    return std::move(stones_);
+    return stones();
   }
 
  private:
@@ -39,15 +51,10 @@ class ObjReader {
     group_ = group;
   }
 
-  StoneSurface& current() {
-    const auto [known, is_new] = numbers_.emplace(std::make_pair(object_, group_), stones_.size());
-    if (is_new) {
-      stones_.emplace_back();
-      const std::string name = trimmed(group_.empty() ? object_ : group_);
-      stones_.back().name = name.empty() ? stem(file_) : name;
-      stones_.back().origin = lines_.place();
-    }
-    return stones_[known->second];
+  ObjPiece& current() {
+    const auto [known, is_new] = numbers_.emplace(std::make_pair(object_, group_), pieces_.size());
+    if (is_new) pieces_.push_back({object_, group_, lines_.place(), {}});
+    return pieces_[known->second];
   }
 
   void add_face() {
@@ -67,20 +74,69 @@ class ObjReader {
     return *number > 0 ? *number - 1 : count + *number;
   }
 
-  void keep_used_points(StoneSurface& stone) const {
+  std::vector<StoneSurface> stones() const {
+    std::vector<ObjPieces> objects;
+    std::map<std::string, std::size_t> number;
+    for (const auto& piece : pieces_) {
+      const auto [known, is_new] = number.emplace(piece.object, objects.size());
+      if (is_new) objects.emplace_back();
+      objects[known->second].push_back(&piece);
+    }
+    std::vector<char> whole;
+    std::map<std::string, int> times;  // that a group is a stone
+    for (const auto& pieces : objects) {
+      whole.push_back(is_stone(pieces));
+      for (const auto* piece : pieces) times[piece->group] += whole.back() ? 0 : 1;
+    }
+    std::vector<StoneSurface> all;
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      if (whole[k]) all.push_back(stone_of(objects[k], objects[k][0]->object));
+      for (const auto* piece : objects[k])
+        if (!whole[k]) all.push_back(stone_of({piece}, name_of(*piece, times[piece->group] > 1)));
+    }
+    return all;
+  }
+
+  /// Whether an object is one stone, whose groups are not closed, or are one alone.
+  bool is_stone(const ObjPieces& pieces) const {
+    if (pieces[0]->object.empty()) return false;
+    if (pieces.size() == 1) return true;
+    for (const auto* piece : pieces) {
+      auto stone = stone_of({piece}, "");
+      weld(stone);
+      if (!stone.faces.empty() && open_edges(stone).none()) return false;
+    }
+    return true;
+  }
+
+  /// Of a group that is a stone. @param several  whether groups of other objects have its name
+  static std::string name_of(const ObjPiece& piece, bool several) {
+    if (piece.group.empty()) return piece.object;
+    return several && !piece.object.empty() ? piece.object + " " + piece.group : piece.group;
+  }
+
+  /// With the points that the faces use.
+  StoneSurface stone_of(const ObjPieces& pieces, const std::string& name) const {
+    StoneSurface stone;
+    stone.name = name.empty() ? stem(file_) : name;
+    stone.origin = pieces[0]->origin;
     std::map<int, int> number;
-    for (auto& face : stone.faces)
-      for (int& point : face) {
-        const auto [known, is_new] = number.emplace(point, static_cast<int>(stone.points.size()));
-        if (is_new) stone.points.push_back(points_[point]);
-        point = known->second;
+    for (const auto* piece : pieces)
+      for (auto face : piece->faces) {
+        for (int& point : face) {
+          const auto [known, is_new] = number.emplace(point, static_cast<int>(stone.points.size()));
+          if (is_new) stone.points.push_back(points_[point]);
+          point = known->second;
+        }
+        stone.faces.push_back(std::move(face));
       }
+    return stone;
   }
 
   std::string file_, object_, group_;
   StoneLines lines_;
   Places points_;
-  std::vector<StoneSurface> stones_;
+  std::vector<ObjPiece> pieces_;
   std::map<std::pair<std::string, std::string>, std::size_t> numbers_;
 };
 

@@ -163,8 +163,10 @@ class PlyReader {
     Vector<3> x{NAN, NAN, NAN};
     for (const Property& p : element.properties) {
       if (p.list) {
-        const auto list = read_list(p, element, row);
-        if (face && (p.name == "vertex_indices" || p.name == "vertex_index")) stone_.faces.push_back(list);
+        // Others, such as texcoord, may be of any length.
+        const bool corners = face && (p.name == "vertex_indices" || p.name == "vertex_index");
+        auto list = read_list(p, element, row, corners ? 3 : 0);
+        if (corners) stone_.faces.push_back(std::move(list));
         continue;
       }
       const double value = numbers_.next(p.type);
@@ -178,11 +180,13 @@ class PlyReader {
     stone_.points.push_back(x);
   }
 
-  std::vector<int> read_list(const Property& p, const Element& element, int row) {
+  std::vector<int> read_list(const Property& p, const Element& element, int row, int least) {
     const double count = numbers_.next(p.count);
-    if (count < 0 || (element.name == "face" && count < 3))
-      refuse_stones(file_, element.name + " " + std::to_string(row) + " has " + six_digits(count) + " points",
-                    "A face needs three");
+    if (count < least)
+      refuse_stones(file_,
+                    element.name + " " + std::to_string(row) + " has " + six_digits(count) + " members of its list " +
+                        in_quotes(p.name),
+                    least > 0 ? "A face needs three corners" : "The file is damaged: export it anew");
     std::vector<int> list;
     for (double k = 0; k < count; ++k) {
       const double value = numbers_.next(p.type);

@@ -20,26 +20,35 @@ void add_triangle(StoneSurface& stone, const std::array<Vector<3>, 3>& corners) 
   stone.faces.push_back({first, first + 1, first + 2});
 }
 
-/// By its size, which the number of triangles gives: headers of binary files may begin with the word of those of text.
-bool is_binary(const std::string& file, const std::string& contents) {
-  if (contents.size() < header) return false;
-  const std::size_t triangles = StoneBytes(file, contents, header - 4, false).plain<std::uint32_t>();
-  if (contents.size() == header + bytes_of_triangle * triangles) return true;
-  if (contents.find('\0') != std::string::npos)  // no text
-    refuse_stones(file,
-                  "tells of " + counted(triangles, "triangle") + ", in all " +
-                      counted(header + bytes_of_triangle * triangles, "byte") + ", and has " +
-                      std::to_string(contents.size()),
-                  "It was cut when it was copied, or is damaged: export it anew");
-  return false;
+/// The length of what the header tells of.
+std::size_t whole_size(std::size_t triangles) { return header + bytes_of_triangle * triangles; }
+
+std::size_t triangles_told(const std::string& file, const std::string& contents) {
+  return StoneBytes(file, contents, header - 4, false).plain<std::uint32_t>();
 }
 
-std::vector<StoneSurface> read_binary(const std::string& file, const std::string& contents) {
+/// By its size, which the number of triangles gives: headers of binary files may begin with the word of those of text.
+/// What is less than a triangle more is no loss, only left over.
+bool is_binary(const std::string& file, const std::string& contents) {
+  if (contents.size() < header) return false;
+  const std::size_t triangles = triangles_told(file, contents), size = contents.size(), whole = whole_size(triangles);
+  if (size >= whole && size - whole < bytes_of_triangle) return true;
+  if (contents.find('\0') == std::string::npos) return false;
+  begin_of_text(file, contents);
+  const std::string told = "tells of " + counted(triangles, "triangle") + ", in all " + counted(whole, "byte") +
+                           ", and has " + std::to_string(size);
+  if (size > whole)
+    refuse_stones(file, told + ", " + counted(size - whole, "byte") + " more than its triangles take",
+                  "The number of triangles in its header is damaged, or something else is attached: export it anew");
+  refuse_stones(file, told, "It was cut when it was copied, or is damaged: export it anew");
+}
+
+std::vector<StoneSurface> read_binary(const std::string& file, const std::string& contents, Warnings& warnings) {
   StoneSurface stone;
   stone.name = stem(file);
   stone.origin = std::filesystem::path(file).filename().string();
   StoneBytes bytes(file, contents, header, false);
-  while (bytes.left() > 0) {
+  while (bytes.left() >= bytes_of_triangle) {
     bytes.skip(12);  // the normal
     std::array<Vector<3>, 3> corners;
     for (auto& corner : corners)
@@ -52,6 +61,11 @@ std::vector<StoneSurface> read_binary(const std::string& file, const std::string
     bytes.skip(2);
     add_triangle(stone, corners);
   }
+  if (bytes.left() > 0)
+    add_warning(warnings,
+                {"bytes_left_over", stone.origin, "", static_cast<double>(bytes.left()),
+                 "has " + counted(bytes.left(), "byte") + " more than its " + counted(stone.faces.size(), "triangle") +
+                     " take, which are not read: look whether the stone is whole"});
   if (stone.faces.empty()) return {};
   return {stone};
 }
@@ -87,8 +101,8 @@ std::vector<StoneSurface> read_ascii(const std::string& file, const std::string&
 
 }  // namespace
 
-std::vector<StoneSurface> read_stl(const std::string& file, const std::string& contents) {
-  auto stones = is_binary(file, contents) ? read_binary(file, contents) : read_ascii(file, contents);
+std::vector<StoneSurface> read_stl(const std::string& file, const std::string& contents, Warnings& warnings) {
+  auto stones = is_binary(file, contents) ? read_binary(file, contents, warnings) : read_ascii(file, contents);
   if (stones.empty()) refuse_stones(file, "has no triangles", "Export the stone as a solid or a closed mesh");
   return stones;
 }

@@ -50,6 +50,9 @@ void turn_up(UpAxis, Places&);
 /// Throws InputError for stones that lie in each other by more than the tolerance.
 void refuse_overlaps(const std::vector<StoneSurface>&, double tolerance);
 
+/// Throws InputError for a stone that is called as a set is that every scene knows.
+void refuse_names_of_sets(const std::string& file, const std::vector<StoneSurface>&);
+
 /// Reads the file and finds joints. Throws InputError for files that cannot be read, stones that cannot be mended, that
 /// overlap by more than the tolerance or do not fit together.
 StoneStructure structure_of(const StonesParameters&);

@@ -104,7 +104,8 @@ inline std::string as_stl(const StoneSurface& stone) {
 /// Stones written as STL and read again.
 inline std::vector<StoneSurface> through_stl(const std::vector<StoneSurface>& stones) {
   std::vector<StoneSurface> read;
-  for (const auto& stone : stones) read.push_back(read_stl(stone.name + ".stl", as_stl(stone))[0]);
+  Warnings untold;
+  for (const auto& stone : stones) read.push_back(read_stl(stone.name + ".stl", as_stl(stone), untold)[0]);
   return closed(read).stones;
 }
 

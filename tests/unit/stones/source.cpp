@@ -66,6 +66,33 @@ TEUCHOS_UNIT_TEST(StoneSource, RefusesNamesThatMeanSets) {
   TEST_EQUALITY(refused("supports"), "");  // no stone of an OBJ file is called a support
 }
 
+TEUCHOS_UNIT_TEST(StoneSource, TellsOfTheFileWhatIsToBeTold) {
+  const auto comm = Tpetra::getDefaultComm();
+  if (comm->getRank() == 0) {
+    std::ofstream file("repeated.stl");
+    for (const double height : {0.0, 1.0}) {
+      file << "solid x\n";
+      const auto stone = box("x", {0, 0, height}, {1, 1, height + 1});
+      for (const auto& face : stone.faces)
+        for (const auto& corners : {std::array<int, 3>{0, 1, 2}, std::array<int, 3>{0, 2, 3}}) {
+          file << "facet normal 0 0 0\nouter loop\n";
+          for (const int k : corners) {
+            const auto& x = stone.points[face[k]];
+            file << "vertex " << x[0] << " " << x[1] << " " << x[2] << "\n";
+          }
+          file << "endloop\nendfacet\n";
+        }
+      file << "endsolid x\n";
+    }
+  }
+  StonesParameters p;
+  p.file = "repeated.stl";
+  const auto read = read_stone_blocks(p, *comm);
+  TEST_ASSERT((read->block_sets() == std::vector<std::string>{"x 1", "x 2", "one neighbour"}));
+  const auto warnings = read->warnings();
+  TEST_ASSERT(warnings.size() == 1 && warnings[0].what == "names_repeated");
+}
+
 TEUCHOS_UNIT_TEST(StoneSource, RefusesOnEveryRank) {
   const auto comm = Tpetra::getDefaultComm();
   auto stones = corner();
