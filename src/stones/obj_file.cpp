@@ -85,7 +85,7 @@ class ObjReader {
     std::vector<char> whole;
     std::map<std::string, int> times;  // that a group is a stone
     for (const auto& pieces : objects) {
-      whole.push_back(is_stone(pieces));
+      whole.push_back(is_stone(pieces, objects.size() == 1));
       for (const auto* piece : pieces) times[piece->group] += whole.back() ? 0 : 1;
     }
     std::vector<StoneSurface> all;
@@ -97,16 +97,20 @@ class ObjReader {
     return all;
   }
 
-  /// Whether an object is one stone, whose groups are not closed, or are one alone.
-  bool is_stone(const ObjPieces& pieces) const {
+  /// Whether an object is one stone: none of its groups is closed, or it has one alone. Where nothing is closed, the
+  /// groups of a file's only object are probably stones with faults, and these are told by their names.
+  bool is_stone(const ObjPieces& pieces, bool only) const {
     if (pieces[0]->object.empty()) return false;
     if (pieces.size() == 1) return true;
-    for (const auto* piece : pieces) {
-      auto stone = stone_of({piece}, "");
-      weld(stone);
-      if (!stone.faces.empty() && open_edges(stone).none()) return false;
-    }
-    return true;
+    for (const auto* piece : pieces)
+      if (is_closed({piece})) return false;
+    return !only || is_closed(pieces);
+  }
+
+  bool is_closed(const ObjPieces& pieces) const {
+    auto stone = stone_of(pieces, "");
+    weld(stone);
+    return !stone.faces.empty() && open_edges(stone).none();
   }
 
   /// Of a group that is a stone. @param several  whether groups of other objects have its name

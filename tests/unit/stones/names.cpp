@@ -51,6 +51,17 @@ TEUCHOS_UNIT_TEST(ObjNames, GroupsForTheSidesOfAnObjectAreOneStone) {
   TEST_EQUALITY(stones[0].origin, "s.obj, line 10");
 }
 
+TEUCHOS_UNIT_TEST(ObjNames, FaultsAreToldOfGroupsInAnOnlyObjectAndOfObjectsElse) {
+  const auto without_last = [](std::string faces) { return faces.erase(faces.rfind("f ")); };
+  const std::string open = without_last(tetrahedron_of(1, {"g west"})) + without_last(tetrahedron_of(5, {"g east"}));
+  TEST_ASSERT(names_of(read_obj("g.obj", two_tetrahedra + "o wall\n" + open)) == (Names{"west", "east"}));
+  const std::string sides = without_last(tetrahedron_of(1, {"g top", "g sides"}));
+  TEST_ASSERT(names_of(read_obj("g.obj", two_tetrahedra + "o A\n" + sides + tetrahedron_of(5, {"o B"}))) ==
+              (Names{"A", "B"}));
+  const std::string whole = tetrahedron_of(1, {"g top", "g sides"});
+  TEST_ASSERT(names_of(read_obj("g.obj", two_tetrahedra + "o A\n" + whole)) == (Names{"A"}));
+}
+
 TEUCHOS_UNIT_TEST(ObjNames, ClosedGroupsAreStonesWithoutObjectsAndInOne) {
   for (const std::string object : {"", "o wall\n"}) {
     const auto stones =
