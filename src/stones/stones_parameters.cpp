@@ -47,8 +47,7 @@ void StonesParameters::declare(ParameterSection& section) {
   section.add(
       "file", file,
       "stones as closed surfaces: .obj (an object is a stone, or each closed group in it), .json of COMPAS (meshes, an "
-      "Assembly, "
-      "a BlockModel), .stl, .ply, or a folder of such files, one for each stone; or solids: .step, or .geo and .msh of "
+      "Assembly, a BlockModel), .stl, .ply, or a folder of such files, one each; or solids: .step, or .geo and .msh of "
       "gmsh, every volume of which is a stone. A scene of the plane has a drawing: .csv (a row for each corner: stone, "
       "x, y, and where wanted set and hole), .dxf (closed polylines, circles; the layer is a set), .svg (closed paths "
       "and shapes; id is the name, class a set), .geojson (polygons; name, set). A relative path is sought beside the "
