@@ -27,6 +27,16 @@ struct Box {
   }
 };
 
+/// A box that is larger on all sides.
+template <int dim>
+Box<dim> widened(Box<dim> box, double by) {
+  for (int i = 0; i < dim; ++i) {
+    box.low[i] -= by;
+    box.high[i] += by;
+  }
+  return box;
+}
+
 /// Binary tree of bounding boxes, halved at the median of the longer side.
 template <int dim>
 class BoxTree {

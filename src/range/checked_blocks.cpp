@@ -51,6 +51,11 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
              " > file = " + (stones ? scene.mesh.stones.file : scene.mesh.gmsh.file) + "\n  " +
              what.substr(mesh.size());
     }
+    // What may be wrong with the file is the more likely reason of what is wrong with the scene.
+    if (source && !source->warnings().empty()) {
+      what += "\n  The mesh is warned of too:";
+      for (const auto& warning : source->warnings()) what += "\n    " + warning.text;
+    }
     throw InputError(scene.file + ": " + what);
   }
   return source;

@@ -9,6 +9,7 @@
 
 #include "base/sort_unique.hpp"
 #include "stones/polygon.hpp"
+#include "stones/repair.hpp"
 
 namespace voussoir {
 namespace {
@@ -179,6 +180,89 @@ StoneFacet facet_of(const std::vector<int>& region, const Faces& faces, const St
   return facet;
 }
 
+/// The borders of all facets of a stone without the points at which they do not turn.
+class StraightEdges {
+ public:
+  StraightEdges(const StoneSurface& stone, std::vector<StoneFacet>& facets) : x_(stone.points), facets_(facets) {
+    for (const auto& facet : facets_)
+      for (const auto& [a, b] : facet.edges) {
+        beside_[a].insert(b);
+        beside_[b].insert(a);
+      }
+    const auto box = box_of(x_);
+    turns_ = same_point * norm(box.high - box.low);
+  }
+
+  void join() {
+    for (const auto& [point, others] : beside_)
+      if (others.size() != 2)
+        for (const int next : others) walk(point, next);
+    for (const auto& [point, others] : beside_)  // rims that no other edge meets
+      if (others.size() == 2 && known_.count(point) == 0) walk(point, *others.begin());
+    for (auto& facet : facets_) drop_from(facet);
+  }
+
+ private:
+  /// From a point along points that two edges meet to the next that is none of them, or around.
+  void walk(int from, int next) {
+    std::vector<int> chain{from};
+    for (int at = next; at != from && beside_.at(at).size() == 2; at = next) {
+      if (!known_.insert(at).second) return;
+      chain.push_back(at);
+      const auto& others = beside_.at(at);
+      const int before = chain[chain.size() - 2];
+      next = *others.begin() == before ? *others.rbegin() : *others.begin();
+    }
+    chain.push_back(next);
+    if (chain.front() != chain.back()) return straighten(chain, 0, chain.size() - 1);
+    known_.insert(from);
+    std::size_t far = 0;  // of a rim at least a triangle stays: what is farthest from its beginning, and from both
+    for (std::size_t k = 0; k < chain.size(); ++k)
+      if (norm(x_[chain[k]] - x_[from]) > norm(x_[chain[far]] - x_[from])) far = k;
+    straighten(chain, 0, far);
+    straighten(chain, far, chain.size() - 1);
+  }
+
+  /// Drops the points between two of a chain that lie on the straight line between them, or cuts it at the farthest.
+  void straighten(const std::vector<int>& chain, std::size_t from, std::size_t to) {
+    const auto along = x_[chain[to]] - x_[chain[from]];
+    const double length = norm(along);
+    std::size_t far = from;
+    double farthest = turns_;
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const auto apart = x_[chain[k]] - x_[chain[from]];
+      const double off = length > 0 ? norm(cross(along, apart)) / length : norm(apart);
+      if (off > farthest) far = k, farthest = off;
+    }
+    if (far == from) {
+      dropped_.insert(chain.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                      chain.begin() + static_cast<std::ptrdiff_t>(to));
+      return;
+    }
+    straighten(chain, from, far);
+    straighten(chain, far, to);
+  }
+
+  void drop_from(StoneFacet& facet) const {
+    std::map<int, int> next;  // after a point that is dropped: it is met once
+    for (const auto& [a, b] : facet.edges)
+      if (dropped_.count(a) > 0) next[a] = b;
+    std::vector<std::array<int, 2>> edges;
+    for (auto [a, b] : facet.edges) {
+      if (dropped_.count(a) > 0) continue;
+      while (dropped_.count(b) > 0) b = next.at(b);
+      edges.push_back({a, b});
+    }
+    facet.edges = std::move(edges);
+  }
+
+  const Places& x_;
+  std::vector<StoneFacet>& facets_;
+  std::map<int, std::set<int>> beside_;  ///< per point of a border those at the other ends of its edges
+  std::set<int> known_, dropped_;
+  double turns_ = 0;  ///< [m] from a straight line
+};
+
 }  // namespace
 
 FacetedStone facets_of(const StoneSurface& stone, double tolerance) {
@@ -190,6 +274,7 @@ FacetedStone facets_of(const StoneSurface& stone, double tolerance) {
   for (const int first : faces.by_area())
     if (!taken[first])
       result.facets.push_back(facet_of(grown_from(first, faces, stone, tolerance, taken), faces, stone));
+  StraightEdges(stone, result.facets).join();
   return result;
 }
 

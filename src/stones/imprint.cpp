@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "stones/cut_edges.hpp"
@@ -17,6 +18,12 @@ namespace voussoir {
 namespace {
 
 using Loop = std::vector<int>;
+
+// [-] of the weld: far above round-off of places, far below the width of a cell.
+constexpr double beside = 1e-6;
+
+// [-] of the weld: a point that near lies from two edges of a corner of 60 degrees as far as points do that are one.
+constexpr double farthest_corner = 2;
 using Edge = std::pair<int, int>;
 
 /// The border of polygons that lie side by side: edges that two of them have are none of it.
@@ -34,10 +41,20 @@ class Outline {
   std::set<Edge> edges_;
 };
 
-/// A joint on a facet: its number, and its convex pieces as loops of points.
+/// A joint on a facet: its number, and its convex pieces in the plane of the facet.
 struct OnFacet {
   int joint;
-  std::vector<Loop> pieces;
+  std::vector<Polygon> pieces;
+
+  /// Whether a place lies in it. One on edges between pieces may be in none of them by round-off: one of two beside it
+  /// is, which lie in no direction that drawings have.
+  bool holds(const Vector<2>& place, double by_much) const {
+    for (const auto& by : {Vector<2>{0, 0}, Vector<2>{0.8391 * by_much, 0.5297 * by_much},
+                           Vector<2>{-0.2917 * by_much, 0.9511 * by_much}})
+      for (const auto& piece : pieces)
+        if (voussoir::holds(piece, place + by)) return true;
+    return false;
+  }
 };
 
 /// The drawing of one facet, over numbers of its own.
@@ -87,14 +104,15 @@ class Imprinting {
         welded_(weld),
         number_(numbers_of_points()),
         pieces_(numbers_of_pieces()),
-        cut_(welded_.points(), weld) {}
+        points_(with_corners_as_one()),
+        cut_(points_, weld) {}
 
   Imprint run() {
     std::map<std::array<int, 2>, std::vector<int>> joints_of_facet;
     for (int j = 0; j < static_cast<int>(joints_.joints.size()); ++j)
       for (int side = 0; side < 2; ++side)
         joints_of_facet[{joints_.joints[j].stone[side], joints_.joints[j].facet[side]}].push_back(j);
-    imprint_.points = welded_.points();
+    imprint_.points = points_;
     imprint_.number = number_;
     for (int s = 0; s < static_cast<int>(stones_.size()); ++s)
       for (int f = 0; f < static_cast<int>(stones_[s].facets.size()); ++f) cut_facet(s, f, joints_of_facet[{s, f}]);
@@ -127,8 +145,13 @@ class Imprinting {
   }
 
   /// Where nearly parallel edges of two stones cross is chance: such a corner, with no point of a stone near it and
-  /// nearly on the line of its neighbours, is none.
-  Loop numbers_of(const Places& piece) {
+  /// nearly on the line of its neighbours, is none. Corners that are one stand for it together, or each would seem to
+  /// lie on the line from the other to the next.
+  Loop numbers_of(const Places& corners) {
+    Places piece;
+    for (const auto& x : corners)
+      if (piece.empty() || norm(x - piece.back()) > weld_) piece.push_back(x);
+    while (piece.size() > 1 && norm(piece.front() - piece.back()) <= weld_) piece.pop_back();
     Loop numbers;
     for (std::size_t k = 0; k < piece.size(); ++k) {
       const auto &before = piece[(k + piece.size() - 1) % piece.size()], &after = piece[(k + 1) % piece.size()];
@@ -137,6 +160,47 @@ class Imprinting {
       if (!straight || welded_.find(piece[k]) >= 0) numbers.push_back(welded_.add(piece[k]));
     }
     return numbers;
+  }
+
+  /// A point that lies on both edges of a corner is that corner, though it is a little farther from it than points that
+  /// are one: both edges would go to it and back. Returns the points that are left, in their order.
+  Places with_corners_as_one() {
+    const auto& x = welded_.points();
+    DisjointSets same(x.size());
+    CutEdges<3> edges(x, weld_);
+    for (std::size_t s = 0; s < stones_.size(); ++s)
+      for (const auto& facet : stones_[s].facets) {
+        std::multimap<int, int> after;
+        for (const auto& e : facet.edges) after.emplace(number_[s][e[0]], number_[s][e[1]]);
+        for (const auto& [before, corner] : after)
+          for (auto [at, end] = after.equal_range(corner); at != end; ++at)
+            for (const int point : between(edges, before, corner, at->second))
+              if (norm(x[point] - x[corner]) <= farthest_corner * weld_) same.unite(point, corner);
+      }
+    std::map<int, int> number;  // of those that stand for others
+    Places left;
+    for (int k = 0; k < static_cast<int>(x.size()); ++k)
+      if (number.emplace(same.root(k), static_cast<int>(left.size())).second) left.push_back(x[k]);
+    const auto renumber = [&](Loop& loop) {
+      for (int& point : loop)
+        if (point >= 0) point = number.at(same.root(point));
+    };
+    for (auto& loop : number_) renumber(loop);
+    for (auto& pieces : pieces_)
+      for (auto& loop : pieces) renumber(loop);
+    return left;
+  }
+
+  /// Points on the way from a to b that are on the way from b to c too.
+  static Loop between(CutEdges<3>& edges, int a, int b, int c) {
+    if (a == b || b == c || a == c) return {};
+    auto one = edges.way(a, b), other = edges.way(b, c);
+    Loop both;
+    if (one.size() < 3 || other.size() < 3) return both;
+    for (const int point : one)
+      if (point != a && point != b && std::find(other.begin(), other.end() - 1, point) != other.end() - 1)
+        both.push_back(point);
+    return both;
   }
 
   void cut_facet(int s, int f, const std::vector<int>& joints) {
@@ -148,8 +212,10 @@ class Imprinting {
       const int a = number_[s][e[0]], b = number_[s][e[1]];
       if (a == b) continue;
       const Loop way = cut_.way(a, b);
-      for (std::size_t k = 0; k + 1 < way.size(); ++k) drawing.add_edge(way[k], way[k + 1]);
-      border.push_back({drawing.local(a), drawing.local(b)});
+      for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+        drawing.add_edge(way[k], way[k + 1]);
+        border.push_back({drawing.local(way[k]), drawing.local(way[k + 1])});
+      }
     }
     std::vector<OnFacet> on_facet;
     for (const int j : joints) {
@@ -159,7 +225,7 @@ class Imprinting {
         if (joints_.joints[j].stone[0] != s) std::reverse(corners.begin(), corners.end());
         const Loop loop = cut_.around(corners);
         if (loop.empty()) continue;
-        on_facet.back().pieces.push_back(loop);
+        on_facet.back().pieces.push_back(drawing.polygon(loop));
         outline.add(loop);
       }
       for (const auto& [a, b] : outline.edges()) drawing.add_edge(a, b);
@@ -171,8 +237,7 @@ class Imprinting {
       ImprintedCell cell{s, f, -1, drawing.global(drawn.outer), {}, drawn.area};
       for (const auto& hole : drawn.holes) cell.holes.push_back(drawing.global(hole));
       for (const auto& joint : on_facet)
-        for (const auto& piece : joint.pieces)
-          if (holds(drawing.polygon(piece), drawn.inside)) cell.joint = joint.joint;
+        if (joint.holds(drawn.inside, beside * weld_)) cell.joint = joint.joint;
       imprint_.cells.push_back(std::move(cell));
     }
   }
@@ -183,6 +248,7 @@ class Imprinting {
   WeldedPoints<3> welded_;
   std::vector<Loop> number_;               ///< per stone and point
   std::vector<std::vector<Loop>> pieces_;  ///< per joint and piece
+  const Places points_;
   CutEdges<3> cut_;
   Imprint imprint_;
 };
@@ -236,12 +302,12 @@ void look_at_edges(Imprint& imprint) {
         imprint.shortest_edge = std::min(imprint.shortest_edge, norm(imprint.points[b] - imprint.points[a]));
       }
   }
-  std::set<int> open;
+  std::map<int, int> open;  // per stone a point of an edge
   for (const auto& [edge, number] : uses) {
     const auto back = uses.find({edge[0], edge[2], edge[1]});
-    if (number != 1 || back == uses.end() || back->second != 1) open.insert(edge[0]);
+    if (number != 1 || back == uses.end() || back->second != 1) open.emplace(edge[0], edge[1]);
   }
-  imprint.faults.open_stones.assign(open.begin(), open.end());
+  for (const auto& [stone, point] : open) imprint.faults.open_stones.push_back({stone, point});
 }
 
 }  // namespace
@@ -287,18 +353,24 @@ void refuse_faults(const Imprint& imprint, const std::vector<FacetedStone>& ston
   if (faults.none()) return;
   std::string message = "mesh > stones: with joint tolerance = " + number_text(tolerance) +
                         " [m] and weld = " + number_text(weld) + " [m] the stones do not fit together:";
-  const auto add = [&](std::size_t number, const std::string& what, int stone) {
-    if (number > 0)
-      message += "\n    " + std::to_string(number) + " " + what + ", first of " + in_words(*stones[stone].surface);
+  const auto add = [&](std::size_t number, const std::string& what, int stone, const Vector<3>& place) {
+    message += "\n    " + std::to_string(number) + " " + what + ", first of " + in_words(*stones[stone].surface) +
+               " at " + place_in_words(place);
   };
-  const auto stone_of = [&](const std::vector<int>& cells) {
-    return cells.empty() ? 0 : imprint.cells[cells[0]].stone;
+  const auto add_cells = [&](const std::vector<int>& cells, const std::string& what) {
+    if (cells.empty()) return;
+    const auto& cell = imprint.cells[cells[0]];
+    add(cells.size(), what, cell.stone, imprint.points[cell.outer[0]]);
   };
-  add(faults.open_stones.size(), "stones whose cut facets are not closed",
-      faults.open_stones.empty() ? 0 : faults.open_stones[0]);
-  add(faults.lonely.size(), "joint faces that the other stone has not", stone_of(faults.lonely));
-  add(faults.crowded.size(), "faces that more than two stones have", stone_of(faults.crowded));
-  add(faults.crossings.size(), "joints that cross on a face", faults.crossings.empty() ? 0 : faults.crossings[0][0]);
+  if (!faults.open_stones.empty())
+    add(faults.open_stones.size(), "stones whose cut facets are not closed", faults.open_stones[0][0],
+        imprint.points[faults.open_stones[0][1]]);
+  add_cells(faults.lonely, "joint faces that the other stone has not");
+  add_cells(faults.crowded, "faces that more than two stones have");
+  if (!faults.crossings.empty()) {
+    const auto [stone, facet] = faults.crossings[0];
+    add(faults.crossings.size(), "joints that cross on a face", stone, stones[stone].facets[facet].centre);
+  }
   throw InputError(message +
                    "\n  Raise joint tolerance above the largest gap in a joint and weld to two to ten times of it, or "
                    "lower\n  both below the thinnest part of a stone and the narrowest gap that is meant to be open.");

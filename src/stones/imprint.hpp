@@ -21,10 +21,10 @@ struct ImprintedCell {
 
 /// What must not be: the meshes of two stones would not match, or a stone would leak.
 struct ImprintFaults {
-  std::vector<int> open_stones;               ///< whose cells are not closed
-  std::vector<int> lonely;                    ///< cells of a joint whose other stone has no such cell
-  std::vector<int> crowded;                   ///< cells that three stones have
-  std::vector<std::array<int, 2>> crossings;  ///< stone and facet with edges that cross
+  std::vector<std::array<int, 2>> open_stones;  ///< whose cells are not closed, with a point where
+  std::vector<int> lonely;                      ///< cells of a joint whose other stone has no such cell
+  std::vector<int> crowded;                     ///< cells that three stones have
+  std::vector<std::array<int, 2>> crossings;    ///< stone and facet with edges that cross
   bool none() const { return open_stones.empty() && lonely.empty() && crowded.empty() && crossings.empty(); }
 };
 

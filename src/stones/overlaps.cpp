@@ -3,150 +3,116 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
-#include <utility>
 
-#include "stones/facets.hpp"
-#include "stones/polygon.hpp"
+#include "stones/solid.hpp"
 
 namespace voussoir {
 namespace {
 
-using TriangleOfPlaces = std::array<Vector<3>, 3>;
+// Lines in each of three directions through what the boxes of two stones have in common: so an overlap is found that is
+// a seventh of that in two of them, however thin in the third. Deeper ones that are smaller hold a corner of a stone.
+constexpr int lines_across = 7;
 
-/// How much of the unit sphere around a place a triangle hides, signed.
-///
-/// Theory  A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
-double solid_angle(const TriangleOfPlaces& t, const Vector<3>& place) {
-  const auto a = t[0] - place, b = t[1] - place, c = t[2] - place;
-  const double la = norm(a), lb = norm(b), lc = norm(c);
-  const double below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-  return 2 * std::atan2(dot(a, cross(b, c)), below);
-}
+// [-] of the distance between lines: they do not lie in planes of a drawing.
+constexpr std::array<double, 2> off_planes{0.4711, 0.5389};
 
-double distance_to_segment(const Vector<3>& a, const Vector<3>& b, const Vector<3>& place) {
-  const auto along = b - a;
-  const double squared = dot(along, along);
-  const double part = squared > 0 ? std::clamp(dot(place - a, along) / squared, 0.0, 1.0) : 0;
-  return norm(place - a - part * along);
-}
+// [-] of a depth: places are told inside from outside at twice of it from surfaces.
+constexpr double nearby = 0.5;
 
-double distance(const TriangleOfPlaces& t, const Vector<3>& place) {
-  const auto normal = cross(t[1] - t[0], t[2] - t[0]);
-  const double size = norm(normal);
-  bool above = size > 0;
-  for (int k = 0; k < 3 && above; ++k) above = dot(cross(t[(k + 1) % 3] - t[k], place - t[k]), normal) >= 0;
-  if (above) return std::abs(dot(place - t[0], normal)) / size;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) least = std::min(least, distance_to_segment(t[k], t[(k + 1) % 3], place));
-  return least;
-}
-
-/// A stone as triangles.
-struct Solid {
-  std::vector<TriangleOfPlaces> triangles;
-  std::vector<std::array<Vector<3>, 2>> edges;
-  Places points;
-  Vector<3> centre{};
-  Box<3> box{};
-
-  explicit Solid(const StoneSurface& stone) : points(stone.points), centre(mean(stone.points)), box(box_of(points)) {
-    std::set<std::pair<int, int>> known;
-    for (const auto& face : stone.faces) {
-      const auto corners = places_of(stone.points, face);
-      for (const auto& t : cut_into_triangles(corners))
-        triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
-      for (std::size_t k = 0; k < face.size(); ++k) {
-        const int a = face[k], b = face[(k + 1) % face.size()];
-        if (known.insert(std::minmax(a, b)).second) edges.push_back({points[a], points[b]});
-      }
-    }
+Box<3> common(const Box<3>& a, const Box<3>& b) {
+  auto both = a;
+  for (int i = 0; i < 3; ++i) {
+    both.low[i] = std::max(a.low[i], b.low[i]);
+    both.high[i] = std::min(a.high[i], b.high[i]);
   }
-
-  double depth(const Vector<3>& place) const {
-    double angle = 0, least = std::numeric_limits<double>::infinity();
-    for (const auto& t : triangles) {
-      angle += solid_angle(t, place);
-      least = std::min(least, distance(t, place));
-    }
-    return angle > 2 * std::acos(-1.0) ? least : -least;  // half the sphere: 2 pi, of 4 pi inside
-  }
-
-  bool box_holds(const Vector<3>& place) const { return box.overlaps({place, place}); }
-};
-
-/// Where along an edge, from 0 to 1, it goes through a triangle of a stone, with both ends.
-std::vector<double> ways_through(const Solid& stone, const Vector<3>& from, const Vector<3>& to) {
-  std::vector<double> at{0, 1};
-  for (const auto& t : stone.triangles) {
-    const auto normal = cross(t[1] - t[0], t[2] - t[0]);
-    const double first = dot(from - t[0], normal), last = dot(to - t[0], normal);
-    if ((first < 0) == (last < 0)) continue;
-    const double part = first / (first - last);
-    const auto place = from + part * (to - from);
-    bool inside = true;
-    for (int k = 0; k < 3 && inside; ++k) inside = dot(cross(t[(k + 1) % 3] - t[k], place - t[k]), normal) >= 0;
-    if (inside) at.push_back(part);
-  }
-  std::sort(at.begin(), at.end());
-  return at;
+  return both;
 }
 
-/// Looks at places of one stone in another.
-class Look {
+/// Two stones, and the deepest place of one in the other so far.
+class TwoSolids {
  public:
-  Look(const Solid& in, StoneOverlap& found) : in_(in), found_(found) {}
+  /// @param depth  [m] from which an overlap counts
+  TwoSolids(const Solid& a, const Solid& b, double depth)
+      : solid_{&a, &b}, both_(common(a.box(), b.box())), depth_(depth) {}
 
-  void at(const Vector<3>& place) {
-    if (!in_.box_holds(place)) return;
-    const double depth = in_.depth(place);
-    if (depth > found_.depth) found_.depth = depth, found_.place = place;
+  /// Corners of either in the other, as far as they are from its surface.
+  void look_at_corners() {
+    for (int one = 0; one < 2; ++one)
+      for (const auto& x : solid_[one]->points())
+        if (both_.overlaps({x, x})) take(x, depth_of_corner(*solid_[1 - one], x));
   }
 
-  /// @param depth  [m] how far inside of faces places are looked at too
-  void all_of(const Solid& stone, double depth) {
-    for (const auto& x : stone.points) at(x);
-    for (const auto& [from, to] : stone.edges) {
-      Box<3> box{from, from};
-      box.add({to, to});
-      if (!box.overlaps(in_.box)) continue;
-      const auto ways = ways_through(in_, from, to);
-      for (std::size_t k = 0; k + 1 < ways.size(); ++k) at(from + ((ways[k] + ways[k + 1]) / 2) * (to - from));
-    }
-    for (const auto& t : stone.triangles) {
-      const auto middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
-      const auto normal = cross(t[1] - t[0], t[2] - t[0]);
-      at(middle);
-      const auto behind = middle - (2 * depth / norm(normal)) * normal;
-      if (norm(normal) > 0 && in_.box_holds(behind) && stone.depth(behind) > 0) at(behind);
-    }
-    if (in_.box_holds(stone.centre) && stone.depth(stone.centre) > 0) at(stone.centre);
+  /// Lines that are in both for longer than the depth.
+  void look_along(int axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double du = (both_.high[u] - both_.low[u]) / lines_across, dv = (both_.high[v] - both_.low[v]) / lines_across;
+    auto through = both_.low;
+    for (int i = 0; i < lines_across; ++i)
+      for (int j = 0; j < lines_across; ++j) {
+        through[u] = both_.low[u] + (i + off_planes[0]) * du;
+        through[v] = both_.low[v] + (j + off_planes[1]) * dv;
+        const double aside = 0.1 * std::min(du, dv);
+        const auto in_a = solid_[0]->along(axis, through, aside), in_b = solid_[1]->along(axis, through, aside);
+        for (const auto& a : in_a)
+          for (const auto& b : in_b) look_between(axis, through, a, b);
+      }
   }
+
+  double deepest() const { return deepest_; }
+  const Vector<3>& place() const { return place_; }
 
  private:
-  const Solid& in_;
-  StoneOverlap& found_;
+  double depth_of_corner(const Solid& other, const Vector<3>& x) const {
+    if (other.distance(x, depth_) < depth_ || !other.holds(x, nearby * depth_)) return 0;
+    return other.distance(x, std::numeric_limits<double>::infinity());
+  }
+
+  /// A line that is in one stone from a[0] to a[1] and in the other from b[0] to b[1]. Where both begin and end places
+  /// on the surface of one are as deep as the other's is far; in the middle a ball lies in both.
+  void look_between(int axis, Vector<3> through, const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    const double from = std::max(a[0], b[0]), to = std::min(a[1], b[1]);
+    if (to - from <= depth_) return;
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double end : {from, to}) {
+      through[axis] = end;
+      const int owner = end == a[0] || end == a[1] ? 0 : 1;
+      take(through, solid_[1 - owner]->distance(through, infinity));
+    }
+    through[axis] = (from + to) / 2;
+    take(through, 2 * std::min(solid_[0]->distance(through, infinity), solid_[1]->distance(through, infinity)));
+  }
+
+  void take(const Vector<3>& place, double depth) {
+    if (!(depth > deepest_)) return;
+    deepest_ = depth;
+    place_ = place;
+  }
+
+  std::array<const Solid*, 2> solid_;
+  Box<3> both_;
+  double depth_;
+  double deepest_ = 0;
+  Vector<3> place_{};
 };
 
 }  // namespace
 
 double distance_between(const StoneSurface& one, const StoneSurface& other) {
-  const Solid a(one), b(other);
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto* pair : {&a, &b})
-    for (const auto& x : (pair == &a ? b : a).points)
-      for (const auto& t : pair->triangles) least = std::min(least, distance(t, x));
-  return least;
+  return Solid(one).distance(Solid(other), std::numeric_limits<double>::infinity());
 }
 
-double depth_inside(const StoneSurface& stone, const Vector<3>& place) { return Solid(stone).depth(place); }
+double depth_inside(const StoneSurface& stone, const Vector<3>& place) {
+  const Solid solid(stone);
+  const double distance = solid.distance(place, std::numeric_limits<double>::infinity());
+  return solid.holds(place, nearby * distance) ? distance : -distance;
+}
 
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>& stones, double depth) {
   std::vector<Solid> solids;
   std::vector<Box<3>> boxes;
   for (const auto& stone : stones) {
     solids.emplace_back(stone);
-    boxes.push_back(solids.back().box);
+    boxes.push_back(solids.back().box());
   }
   const BoxTree<3> tree(boxes);
   std::vector<StoneOverlap> found;
@@ -159,10 +125,10 @@ std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>& stones, doub
     });
     std::sort(others.begin(), others.end());
     for (const int b : others) {
-      StoneOverlap overlap{{a, b}, 0, {}};
-      Look(solids[b], overlap).all_of(solids[a], depth);
-      Look(solids[a], overlap).all_of(solids[b], depth);
-      if (overlap.depth > depth) found.push_back(overlap);
+      TwoSolids pair(solids[a], solids[b], depth);
+      pair.look_at_corners();
+      for (int axis = 0; axis < 3; ++axis) pair.look_along(axis);
+      if (pair.deepest() > depth) found.push_back({{a, b}, pair.deepest(), pair.place()});
     }
   }
   return found;

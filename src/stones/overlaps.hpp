@@ -14,11 +14,10 @@ struct StoneOverlap {
 };
 
 /// Pairs of closed stones, faces outward, that overlap by more than a depth, in the order of stones. Looked at are
-/// points and edges of both between the other's faces, middles of their faces, the same a little inside (for faces that
-/// lie on each other) and centres: an overlap that avoids all of these has no corner and no edge in the other stone.
+/// corners of both, and lines along all axes through what their boxes have in common: how long each is in both.
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>&, double depth);
 
-/// [m] between two stones: from points of either to faces of the other, so where edges cross it is at most too far.
+/// [m] between the surfaces of two stones.
 double distance_between(const StoneSurface&, const StoneSurface&);
 
 /// [m] how deep a place lies inside of a stone, negative outside: the distance to its surface.

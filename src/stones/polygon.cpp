@@ -36,13 +36,32 @@ class Rest {
     const auto &a = x_[t[0]], &b = x_[t[1]], &c = x_[t[2]];
     const double round_off = 1e-14 * size_ * size_ * norm(normal_);
     if (dot(cross(b - a, c - b), normal_) <= round_off) return false;
+    for (std::size_t at = 0; at < size(); ++at)
+      if (enters(at, t)) return false;
     return std::none_of(left_.begin(), left_.end(), [&](int other) {
-      if (other == t[0] || other == t[1] || other == t[2]) return false;
+      if (std::any_of(t.begin(), t.end(), [&](int corner) { return x_[corner] == x_[other]; })) return false;
       const auto left_of = [&](const Vector<3>& p, const Vector<3>& q) {
         return dot(cross(q - p, x_[other] - p), normal_) > -round_off;
       };
       return left_of(a, b) && left_of(b, c) && left_of(c, a);
     });
+  }
+
+  /// Whether at a corner that lies on one of a triangle's, as a polygon has that goes to a hole and back, an edge runs
+  /// into the triangle.
+  bool enters(std::size_t at, const std::array<int, 3>& t) const {
+    const auto turn = [&](const Vector<3>& u, const Vector<3>& v) { return dot(cross(u, v), normal_); };
+    for (int k = 0; k < 3; ++k) {
+      const int other = left_[at];
+      if (other == t[0] || other == t[1] || other == t[2] || x_[other] != x_[t[k]]) continue;
+      const auto &corner = x_[t[k]], next = x_[t[(k + 1) % 3]] - corner, before = x_[t[(k + 2) % 3]] - corner;
+      for (const int end : {left_[(at + 1) % size()], left_[(at + size() - 1) % size()]}) {
+        const auto edge = x_[end] - corner;
+        const double round_off = 1e-14 * size_ * size_ * norm(normal_);
+        if (turn(next, edge) > round_off && turn(edge, before) > round_off) return true;
+      }
+    }
+    return false;
   }
 
   /// Whether the diagonal of ear j goes before that of ear k. Lengths and places that differ by round-off are the

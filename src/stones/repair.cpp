@@ -11,6 +11,8 @@
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
+#include "stones/facets.hpp"
+#include "stones/overlaps.hpp"
 #include "stones/welded_points.hpp"
 
 namespace voussoir {
@@ -46,6 +48,24 @@ std::vector<int> shell_of_face(const StoneSurface& stone) {
   return shell;
 }
 
+/// Where one of the closed surfaces of a stone lies in another, as that of a cavity does; "" where none does.
+std::string cavity_of(const StoneSurface& stone, const std::vector<StoneSurface>& shells) {
+  std::vector<Box<3>> boxes;
+  for (const auto& shell : shells) boxes.push_back(box_of(shell.points));
+  for (std::size_t outer = 0; outer < shells.size(); ++outer)
+    for (std::size_t inner = 0; inner < shells.size(); ++inner) {
+      bool within = inner != outer;
+      for (int i = 0; i < 3; ++i)
+        within = within && boxes[outer].low[i] < boxes[inner].low[i] && boxes[inner].high[i] < boxes[outer].high[i];
+      const auto& place = shells[inner].points[0];
+      if (within && depth_inside(shells[outer], place) > same_point * extent(stone.points))
+        return "has a closed surface within another, at " + place_in_words(place) +
+               ": of a cavity, or of a stone in a stone. A hollow stone has to be cut into parts without cavity, or "
+               "given as a volume of gmsh";
+    }
+  return "";
+}
+
 /// What is wrong with a mended stone, or nothing.
 std::string fault_of(const StoneSurface& stone) {
   if (stone.faces.empty()) return "has no face with an area";
@@ -55,7 +75,10 @@ std::string fault_of(const StoneSurface& stone) {
            ": two stones in one group, or an inner face left over";
   if (edges.open > 0)
     return "is not closed: " + counted(edges.open, "edge") + " of one face only, one at " +
-           place_in_words(edges.place) + ": a face is missing, or neighbouring faces do not share their corners";
+           place_in_words(edges.place) +
+           ": a face is missing, or neighbouring faces do not share their corners (give mesh > stones > weld where "
+           "these "
+           "are only nearly in one place)";
   const double size = extent(stone.points);
   // A sheet folded onto itself has the volume of its round-off.
   if (!(volume(stone) > 1e-9 * size * size * size)) return "holds no volume";
@@ -78,7 +101,7 @@ void tell(Warnings& warnings, const StoneSurface& stone, const Repair& repair) {
 
 }  // namespace
 
-Repair weld(StoneSurface& stone) {
+Repair weld(StoneSurface& stone, double within) {
   Repair repair;
   const double size = extent(stone.points);
   if (!(size > 0)) {
@@ -86,7 +109,7 @@ Repair weld(StoneSurface& stone) {
     stone.faces.clear();
     return repair;
   }
-  WeldedPoints<3> welded(same_point * size);
+  WeldedPoints<3> welded(std::max(within, same_point * size));
   std::vector<int> number;
   for (const auto& x : stone.points) number.push_back(welded.add(x));
   repair.welded = static_cast<int>(stone.points.size() - welded.points().size());
@@ -194,16 +217,18 @@ std::vector<StoneSurface> shells_of(const StoneSurface& stone) {
   return shells;
 }
 
-ClosedStones closed(const std::vector<StoneSurface>& drawn) {
+ClosedStones closed(const std::vector<StoneSurface>& drawn, double within) {
   ClosedStones result;
   std::vector<std::string> faults;
   for (StoneSurface stone : drawn) {
     Repair repair = weld(stone);
+    if (within > 0 && !open_edges(stone).none()) repair = weld(stone, within);
     repair.turned = turn_outward(stone);
     const auto shells = shells_of(stone);
     std::string fault;
     for (const auto& shell : shells)
       if (fault.empty()) fault = fault_of(shell);
+    if (fault.empty()) fault = cavity_of(stone, shells);
     if (!fault.empty() || stone.faces.empty()) {
       faults.push_back(in_words(stone) + " " + fault);
       continue;

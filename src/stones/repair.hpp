@@ -35,7 +35,8 @@ struct ClosedStones {
 constexpr double same_point = 1e-6;
 
 /// Merges points, drops faces without area and doubles of others.
-Repair weld(StoneSurface&);
+/// @param within  [m] points are one too that are closer than this
+Repair weld(StoneSurface&, double within = 0);
 OpenEdges open_edges(const StoneSurface&);
 /// Turns faces until neighbours agree and each shell holds a positive volume; returns how many were turned.
 int turn_outward(StoneSurface&);
@@ -43,7 +44,8 @@ int turn_outward(StoneSurface&);
 std::vector<StoneSurface> shells_of(const StoneSurface&);
 
 /// Mends every stone; one of several shells becomes several stones. Throws InputError for stones that stay open, hold
-/// no volume, or have edges of more than two faces, the first five of them.
-ClosedStones closed(const std::vector<StoneSurface>&);
+/// no volume, have edges of more than two faces, or one closed surface within another, the first five of them.
+/// @param within  [m] how far the corners of a stone that is open else may be from each other; 0 = same_point alone
+ClosedStones closed(const std::vector<StoneSurface>&, double within = 0);
 
 }  // namespace voussoir

@@ -9,11 +9,6 @@
 namespace voussoir {
 namespace {
 
-Box<3> widened(Box<3> box, double by) {
-  for (int i = 0; i < 3; ++i) box.low[i] -= by, box.high[i] += by;
-  return box;
-}
-
 Polygon in_plane(const PlaneAxes& axes, const Places& places) {
   Polygon polygon;
   for (const auto& x : places) polygon.push_back(axes(x));

@@ -36,17 +36,6 @@ BlockList<3> meshed_here(StoneStructure structure) {
   return list;
 }
 
-/// With what is to be told of the file besides its stones.
-StoneStructure structure_of_file(const StonesParameters& p) {
-  Warnings warnings;
-  auto drawn = read_stones(p.file, p.unit, warnings);
-  refuse_names_of_sets(p.file, drawn);
-  for (auto& stone : drawn) turn_up(p.up, stone.points);
-  auto structure = structure_of(drawn, p);
-  for (const auto& warning : warnings) add_warning(structure.warnings, warning);
-  return structure;
-}
-
 bool all_tetrahedra(const VolumeMesh& mesh) {
   for (const auto& volume : mesh.volumes)
     for (const auto& cell : volume.cells)
@@ -105,7 +94,7 @@ std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, con
                                                   Trust trust) {
   BlockList<3> list;
   on_first_rank(comm, [&] {
-    list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of_file(p));
+    list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p));
     list.quadratic = p.element == StoneElement::quadratic;
   });
   return make_source_on_first(std::move(list), comm);

@@ -24,6 +24,9 @@ constexpr StoneDefaults defaults;
 // are counted at (count_joints).
 constexpr double least_told = 0.01;
 
+// [-] of a stone: less than unit weights of stone are known to.
+constexpr double told_volume = 0.02;
+
 std::string metres(double length) { return six_digits(length) + " m"; }
 
 /// Axes of the file in their order from the one that becomes x; even permutations mirror nothing.
@@ -106,6 +109,7 @@ class Teller {
         counted(s_.joints.slivers, "sliver") + " narrower than the tolerance left out, " +
         six_digits(s_.joints.sliver_area) + " m2");
     of_welded_joints();
+    of_welded_corners();
     of_overlaps();
     const double size = s_.tetrahedron_size;
     say("shortest edge " + metres(s_.imprint.shortest_edge) + ", tetrahedra of " + metres(size) + ", hexahedra of " +
@@ -140,6 +144,7 @@ class Teller {
     for (const auto& joint : near.joints) {
       if (joint.farthest <= s_.tolerance || joint.opening <= 0 || welded.count({joint.stone, joint.facet}) > 0)
         continue;
+      if (is_between(joint)) continue;
       ++open;
       widest = std::max(widest, joint.opening);
       area += joint.area;
@@ -154,9 +159,48 @@ class Teller {
   }
 
  private:
+  /// Whether another stone lies between the faces of a joint that is open.
+  bool is_between(const StoneJoint& joint) const {
+    Places corners;
+    for (const auto& piece : joint.pieces) corners.insert(corners.end(), piece.begin(), piece.end());
+    const auto middle = mean(corners);
+    for (int k = 0; k < static_cast<int>(s_.stones.size()); ++k)
+      if (k != joint.stone[0] && k != joint.stone[1] && s_.faceted[k].box.overlaps({middle, middle}) &&
+          depth_inside(s_.stones[k], middle) > -s_.tolerance)
+        return true;
+    return false;
+  }
+
   int number_welded() const {
     const auto& joints = s_.joints.joints;
     return static_cast<int>(std::count_if(joints.begin(), joints.end(), [](const auto& j) { return j.welded; }));
+  }
+
+  /// What making corners one has done to stones.
+  void of_welded_corners() {
+    double farthest = 0, before = 0, after = 0, most = 0;
+    int stone = -1;
+    for (std::size_t k = 0; k < s_.stones.size(); ++k) {
+      auto moved = s_.stones[k];
+      for (std::size_t n = 0; n < moved.points.size(); ++n) {
+        const int point = s_.imprint.number[k][n];
+        if (point < 0) continue;
+        farthest = std::max(farthest, norm(s_.imprint.points[point] - moved.points[n]));
+        moved.points[n] = s_.imprint.points[point];
+      }
+      const double drawn = volume(s_.stones[k]), has = volume(moved);
+      before += drawn;
+      after += has;
+      if (std::abs(has - drawn) > most * drawn) most = std::abs(has - drawn) / drawn, stone = static_cast<int>(k);
+    }
+    if (farthest <= least_told * s_.tolerance) return;
+    say("corners made one have moved by up to " + metres(farthest) + ", volumes from " + six_digits(before) + " to " +
+        six_digits(after) + " m3");
+    if (most > told_volume)
+      warn("welded_volumes", most,
+           "weld = " + metres(s_.weld) + " makes corners one that are up to " + metres(farthest) +
+               " apart, and the volume of " + in_words(s_.stones[stone]) + " another by " + six_digits(100 * most) +
+               " %: give a smaller weld, or draw stones that touch with the same corners");
   }
 
   /// What is open wider than joints are, and closed by making corners one.
@@ -247,7 +291,7 @@ void turn_up(UpAxis up, Places& places) {
 
 StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const StonesParameters& p) {
   StoneStructure s;
-  auto mended = closed(drawn);
+  auto mended = closed(drawn, p.weld);
   s.stones = std::move(mended.stones);
   s.warnings = std::move(mended.warnings);
   const double size = median_size(s.stones);
@@ -287,10 +331,13 @@ void refuse_names_of_sets(const std::string& file, const std::vector<StoneSurfac
 }
 
 StoneStructure structure_of(const StonesParameters& p) {
-  auto drawn = read_stones(p.file, p.unit);
+  Warnings warnings;
+  auto drawn = read_stones(p.file, p.unit, warnings);
   refuse_names_of_sets(p.file, drawn);
   for (auto& stone : drawn) turn_up(p.up, stone.points);
-  return structure_of(drawn, p);
+  auto structure = structure_of(drawn, p);
+  for (const auto& warning : warnings) add_warning(structure.warnings, warning);
+  return structure;
 }
 
 }  // namespace voussoir

@@ -2,6 +2,7 @@
 #include "stones/polygon.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -52,6 +53,31 @@ TEUCHOS_UNIT_TEST(Polygon, TrianglesCoverAPolygonThatIsNotConvex) {
     sum += part;
   }
   TEST_FLOATING_EQUALITY(sum, 3.0, 1e-15);
+}
+
+// A hole as files draw it that know no holes: along a bridge to it, around, and back.
+TEUCHOS_UNIT_TEST(Polygon, TrianglesLeaveOutAHoleThatABridgeLeadsTo) {
+  const std::vector<Vector<3>> outer{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}},
+      hole{{1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
+  for (int from = 0; from < 4; ++from)
+    for (int to = 0; to < 4; ++to) {
+      std::vector<Vector<3>> keyhole;
+      for (int k = 0; k <= 4; ++k) keyhole.push_back(outer[(from + k) % 4]);
+      for (int k = 0; k <= 4; ++k) keyhole.push_back(hole[(to + k) % 4]);
+      // Only bridges that stay outside of the hole are drawn by anyone.
+      const auto bridge = hole[to] - outer[from];
+      if (std::abs(bridge[0]) > 1.5 || std::abs(bridge[1]) > 1.5) continue;
+      double sum = 0;
+      for (const auto& t : cut_into_triangles(keyhole)) {
+        const auto &a = keyhole[t[0]], &b = keyhole[t[1]], &c = keyhole[t[2]];
+        const double part = cross(b - a, c - a)[2] / 2;
+        TEST_COMPARE(part, >=, 0);
+        const auto middle = (1.0 / 3) * (a + b + c);
+        if (part > 0) TEST_ASSERT(std::max(std::abs(middle[0] - 1.5), std::abs(middle[1] - 1.5)) > 0.5);
+        sum += part;
+      }
+      TEST_FLOATING_EQUALITY(sum, 8.0, 1e-14);
+    }
 }
 
 // Both stones of a warped joint must choose the same diagonal, from wherever they begin and whichever way they go.

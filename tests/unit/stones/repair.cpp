@@ -97,4 +97,36 @@ TEUCHOS_UNIT_TEST(Repair, ASheetHoldsNoVolume) {
   TEST_ASSERT(!input_error([&] { closed({sheet}); }).empty());
 }
 
+TEUCHOS_UNIT_TEST(Repair, AHollowStoneIsRefusedAsOne) {
+  auto hollow = box("hollow", {0, 0, 0}, {1, 1, 1});
+  const auto inner = box("", {0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
+  for (auto face : inner.faces) {
+    for (int& point : face) point += 8;
+    hollow.faces.push_back(face);
+  }
+  hollow.points.insert(hollow.points.end(), inner.points.begin(), inner.points.end());
+  const std::string refused = input_error([&] { closed({hollow}); });
+  TEST_ASSERT(holds(refused, "stone \"hollow\" (drawn) has a closed surface within another, at (0.3, 0.3, 0.3) m"));
+  TEST_ASSERT(holds(refused, "cavity"));
+}
+
+TEUCHOS_UNIT_TEST(Repair, CornersThatAreNearlyInOnePlaceAreWeldedWhereThatIsAsked) {
+  StoneSurface soup;
+  soup.name = "soup";
+  const auto cube = box("", {0, 0, 0}, {1, 1, 1});
+  int number = 0;
+  for (const auto& face : cube.faces) {
+    soup.faces.emplace_back();
+    for (const int point : face) {
+      soup.faces.back().push_back(number);
+      soup.points.push_back(cube.points[point] + Vector<3>{1e-4 * (number++ % 3), 0, 0});
+    }
+  }
+  TEST_ASSERT(holds(input_error([&] { closed({soup}); }), "give mesh > stones > weld"));
+  const auto mended = closed({soup}, 1e-3);
+  TEST_EQUALITY(mended.stones.size(), 1u);
+  TEST_EQUALITY(mended.stones[0].points.size(), 8u);
+  TEST_FLOATING_EQUALITY(volume(mended.stones[0]), 1.0, 1e-3);
+}
+
 }  // namespace

@@ -52,6 +52,31 @@ TEUCHOS_UNIT_TEST(Overlaps, OfEveryKindAreFoundAndTouchingStonesHaveNone) {
               overlaps(arch(9), 1e-3).empty());
 }
 
+// No corner, no edge and no middle of a face of either lies in the other, but in the planes of its faces.
+TEUCHOS_UNIT_TEST(Structure, StonesThatRunThroughEachOtherAreFound) {
+  const auto a = box("a", {0, 4, 0}, {10, 5, 1});
+  for (const auto& b : {box("crossing", {4, 0, 0}, {5, 10, 1}), box("off the middle", {1, 0, 0}, {2, 7, 1}),
+                        box("thin", {3, 0, 0}, {3.02, 10, 1})}) {
+    const auto found = overlaps({a, b}, 1e-3);
+    TEST_EQUALITY(found.size(), 1u);
+    if (found.empty()) continue;
+    TEST_COMPARE(found[0].depth, >, b.name == "thin" ? 0.01 : 0.9);
+    TEST_COMPARE(found[0].depth, <=, 1.0);
+  }
+  // The depth of a quoin that goes far into its neighbour is told, not how far it was looked for.
+  const auto quoin =
+      overlaps({box("wall", {0, 0, 0}, {2, 0.4, 1}), box("quoin", {1.85, -0.1, 0}, {2.5, 0.5, 1})}, 1e-3);
+  TEST_EQUALITY(quoin.size(), 1u);
+  TEST_FLOATING_EQUALITY(quoin.at(0).depth, 0.15, 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(Structure, DistancesAreThoseOfCrossingEdgesToo) {
+  // Roofs of two prisms, one along x with its ridge up, one along y with its ridge down.
+  const auto low = prism("low", {{-0.5, -1}, {0.5, -1}, {0, 0}}, -3, 3, 1, 2);
+  const auto high = prism("high", {{0, 0.005}, {0.5, 1}, {-0.5, 1}}, -3, 3, 0, 2);
+  TEST_FLOATING_EQUALITY(distance_between(low, high), 0.005, 1e-12);
+}
+
 TEUCHOS_UNIT_TEST(Structure, OverlappingStonesAreRefusedByNameAndPlace) {
   auto stones = running_bond();
   for (auto& x : stones[2].points) x[2] -= 0.02;
@@ -95,6 +120,21 @@ TEUCHOS_UNIT_TEST(Structure, JointsLeftOpenForMortarAreTold) {
   const auto touching = structure_of({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.01, 0, 0}, {2, 1, 1})}, wide);
   TEST_EQUALITY(touching.joints.joints.size(), 1u);
   TEST_ASSERT(touching.warnings.empty());
+}
+
+TEUCHOS_UNIT_TEST(Structure, FacesWithAStoneBetweenThemAreNotOpen) {
+  const auto s = structure_of(
+      {box("a", {0, 0, 0}, {1, 1, 1}), box("slab", {0, 0, 1}, {1, 1, 1.04}), box("b", {0, 0, 1.04}, {1, 1, 2})}, {});
+  TEST_ASSERT(!warns(s, "open_joints"));
+  TEST_EQUALITY(s.joints.joints.size(), 2u);
+}
+
+TEUCHOS_UNIT_TEST(Structure, WhatWeldingDoesToVolumesIsTold) {
+  StonesParameters p;
+  p.weld = 0.06;
+  const auto s = structure_of({box("a", {0, 0, 0}, {1, 1, 1}), box("b", {1.05, 0, 0}, {2, 1, 1})}, p);
+  TEST_ASSERT(warns(s, "welded_volumes"));
+  TEST_ASSERT(tells(s, "corners made one have moved by up to 0.05 m, volumes from 1.95 to 2 m3"));
 }
 
 TEUCHOS_UNIT_TEST(Structure, StonesThatMeetAtAnEdgeAreToldSo) {
