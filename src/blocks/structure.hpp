@@ -27,7 +27,8 @@ class Structure : public BlockSystem {
   /// Collective.
   /// @param share        of this rank, whose blocks the source can be asked of
   /// @param material_of  material of a block, called for blocks of this rank and its halo
-  /// @param held         whether a facet of a block is held, so that its edges stay straight; none for no facet
+  /// @param held         whether a facet of a block is held or bears a load, so that its edges stay straight; none for
+  ///                     no facet
   Structure(const BlockSource<dim>&, const BlockShare& share, const ModelParameters&,
             const std::function<Material(const Block<dim>&)>& material_of,
             const Teuchos::RCP<const Teuchos::Comm<int>>&,

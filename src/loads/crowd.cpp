@@ -12,7 +12,7 @@ namespace voussoir {
 void CrowdParameters::declare(ParameterSection& section) {
   declare_facet_set(section, on, blocks);
   section.add("intensity", intensity, "Pa", any_number().usually(50, 1e6),
-              "vertical force per horizontal area; a dense crowd has 5000");
+              "vertical force per horizontal area of what looks up; a dense crowd has 5000");
   const auto declare_part = [&](const std::string& axis, double& from, double& to, const std::string& where) {
     section.add(axis + " from", from, "m", any_number(), "where it begins" + where);
     section.add(axis + " to", to, "m", any_number(), "where it ends" + where);
@@ -59,7 +59,7 @@ void add_crowd(const Structure<dim>& s, const CrowdParameters& load, const Facet
       s, facets, part,
       [&](const Vector<dim>&, const Vector<dim>& outward) {
         Vector<dim> down{};
-        down[up] = -factor * load.intensity * std::abs(outward[up]);
+        down[up] = -factor * load.intensity * std::max(0.0, outward[up]);  // nobody stands below
         return down;
       },
       force);

@@ -66,7 +66,8 @@ std::vector<DeckPiece> owned_pieces(const Structure<3>& s, const FacetSet& set, 
   std::vector<DeckPiece> pieces;
   for (const auto& face : faces_of_set(s, set)) {
     const auto outward = face.outward[0] + face.outward[1] + face.outward[2] + face.outward[3];
-    if (face.node[0] >= s.owned_nodes() || !has_width({0, 0}, {outward[2], norm(outward)})) continue;
+    const bool bears = outward[2] > 0 && has_width({0, 0}, {outward[2], norm(outward)});
+    if (face.node[0] >= s.owned_nodes() || !bears) continue;
     add_crossing(s, face, {0, 1, 2}, y, upper, pieces);
     if (face.count == 4) add_crossing(s, face, {0, 2, 3}, y, upper, pieces);
   }
@@ -77,10 +78,16 @@ std::vector<DeckPiece> owned_pieces(const Structure<3>& s, const FacetSet& set, 
 
 template <int dim>
 std::vector<DeckPiece> pieces_of_deck(const Structure<dim>& s, const FacetSet& set, double across) {
-  auto mine = owned_pieces(s, set, across, false);
-  // A line along the far side of the deck has all of it on the other hand.
-  if (!any_of_ranks(*s.comm(), !mine.empty())) mine = owned_pieces(s, set, across, true);
-  auto pieces = all_gather(mine, *s.comm(), WhyWhole{"pieces of a line of facets"});
+  const WhyWhole line{"pieces of a line of facets"};
+  auto pieces = all_gather(owned_pieces(s, set, across, false), *s.comm(), line);
+  // Where the line is the far side of the deck, all along or for a part, it lies on the other hand.
+  std::vector<DeckPiece> beside;
+  for (const auto& piece : all_gather(owned_pieces(s, set, across, true), *s.comm(), line)) {
+    const double middle = (piece.x[0] + piece.x[1]) / 2;
+    const auto covers = [&](const DeckPiece& p) { return p.x[0] <= middle && middle <= p.x[1]; };
+    if (std::none_of(pieces.begin(), pieces.end(), covers)) beside.push_back(piece);
+  }
+  pieces.insert(pieces.end(), beside.begin(), beside.end());
   std::sort(pieces.begin(), pieces.end(), [](const DeckPiece& a, const DeckPiece& b) {
     return std::make_pair(a.x[0], a.id[0]) < std::make_pair(b.x[0], b.id[0]);
   });

@@ -37,6 +37,22 @@ Forces forces_of(const Model& model, const std::string& load) {
   return {largest_over_ranks(*s.comm(), largest.held), largest_over_ranks(*s.comm(), largest.free)};
 }
 
+/// Axes along which a settlement is to move its support, and along which that holds nothing.
+std::string axes_not_held(const Model& model, const std::string& load, const SettlementParameters& settlement) {
+  const auto& s = model.structure();
+  const int dim = model.components();
+  std::vector<double> force, prescribed;
+  model.loads({{load, 1.0}}, 0.0, force, prescribed);
+  const auto held = model.held().held_part(prescribed, dim);
+  Vector<3> largest{};
+  for (int i = 0; i < dim * s.owned_nodes(); ++i) largest[i % dim] = std::max(largest[i % dim], std::abs(held[i]));
+  largest = largest_of_each(*s.comm(), largest);
+  std::string axes;
+  for (int c = 0; c < dim; ++c)
+    if (settlement.way()[c] != 0 && largest[c] == 0) axes += (axes.empty() ? "" : " and ") + std::string(1, "xyz"[c]);
+  return axes;
+}
+
 bool is_used(const Scene& scene, const std::string& load) {
   return scene.load_factor.pattern.count(load) > 0 ||
          std::any_of(scene.stages.begin(), scene.stages.end(),
@@ -49,6 +65,14 @@ Warnings warnings_of_idle_loads(const Scene& scene, const Model& model) {
   Warnings all;
   for (const auto& load : scene.loads) {
     if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;
+    if (const auto* const settlement = std::get_if<SettlementParameters>(&load.kind)) {
+      const auto axes = axes_not_held(model, load.name, *settlement);
+      if (!axes.empty())
+        all.push_back({"settlement_not_held", scene.file + ": scene > loads > " + load.name, "", 0,
+                       "moves \"" + settlement->support + "\" along " + axes +
+                           ", where that support holds nothing, so nothing moves there; hold it by its components, or "
+                           "leave that part of the way out"});
+    }
     const auto [held, free] = forces_of(model, load.name);
     if (held == 0 && free == 0 && is_on_facets(load) && !load.is_zero())
       all.push_back({"load_without_force", scene.file + ": scene > loads > " + load.name, "", 0,

@@ -136,20 +136,24 @@ std::vector<double> Observations::values(const Observed& observed) const {
                                     : observed.reaction;
   };
   const std::size_t columns = columns_.size();
-  std::vector<double> mine(2 * columns, 0.0);  // sums, and their weights that are not there
+  // Sums, their weights that are not there, and whether there is a field: those of a rank without nodes are all empty.
+  std::vector<double> mine(3 * columns, 0.0);
   const auto gone = [&](int at) {
     return !observed.absent.empty() && observed.absent[structure_.block_of_node()[at / dim]];
   };
-  for (std::size_t k = 0; k < columns; ++k)
-    if (const auto& field = of(sums_[k].field); !field.empty())
-      for (const auto& [at, weight] : sums_[k].weights)
-        (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
+  for (std::size_t k = 0; k < columns; ++k) {
+    const auto& field = of(sums_[k].field);
+    if (field.empty()) continue;
+    mine[2 * columns + k] = 1;
+    for (const auto& [at, weight] : sums_[k].weights)
+      (gone(at) ? mine[columns + k] : mine[k]) += gone(at) ? weight : weight * field[at];
+  }
   auto all = total_of_list(*structure_.comm(), mine, WhyWhole{"numbers that a scene observes"});
   constexpr double round_off = 1e-9;  // of weights, which add up to 1
   for (std::size_t k = 0; k < columns; ++k) {
     const bool is_mean = sums_[k].field != Field::reaction;
     const double there = is_mean ? 1 - all[columns + k] : 1.0;
-    const bool none = of(sums_[k].field).empty() || there < round_off;
+    const bool none = all[2 * columns + k] == 0 || there < round_off;
     if (none)
       all[k] = std::numeric_limits<double>::quiet_NaN();
     else if (there < 1)

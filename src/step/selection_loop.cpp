@@ -114,7 +114,15 @@ void SelectionLoop::keep_damage(const ContactProblem& problem) {
   }
 }
 
+/// A scene that asks for all points has them from its first step on, but for a bonded look at that: also in a run that
+/// goes on from one that asked for less, and in time where only what moved first was let go.
+void SelectionLoop::begin_with_all() {
+  if (selection_.mode != SelectionMode::all || all_selected() || (selected_before_ == 0 && !in_time())) return;
+  release_all(model_, law_, state_);
+}
+
 StepReport SelectionLoop::run() {
+  begin_with_all();
   for (;; ++report_.selection_rounds) {
     if (!look()) {
       if (!resolve_all()) return report_;

@@ -85,6 +85,7 @@ class SelectionLoop {
   Damage damage_at_start() const;
   Damage damage_before_round() const;
   void keep_damage(const ContactProblem&);
+  void begin_with_all();
   bool look();
   bool find_equilibrium(const PointField* known_gap);
   void keep_if_hard(ContactProblem&, const TpetraVector& x, const NewtonReport&);

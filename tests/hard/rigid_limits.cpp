@@ -1,8 +1,9 @@
 // Limits of rigid structures in space of a hundred stones, proven from above and with forces found from below.
 //
 // Source     linear programmes of pyramids with 16 sides within the cones, by another solver.
-// Tolerance  round cones bear no less than pyramids within, and here at most a hundredth more; what is proven and
-//            what is found meet within the thousandth to which pyramids are made finer.
+// Tolerance  round cones bear no less than pyramids within and no more than 1 / cos(pi / 16) of it, walls at most a
+//            hundredth more; what is proven and what is found meet within the thousandth to which pyramids are made
+//            finer.
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include "unit/statics/structures_in_space.hpp"
@@ -14,14 +15,17 @@ using namespace voussoir::test;
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-void check(RigidStructure<3> s, const Vector<3>& direction, double within, Teuchos::FancyOStream& out, bool& success) {
+constexpr double of_walls = 1.01, of_cones = 1.0195911582083184;  // [-] most of what pyramids within bear
+
+void check(RigidStructure<3> s, const Vector<3>& direction, double within, double most, Teuchos::FancyOStream& out,
+           bool& success) {
   push_to(s, direction);
   const LimitAnalysis analysis(std::move(s));
   const auto limit = analysis.largest_factor(10), borne = analysis.largest_borne(10);
   out << "within " << within << ": proven above " << limit.factor << ", forces up to " << borne.factor << "\n";
   TEST_ASSERT(limit.verdict == LimitVerdict::limited);
   TEST_COMPARE(limit.factor, >=, within - 5e-5);  // as it is published
-  TEST_COMPARE(limit.factor, <=, 1.01 * within);
+  TEST_COMPARE(limit.factor, <=, most * within);
   TEST_COMPARE(borne.factor, <=, limit.factor * (1 + 1e-9));
   TEST_COMPARE(borne.factor, >=, limit.factor * (1 - 2e-3));
   // Forces of one worth are not made to go round: to prove a limit takes no many times what it takes to find forces.
@@ -30,21 +34,21 @@ void check(RigidStructure<3> s, const Vector<3>& direction, double within, Teuch
 }
 
 TEUCHOS_UNIT_TEST(RigidLimitsInSpace, AWallWithAReturn) {
-  check(dry_wall(6, 10, 1, 0.6), {0, -1, 0}, 0.2193, out, success);
-  check(dry_wall(6, 10, 1, 0.6), {1, 0, 0}, 0.4369, out, success);
+  check(dry_wall(6, 10, 1, 0.6), {0, -1, 0}, 0.2193, of_walls, out, success);
+  check(dry_wall(6, 10, 1, 0.6), {1, 0, 0}, 0.4369, of_walls, out, success);
 }
 
 TEUCHOS_UNIT_TEST(RigidLimitsOfMoreWallsInSpace, WithAReturnAndOtherFriction) {
-  check(dry_wall(6, 10, 1, 0.4), {0, -1, 0}, 0.1911, out, success);
-  check(dry_wall(6, 10, 1, 0.75), {0, -1, 0}, 0.2298, out, success);
+  check(dry_wall(6, 10, 1, 0.4), {0, -1, 0}, 0.1911, of_walls, out, success);
+  check(dry_wall(6, 10, 1, 0.75), {0, -1, 0}, 0.2298, of_walls, out, success);
 }
 
 TEUCHOS_UNIT_TEST(RigidLimitsOfMoreWallsInSpace, WithTwoReturns) {
-  check(dry_wall(6, 10, 2, 0.6), {0, -1, 0}, 0.2878, out, success);
+  check(dry_wall(6, 10, 2, 0.6), {0, -1, 0}, 0.2878, of_walls, out, success);
 }
 
 TEUCHOS_UNIT_TEST(RigidLimitsInSpace, ADomePushedSideways) {
-  check(dome(16, 8, 0.08, 5 * degree, 0.6), {1, 0, 0}, 0.3647, out, success);
+  check(dome(16, 8, 0.08, 5 * degree, 0.6), {1, 0, 0}, 0.3647, of_cones, out, success);
 }
 
 }  // namespace

@@ -181,6 +181,10 @@ TEUCHOS_UNIT_TEST(CrowdInSpace, StandsOnARectangleOfTheDeck) {
   crowd.y_from = 0.15;
   crowd.y_to = 0.25;
   compare(Wall().of(crowd), {0, 0, -4000 * 1.2 * 0.1}, {0.7, 0.2, height}, out, success);
+  crowd = {};
+  crowd.on = "base";  // nobody stands below
+  crowd.intensity = 4000;
+  TEST_COMPARE(norm(Wall().of(crowd).force), <=, 0.0);
 }
 
 TEUCHOS_UNIT_TEST(BuoyancyInSpace, IsTheWeightOfTheWaterThatIsDisplaced) {
