@@ -148,10 +148,14 @@ class Imprinting {
   /// nearly on the line of its neighbours, is none. Corners that are one stand for it together, or each would seem to
   /// lie on the line from the other to the next.
   Loop numbers_of(const Places& corners) {
+    const auto are_one = [&](const Vector<3>& x, const Vector<3>& y) {
+      const int known = welded_.find(x);
+      return known == welded_.find(y) && (known >= 0 || norm(x - y) <= weld_);
+    };
     Places piece;
     for (const auto& x : corners)
-      if (piece.empty() || norm(x - piece.back()) > weld_) piece.push_back(x);
-    while (piece.size() > 1 && norm(piece.front() - piece.back()) <= weld_) piece.pop_back();
+      if (piece.empty() || !are_one(x, piece.back())) piece.push_back(x);
+    while (piece.size() > 1 && are_one(piece.front(), piece.back())) piece.pop_back();
     Loop numbers;
     for (std::size_t k = 0; k < piece.size(); ++k) {
       const auto &before = piece[(k + piece.size() - 1) % piece.size()], &after = piece[(k + 1) % piece.size()];
