@@ -33,7 +33,7 @@ std::vector<DeckPiece> owned_pieces(const Structure<2>& s, const FacetSet& set, 
   std::vector<DeckPiece> pieces;
   for (const auto& e : edges_of_set(s, set)) {
     const int left = e.x[0][0] < e.x[1][0] ? 0 : 1, right = 1 - left;
-    if (e.node[0] < s.owned_nodes())
+    if (e.node[0] < s.owned_nodes() && e.outward[1] > 0)
       add_piece(s, {e.node[left], e.node[right], -1}, {e.x[left][0], {1, 0, 0}}, {e.x[right][0], {0, 1, 0}}, pieces);
   }
   return pieces;

@@ -263,12 +263,16 @@ bool ContactSolver::solve_from(const Iterate& at, const ContactRequest& request,
   const SavedPosition x(problem_, at.x);
   const PointField lambda = at.lambda;
   const Damage damage = at.damage;
-  NewtonReport attempt;
-  go_the_hard_way(at, request, attempt);
-  const bool arrived = attempt.outcome == NewtonOutcome::converged;
-  report.add_work(attempt);
+  const bool hard = report.hard;
+  report.outcome = NewtonOutcome::not_converged;
+  go_the_hard_way(at, request, report);  // as many solves as the step has left
+  const bool arrived = report.outcome == NewtonOutcome::converged;
   if (arrived && !report.stopped) leave_the_way(at, request, report);
   if (arrived || report.stopped) return arrived;
+  report.outcome = NewtonOutcome::converged;  // as the state is that it began from
+  report.reason.clear();
+  report.no_way_on = false;
+  report.hard = hard;
   x.restore(at.x);
   at.lambda = lambda;
   at.damage = damage;

@@ -15,7 +15,7 @@ struct StonesOfFile {
 };
 
 /// The stones of all files. A name that several files give is what their program calls every stone
-/// ("OpenSCAD_Model"): there the name of the file takes its place, or comes before it where the file has more stones.
+/// ("OpenSCAD_Model"): there the name of the file stands for it, or in front of it where the file has more stones.
 /// Names that repeat all the same are numbered, which is told: a scene that means one of them must be able to say so.
 std::vector<StoneSurface> with_names_that_differ(std::vector<StonesOfFile>, Warnings&);
 

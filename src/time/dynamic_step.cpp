@@ -213,7 +213,6 @@ DynamicStep::Midpoint DynamicStep::midpoint(const ContactState& before, const St
 /// What joints go through from the middle of a step to its end. How far they are open there is asked of the
 /// displacements that the next step begins with, so that a joint that has not closed again is at its largest opening to
 /// the last bit: short of it by round-off it would be taken for one that closes.
-/// @param slips  at which slips of the step begin
 void DynamicStep::wear_to_the_end(const ContactState& before, const PointField& slips, ContactState& mid) const {
   const int dim = at_rest_.components();
   auto at_end = model_->gaps(mid.displacement);

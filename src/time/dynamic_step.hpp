@@ -69,9 +69,9 @@ class DynamicStep {
   void offset_gaps(const PointField& gap, const PointField& lambda);
   PointField offset_slips(const ContactState& before, const PointField& gap) const;
   Midpoint midpoint(const ContactState& before, const StepInput&) const;
+  std::vector<double> displacement_at_end(const ContactState& before, const ContactState& mid) const;
   /// @param slips  that points of the step had at w = 0 [m]
   void wear_to_the_end(const ContactState& before, const PointField& slips, ContactState& mid) const;
-  std::vector<double> displacement_at_end(const ContactState& before, const ContactState& mid) const;
   ContactState at_end(const ContactState& before, ContactState mid, const PointField& slips) const;
   bool update_velocities(ContactState&, const std::vector<double>& velocity_before, double closing, TimeStepReport&);
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
