@@ -66,6 +66,16 @@ long long cells_digest(const Structure<dim>& s) {
   return sum_of_digests(sum, *s.comm());
 }
 
+/// Of the edges that bend between them; 0 where none does. Faces that bear a load have straight ones.
+template <int dim>
+long long bends_digest(const Structure<dim>& s) {
+  std::uint64_t sum = 0;
+  for (int b = 0; b < s.owned_blocks(); ++b)
+    for (const auto& edge : s.blocks()[b].mesh.curved)
+      sum += digest(edge.data(), sizeof(edge), digest(&s.blocks()[b].mesh.id, sizeof(BlockId)));
+  return sum_of_digests(sum, *s.comm());
+}
+
 /// Of the stones and edges in the sets of that name.
 template <int dim>
 long long sets_digest(const BlockSource<dim>& source, const Structure<dim>& s, const SetsAtWork& sets) {
@@ -280,6 +290,9 @@ void check_identity(Checkpoint& checkpoint, const Model& model, const std::strin
   model.in_geometry([&](const auto&, const auto& structure) {
     same("geometry", geometry_digest(structure), "places of nodes");
     same("cells", cells_digest(structure), "cells");
+    if (const long long bends = bends_digest(structure); bends != 0)
+      same("edges that bend", bends,
+           "edges that bend (those of faces under a load are straight: give a load on faces from the first scene on)");
   });
 }
 
