@@ -24,11 +24,13 @@ DynamicStep::DynamicStep(const Model& at_rest, std::shared_ptr<Progress> progres
   const int dim = at_rest_.components();
   rule_.mass_damping = at_rest.settings().time.mass_damping;
   rule_.stiffness_damping = at_rest.settings().time.stiffness_damping;
-  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_->nodes(), 0.0);
+  std::vector<double> along_x(static_cast<std::size_t>(dim) * mass_->nodes(), 0.0), momentum;
   const auto& absent = at_rest.absent();
   for (std::size_t i = 0; i < along_x.size(); i += dim)
     along_x[i] = absent.empty() || !absent[mass_->block_of_node()[i / dim]];
   total_mass_ = 2 * velocities_.kinetic_energy(along_x);
+  mass_->apply_stiffness(along_x, momentum);
+  for (std::size_t i = 0; i < momentum.size(); i += dim) mass_of_node_.push_back(momentum[i]);
 }
 
 double DynamicStep::total(double mine) const { return total_over_ranks(*mass_->comm(), mine); }
@@ -89,18 +91,29 @@ PointField DynamicStep::offset_slips(const ContactState& before, const PointFiel
   return offset;
 }
 
-/// Gives held components the velocity of their support over the step; what that takes is work of the support.
+/// Impulses of supports [N s] as a part of what they bear in the mean of the step.
+void DynamicStep::bear(const std::vector<double>& impulses, TimeStepReport& report) const {
+  if (impulses.empty()) return;
+  add_impulses(report.reaction, at_rest_.held().held_part(impulses, at_rest_.components()), 1 / rule_.time_step);
+}
+
+/// Gives held components the velocity of their support over the step; what that takes is work of the support, and so is
+/// the momentum that comes with it: M dv, of which the mass that a node stands for is the sum.
 void DynamicStep::move_supports(ContactState& state, const std::vector<double>& half, TimeStepReport& report) const {
+  const int dim = at_rest_.components();
   bool mine = false;
   auto v = state.velocity;
-  const auto now = at_rest_.held().held_part(v, at_rest_.components());
+  const auto now = at_rest_.held().held_part(v, dim);
+  std::vector<double> impulses(v.size(), 0.0);
   for (std::size_t i = 0; i < v.size(); ++i) {
     const double wanted = rule_.midpoint_velocity(half[i]);  // zero where nothing is held
     mine |= now[i] != wanted;
     v[i] = (v[i] - now[i]) + wanted;
+    impulses[i] = mass_of_node_[i / dim] * (wanted - now[i]);
   }
   if (!any_of_ranks(*mass_->comm(), mine)) return;
   report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  bear(impulses, report);
   state.velocity = v;
 }
 
@@ -167,7 +180,7 @@ double DynamicStep::error(ContactState& after, const std::vector<double>& veloci
 
 /// Ties the points that have rested, as they stand. Mortar yields wherever it presses: no tie stands for it.
 /// Returns what became of the energy of their last motion.
-EnergyOfJump DynamicStep::bond_what_rests(ContactState& state, const PointField& gap, double energy, double resting) {
+VelocityJump DynamicStep::bond_what_rests(ContactState& state, const PointField& gap, double energy, double resting) {
   const auto& selection = at_rest_.settings().selection;
   if (selection.mode != SelectionMode::adaptive || selection.rest == 0) return {};
   const auto& joints = at_rest_.families();
@@ -268,7 +281,10 @@ bool DynamicStep::update_velocities(ContactState& after, const std::vector<doubl
     const auto jump = velocities_.apply(*model_, after, closing, resting);
     const auto tied = bond_what_rests(after, at_rest_.gaps(after.displacement), energy, resting);
     report.friction += jump.friction + tied.friction;
-    report.work_of_impulses += jump.work_of_supports + tied.work_of_supports;
+    auto impulses = jump.impulses;
+    add_impulses(impulses, tied.impulses);
+    report.work_of_impulses += velocities_.work_of_supports(impulses, after.velocity);
+    bear(impulses, report);
     report.external_work += report.work_of_impulses;
   } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
     report.step.newton.fail(failure.what());

@@ -20,7 +20,7 @@ struct TimeStepReport {
   double external_work = 0, friction = 0, fracture = 0, damping = 0;
   double work_of_impulses = 0;  ///< [J] of the external work, what changes the velocity of supports at once
   double error = 0;             ///< [-] of the time step, relative, energy norm
-  /// [N] of supports at held nodes, the mean of the step; else zero to tolerance
+  /// [N] of supports at held nodes, the mean of the step with what changes velocities at once; else zero to tolerance
   std::vector<double> reaction;
 };
 
@@ -75,9 +75,10 @@ class DynamicStep {
   ContactState at_end(const ContactState& before, ContactState mid, const PointField& slips) const;
   bool update_velocities(ContactState&, const std::vector<double>& velocity_before, double closing, TimeStepReport&);
   void move_supports(ContactState&, const std::vector<double>& half, TimeStepReport&) const;
+  void bear(const std::vector<double>& impulses, TimeStepReport&) const;
   double book(const ContactState& mid, const ContactState& before, const std::vector<double>& load,
               const std::vector<double>& effective, TimeStepReport&) const;
-  EnergyOfJump bond_what_rests(ContactState&, const PointField& gap, double energy, double resting);
+  VelocityJump bond_what_rests(ContactState&, const PointField& gap, double energy, double resting);
   double resting_speed(const ContactState&, double energy) const;
   double error(ContactState& after, const std::vector<double>& velocity_before, double energy) const;
   double total(double mine) const;
@@ -86,6 +87,7 @@ class DynamicStep {
   std::unique_ptr<const BlockSystem> mass_;  ///< matrices [kg]
   VelocityUpdate velocities_;
   MidpointRule rule_;
+  std::vector<double> mass_of_node_;  ///< [kg] per local node copy
   double total_mass_ = 0;
   std::shared_ptr<Progress> progress_;
   std::unique_ptr<Model> model_;  ///< of the time step

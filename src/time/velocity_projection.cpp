@@ -136,12 +136,10 @@ double VelocityProjection::mass(int point, int axis) const {
   return (*by_mass_)[dim * point + axis];
 }
 
-double VelocityProjection::apply(std::vector<double>& velocity, const std::vector<char>& held,
-                                 const std::vector<double>* supports) {
+std::vector<double> VelocityProjection::apply(std::vector<double>& velocity, const std::vector<char>& held) {
   const int dim = model_.components();
   VOUSSOIR_EXPECT(is_of_nodes(model_, velocity) && all_finite(velocity) && "velocity: of node copies, finite");
   VOUSSOIR_EXPECT(held.size() == static_cast<std::size_t>(dim) * model_.points().size() && "held: of points");
-  VOUSSOIR_EXPECT((!supports || is_of_nodes(model_, *supports)) && "velocity of supports: of node copies, or none");
   if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
   impulses_->hold(held);
   const auto map = impulses_->getDomainMap();
@@ -153,20 +151,17 @@ double VelocityProjection::apply(std::vector<double>& velocity, const std::vecto
   const auto& numbers = model_.settings().internals.time_step;
   const double known = numbers.velocity_round_off * largest_over_ranks(*map->getComm(), fastest) *
                        std::sqrt(static_cast<double>(map->getGlobalNumElements()));
-  if (size <= known) return 0;
+  if (size <= known) return {};
   const double tolerance = std::max(numbers.velocity_accuracy, known / size);
   const auto solved = solver_.solve(impulses_, by_mass_, speed, lambda, tolerance);
   if (!solved.converged) throw SolverFailure("the impulses between stones are not found: " + solved.failure);
   const auto& change = impulses_->change(*lambda);
   for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
-  if (!supports) return 0;
-  std::vector<double> momentum;
-  mass_.apply_stiffness(change, momentum);
+  std::vector<double> of_supports;
+  mass_.apply_stiffness(change, of_supports);
   const auto& of_points = impulses_->of_points(*lambda);
-  const auto moved = model_.held().held_part(*supports, dim);
-  double work = 0;
-  for (int i = 0; i < dim * mass_.owned_nodes(); ++i) work += (momentum[i] - of_points[i]) * moved[i];
-  return total_over_ranks(*mass_.comm(), work);
+  for (std::size_t i = 0; i < of_supports.size(); ++i) of_supports[i] -= of_points[i];
+  return of_supports;
 }
 
 }  // namespace voussoir

@@ -5,7 +5,8 @@
 // what is not next to it, conjugate gradients take as many iterations for a bridge as for an arch.
 //
 // Supports keep their velocity, however they move; what that takes of them are impulses too, M dv + B^T lambda at the
-// components they hold. Where a support moves these do work, which the kinetic energy alone does not tell from a loss.
+// components they hold. They belong to what a support bears, and where it moves they do work, which the kinetic energy
+// alone does not tell from a loss.
 #pragma once
 
 #include <memory>
@@ -31,10 +32,9 @@ class VelocityProjection {
   /// Collective; SolverFailure on all ranks where the impulses are not found.
   /// @param velocity  [m/s] on node copies, ghosts up to date; changed
   /// @param held      1 where relative velocities become zero [points x components]; ghosts as their owners
-  /// @param supports  [m/s] on node copies: velocities of what supports hold; none where no support moves
-  /// @return work of the supports [J]
-  double apply(std::vector<double>& velocity, const std::vector<char>& held,
-               const std::vector<double>* supports = nullptr);
+  /// @return impulses of supports, M dv + B^T lambda [N s, node copies]: round-off where nothing is held; none where
+  ///         the velocity was right
+  std::vector<double> apply(std::vector<double>& velocity, const std::vector<char>& held);
 
  private:
   class Impulses;

@@ -2,7 +2,6 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -66,34 +65,55 @@ bool sticks(const Model& model, const ContactState& state, std::size_t k) {
   return std::sqrt(q) < (1 - margin) * friction_bound(law, state.lambda[dim * k]);
 }
 
-/// Points that rest on each other, and these with those that stick: 1 for every component that is held.
-std::pair<Marks, Marks> contacts(const Model& model, const ContactState& state, const PointField& speed,
-                                 double resting) {
+/// Whether the stones of a point that a load step calls selected hang together all the same, as a tie would hold them:
+/// by strength that nothing has used up and that bears what there is, in every direction.
+bool hangs_together(const Model& model, const ContactState& state, int k) {
+  const auto law = law_left(model, state, k);
+  const bool can_be_one = model.joined(k) && (model.never_tied().empty() || model.never_tied()[k] == 0);
+  const bool gives_way = yields(model, k) || yields(model, k, 1);
+  const bool whole = state.opened.empty() || (state.opened[k] == 0 && state.slipped[k] == 0);
+  return can_be_one && !gives_way && whole && law.tension > 0 && law.cohesion > 0 && sticks(model, state, k);
+}
+
+/// Which points a jump of velocities treats how.
+struct Contacts {
+  Marks closed;             ///< 1 for what rests on each other: normal components
+  Marks sticking;           ///< these, and components along the joint of points that stick
+  std::vector<char> apart;  ///< per point: 1 where neither a tie nor strength makes two stones one
+};
+
+Contacts contacts(const Model& model, const ContactState& state, const PointField& speed, double resting) {
   const int dim = model.components();
   const auto loaded = loaded_points(model, state);
-  const auto closed = closed_points(model, state, loaded, speed, resting);
-  auto sticking = closed;
+  Contacts c;
+  c.closed = closed_points(model, state, loaded, speed, resting);
+  c.sticking = c.closed;
   for (std::size_t k = 0; k < loaded.size(); ++k)
-    for (int c = 1; c < dim && loaded[k]; ++c)
-      sticking[dim * k + c] = !yields(model, static_cast<int>(k), c) && sticks(model, state, k);
-  return {closed, sticking};
+    for (int a = 1; a < dim && loaded[k]; ++a)
+      c.sticking[dim * k + a] = !yields(model, static_cast<int>(k), a) && sticks(model, state, k);
+  c.apart = state.selected;
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    if (c.apart[k] && hangs_together(model, state, static_cast<int>(k))) c.apart[k] = c.closed[dim * k] = 0;
+  return c;
 }
 
 }  // namespace
 
 /// S of the time step with the selection of a step.
 struct VelocityUpdate::Spread {
-  Spread(const Model& at_rest, const BlockSystem& mass, const Model& step_model, const ContactState& s,
-         LinearSolver& solver)
-      : state(s),
-        zero(s.displacement.size(), 0.0),
+  Spread(const Model& at_rest, const BlockSystem& mass, const Model& step_model, const ContactState& state,
+         std::vector<char> points_apart, LinearSolver& solver)
+      : apart(std::move(points_apart)),
+        slip_origin(state.slip_origin),
+        zero(state.displacement.size(), 0.0),
         problem({step_model.structure(), at_rest.points(), step_model.continuum(), at_rest.held(),
                  at_rest.local_stiffness(), no_gap, at_rest.settings().preconditioner, at_rest.settings().internals,
                  solver},
-                state.selected, {at_rest.law(), state.slip_origin, zero, zero}),
-        bodies(at_rest, mass, state.selected) {}
+                apart, {at_rest.law(), slip_origin, zero, zero}),
+        bodies(at_rest, mass, apart) {}
 
-  ContactState state;
+  std::vector<char> apart;
+  PointField slip_origin;
   std::vector<double> zero, no_gap;
   ContactProblem problem;
   FreeBodies bodies;
@@ -106,6 +126,11 @@ double largest_force(const Model& model, const ContactState& state) {
   for (int k = 0; k < model.points().owned(); ++k)
     if (state.selected[k]) mine = std::max(mine, state.lambda[dim * k]);
   return largest_over_ranks(*model.structure().comm(), mine);
+}
+
+void add_impulses(std::vector<double>& sum, const std::vector<double>& more, double factor) {
+  if (sum.size() < more.size()) sum.resize(more.size(), 0.0);
+  for (std::size_t i = 0; i < more.size(); ++i) sum[i] += factor * more[i];
 }
 
 VelocityUpdate::VelocityUpdate(const Model& at_rest, const BlockSystem& mass)
@@ -135,35 +160,48 @@ double VelocityUpdate::fastest(const PointField& speed, const Marks& held) const
 }
 
 VelocityUpdate::Supports VelocityUpdate::moving_supports(const std::vector<double>& velocity) const {
-  bool mine = false;
-  for (const double v : at_rest_.held().held_part(velocity, at_rest_.components())) mine |= v != 0;
-  return any_of_ranks(*mass_.comm(), mine) ? std::make_unique<const std::vector<double>>(velocity) : nullptr;
+  auto moved = at_rest_.held().held_part(velocity, at_rest_.components());
+  const bool mine = std::any_of(moved.begin(), moved.end(), [](double v) { return v != 0; });
+  return any_of_ranks(*mass_.comm(), mine) ? std::make_unique<const std::vector<double>>(std::move(moved)) : nullptr;
 }
 
-/// What is held, and all of the points that are tied. Returns the work of supports.
-double VelocityUpdate::project(std::vector<double>& velocity, Marks held, const std::vector<char>& selected,
-                               const Supports& supports) {
+double VelocityUpdate::work(const std::vector<double>& impulses, const Supports& supports) const {
+  if (!supports) return 0;
+  const auto owned = static_cast<std::size_t>(at_rest_.components()) * mass_.owned_nodes();
+  double mine = 0;
+  for (std::size_t i = 0; i < std::min(owned, impulses.size()); ++i) mine += impulses[i] * (*supports)[i];
+  return total_over_ranks(*mass_.comm(), mine);
+}
+
+double VelocityUpdate::work_of_supports(const std::vector<double>& impulses,
+                                        const std::vector<double>& velocity) const {
+  VOUSSOIR_EXPECT(is_of_nodes(at_rest_, velocity) && "velocity: of node copies");
+  VOUSSOIR_EXPECT((impulses.empty() || is_of_nodes(at_rest_, impulses)) && "impulses: of node copies, or none");
+  return work(impulses, moving_supports(velocity));
+}
+
+/// What is held, and all of the points where stones are one. Returns the impulses of supports.
+std::vector<double> VelocityUpdate::project(std::vector<double>& velocity, Marks held, const std::vector<char>& apart) {
   const int dim = at_rest_.components();
   for (int i = 0; i < dim * at_rest_.points().size(); ++i)
-    held[i] = (held[i] || !selected[i / dim]) && projection_.mass(i / dim, i % dim) > 0;
-  return projection_.apply(velocity, held, supports.get());
+    held[i] = (held[i] || !apart[i / dim]) && projection_.mass(i / dim, i % dim) > 0;
+  return projection_.apply(velocity, held);
 }
 
 /// The same, as friction does it. Seen from supports the velocities that are left have no part in the ones that were
 /// taken, so the loss is the energy of these: a square, which round-off cannot make a gain.
-EnergyOfJump VelocityUpdate::stop(std::vector<double>& velocity, const Marks& held, const std::vector<char>& selected,
-                                  const Supports& supports) {
+VelocityJump VelocityUpdate::stop(std::vector<double>& velocity, const Marks& held, const std::vector<char>& apart) {
   auto taken = velocity;
-  EnergyOfJump energy;
-  energy.work_of_supports = project(velocity, held, selected, supports);
+  VelocityJump jump;
+  jump.impulses = project(velocity, held, apart);
   for (std::size_t i = 0; i < taken.size(); ++i) taken[i] -= velocity[i];
-  energy.friction = kinetic_energy(taken);
-  return energy;
+  jump.friction = kinetic_energy(taken);
+  return jump;
 }
 
 /// How the normal impulses of points that are not at rest spread within a time step.
 VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& lambda, const PointField& speed,
-                                           const Marks& closed, double resting, const Supports& supports) {
+                                           const Marks& closed, double resting) {
   const int dim = at_rest_.components();
   auto& problem = spread_->problem;
   const auto b = Teuchos::rcp(new TpetraVector(problem.map())), d = Teuchos::rcp(new TpetraVector(problem.map()));
@@ -178,79 +216,84 @@ VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& 
   Way way;
   const auto& space = problem.space();
   space.scatter(*d, way.velocity);
-  if (!supports) return way;
-  // Supports hold back S d - B^T lambda. The part of S d that is not inertia does no work on a motion as a whole.
-  std::vector<double> impulses;
-  step.structure().apply_stiffness(way.velocity, impulses);
-  add_contact_forces(at_rest_.points(), space.cluster(), impulse, 1.0, impulses);
-  const auto moved = space.held_part(*supports);
-  double work = 0;
-  for (int i = 0; i < dim * mass_.owned_nodes(); ++i) work += impulses[i] * moved[i];
-  way.work_of_supports = total_over_ranks(*mass_.comm(), work) / step.inertia();
+  // Of every block, M dv is what joints, ties and supports give it, but for what deforms it, which has no resultant.
+  step.structure().apply_stiffness(way.velocity, way.impulses);
+  for (double& p : impulse) p = -p;
+  recover_tied_forces(at_rest_.points(), space.cluster(), at_rest_.held(), way.impulses, impulse);
+  at_rest_.points().exchange().update(impulse, dim);
+  add_contact_forces(at_rest_.points(), {}, impulse, -1.0, way.impulses);
+  for (double& p : way.impulses) p /= step.inertia();
   return way;
 }
 
-/// A way without the motions of free bodies as wholes. Seen from supports that move alike these had no work of theirs.
-VelocityUpdate::Way VelocityUpdate::within_bodies(Way way, const Supports& supports) const {
+/// A way without the motions of free bodies as wholes. Their momentum is no more asked of supports either, of each in
+/// the measure of the impulse it had to bear.
+VelocityUpdate::Way VelocityUpdate::within_bodies(Way way) const {
   const int dim = at_rest_.components();
   const auto momentum = spread_->bodies.remove_motion(way.velocity);
-  if (!supports) return way;
-  const auto moved = at_rest_.held().held_part(*supports, dim);
-  std::array<double, 4> mine{};  // velocities of what is held, and how many nodes are
+  way.impulses = at_rest_.held().held_part(way.impulses, dim);
+  std::vector<double> size(mass_.owned_nodes(), 0.0);
+  double mine = 0;
   for (int n = 0; n < mass_.owned_nodes(); ++n) {
-    bool holds = false;
-    for (int c = 0; c < dim; ++c) holds = holds || at_rest_.held()[dim * n + c];
-    if (!holds) continue;
-    mine[dim] += 1;
-    for (int c = 0; c < dim; ++c) mine[c] += moved[dim * n + c];
+    for (int c = 0; c < dim; ++c) size[n] = std::hypot(size[n], way.impulses[dim * n + c]);
+    mine += size[n];
   }
-  const auto all = total_of_each(*mass_.comm(), mine);
-  for (int c = 0; c < dim; ++c) way.work_of_supports -= momentum[c] * all[c] / all[dim];
+  const double all = total_over_ranks(*mass_.comm(), mine);
+  for (int i = 0; all > 0 && i < dim * mass_.owned_nodes(); ++i)
+    way.impulses[i] -= momentum[i % dim] * size[i / dim] / all;
   return way;
 }
 
-EnergyOfJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting) {
-  const int dim = at_rest_.components();
+/// Ends the approach of closed points, and gives what this and the closing took back to what is behind them.
+/// Returns the impulses of supports.
+std::vector<double> VelocityUpdate::rebound(const Model& step, ContactState& state, const Impact& impact, double lost,
+                                            double resting) {
+  const auto& [speed, closed, apart] = impact;
+  // A selection that changed on one rank changed for all.
+  if (any_of_ranks(*mass_.comm(), !spread_ || spread_->apart != apart))
+    spread_ = std::make_unique<Spread>(at_rest_, mass_, step, state, apart, solver_);
+  auto& v = state.velocity;
+  const auto supports = moving_supports(v);
+  const double before = kinetic_energy(v);
+  const auto given = v;
+  auto impulses = project(v, closed, apart);
+  const double wanted = lost + before - kinetic_energy(v) + work(impulses, supports);
+  auto way = spread(step, state.lambda, speed, closed, resting);
+  const double whole = kinetic_energy(way.velocity);
+  if (!(whole > 0)) {
+    v = given;  // the two sides hang together by other ties
+    return {};
+  }
+  // Where closed points hold everything there is no way behind them: then they rebound.
+  auto behind = within_bodies(way);
+  add_impulses(behind.impulses, project(behind.velocity, closed, apart));
+  if (kinetic_energy(behind.velocity) > at_rest_.settings().internals.time_step.no_way * whole) way = std::move(behind);
+  const double slope = product(v, way.velocity) - work(way.impulses, supports);
+  const double change = least_change(kinetic_energy(way.velocity), slope, wanted);
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way.velocity[i];
+  add_impulses(impulses, way.impulses, change);
+  return impulses;
+}
+
+VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting) {
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
   VOUSSOIR_EXPECT(std::isfinite(lost) && lost >= 0 && "energy of closing: not negative");
   VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
   const auto& points = at_rest_.points();
   const auto speed = relative_velocities(points, state.velocity);
-  const auto [closed, sticking] = contacts(at_rest_, state, speed, resting);
-  auto sliding = sticking;  // only what friction holds
-  for (std::size_t i = 0; i < sliding.size(); i += dim) sliding[i] = 0;
-  const bool impact = fastest(speed, closed) > resting || lost > 0;
-  const auto supports = moving_supports(state.velocity);
+  const auto [closed, sticking, apart] = contacts(at_rest_, state, speed, resting);
+  auto by_friction = sticking;  // and by strength: what closing does not end
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i]) by_friction[i] = 0;
   auto& v = state.velocity;
-  EnergyOfJump energy;
-  if (impact) {
-    // A selection that changed on one rank changed for all.
-    if (any_of_ranks(*mass_.comm(), !spread_ || spread_->state.selected != state.selected))
-      spread_ = std::make_unique<Spread>(at_rest_, mass_, step, state, solver_);
-    const double before = kinetic_energy(v);
-    const auto given = v;
-    const double work = project(v, closed, state.selected, supports);
-    const double wanted = lost + before - kinetic_energy(v) + work;
-    auto way = spread(step, state.lambda, speed, closed, resting, supports);
-    const double whole = kinetic_energy(way.velocity);
-    if (whole > 0) {
-      // Where closed points hold everything there is no way behind them: then they rebound.
-      auto behind = within_bodies(way, supports);
-      behind.work_of_supports += project(behind.velocity, closed, state.selected, supports);
-      if (kinetic_energy(behind.velocity) > at_rest_.settings().internals.time_step.no_way * whole) way = behind;
-      const double slope = product(v, way.velocity) - way.work_of_supports;
-      const double change = least_change(kinetic_energy(way.velocity), slope, wanted);
-      for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way.velocity[i];
-      energy.work_of_supports = work + change * way.work_of_supports;
-    } else {
-      v = given;  // the two sides hang together by other ties
-    }
-  }
-  if (fastest(relative_velocities(points, v), sliding) <= resting) return energy;
-  const auto stopped = stop(v, sticking, state.selected, supports);
-  energy.friction = stopped.friction;
-  energy.work_of_supports += stopped.work_of_supports;
-  return energy;
+  VelocityJump jump;
+  if (fastest(speed, closed) > resting || lost > 0)
+    jump.impulses = rebound(step, state, {speed, closed, apart}, lost, resting);
+  if (fastest(relative_velocities(points, v), by_friction) <= resting) return jump;
+  auto stopped = stop(v, sticking, apart);
+  jump.friction = stopped.friction;
+  add_impulses(jump.impulses, stopped.impulses);
+  return jump;
 }
 
 std::vector<char> VelocityUpdate::calm(const ContactState& state, double energy, double resting) const {
@@ -270,11 +313,11 @@ std::vector<char> VelocityUpdate::calm(const ContactState& state, double energy,
   return is_calm;
 }
 
-EnergyOfJump VelocityUpdate::settle(ContactState& state, double resting) {
+VelocityJump VelocityUpdate::settle(ContactState& state, double resting) {
   if (!at_rest_.rubs()) return {};
   const auto speed = relative_velocities(at_rest_.points(), state.velocity);
-  return stop(state.velocity, contacts(at_rest_, state, speed, resting).second, state.selected,
-              moving_supports(state.velocity));
+  const auto at_points = contacts(at_rest_, state, speed, resting);
+  return stop(state.velocity, at_points.sticking, at_points.apart);
 }
 
 }  // namespace voussoir

@@ -7,9 +7,13 @@
 // within bodies: resultants would be impulses of joints, which may not pull, and of which friction knows nothing.
 // Points that begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
 //
-// Energies are those seen from the supports. Where one moves, the impulse that holds it at its velocity does work, and
-// what the kinetic energy loses but for that work is what was taken: it is never negative and the same for whoever
-// moves, a stone on a bed or the bed under a stone.
+// Stones that strength holds together at a point are one there, as those that a tie holds: an impulse passes between
+// them in every direction, and they vibrate as one.
+//
+// Supports bear what holds them at their velocities: these impulses are part of the force that a step tells of.
+// Energies are those seen from the supports: where one moves its impulse does work, and what the kinetic energy loses
+// but for that work is what was taken: it is never negative and the same for whoever moves, a stone on a bed or the bed
+// under a stone.
 // Reasons and numbers: dynamics/README.md.
 #pragma once
 
@@ -24,11 +28,14 @@ namespace voussoir {
 /// Largest normal force of selected points [N]. Collective.
 double largest_force(const Model&, const ContactState&);
 
-/// What a change of velocities adds to the book of a step. [J]
-struct EnergyOfJump {
-  double friction = 0;          ///< taken, >= 0
-  double work_of_supports = 0;  ///< of those that move
+/// What a change of velocities adds to the book of a step.
+struct VelocityJump {
+  double friction = 0;           ///< taken [J], >= 0
+  std::vector<double> impulses;  ///< of supports [N s, node copies]; none where velocities were right
 };
+
+/// Adds what may be none. [N s]
+void add_impulses(std::vector<double>& sum, const std::vector<double>& more, double factor = 1);
 
 class VelocityUpdate {
  public:
@@ -41,7 +48,7 @@ class VelocityUpdate {
   /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
   /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
   /// @param resting  relative velocity below which a point counts as resting [m/s]
-  EnergyOfJump apply(const Model& step, ContactState& state, double lost, double resting);
+  VelocityJump apply(const Model& step, ContactState& state, double lost, double resting);
 
   /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
   /// may take.
@@ -49,31 +56,37 @@ class VelocityUpdate {
   std::vector<char> calm(const ContactState&, double energy, double resting) const;
   /// Ends the relative velocities of tied points: the two nodes of a point that was tied in motion would swing against
   /// each other from step to step. Collective.
-  EnergyOfJump settle(ContactState&, double resting);
+  VelocityJump settle(ContactState&, double resting);
 
   /// Forgets what depends on the model of a time step; to be called before that model goes.
   void forget();
 
   double kinetic_energy(const std::vector<double>& velocity) const { return product(velocity, velocity) / 2; }
+  /// Work of impulses of supports [N s] that have the velocities that are given [m/s, node copies]. Collective.
+  double work_of_supports(const std::vector<double>& impulses, const std::vector<double>& velocity) const;
 
  private:
   struct Spread;
   double product(const std::vector<double>& v, const std::vector<double>& w) const;
   using Supports = std::unique_ptr<const std::vector<double>>;  ///< [m/s] velocities there; none where none moves
   Supports moving_supports(const std::vector<double>& velocity) const;
-  double project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& selected,
-                 const Supports&);
-  EnergyOfJump stop(std::vector<double>& velocity, const std::vector<char>& held, const std::vector<char>& selected,
-                    const Supports&);
+  double work(const std::vector<double>& impulses, const Supports&) const;
+  std::vector<double> project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& apart);
+  VelocityJump stop(std::vector<double>& velocity, const std::vector<char>& held, const std::vector<char>& apart);
   double fastest(const PointField& speed, const std::vector<char>& held) const;
-  /// A change of velocities, and the work of supports that comes with it.
+  /// What meets: relative velocities [m/s], what is closed, and which points are not one.
+  struct Impact {
+    const PointField& speed;
+    const std::vector<char>&closed, &apart;
+  };
+  std::vector<double> rebound(const Model& step, ContactState&, const Impact&, double lost, double resting);
+  /// A change of velocities with the impulses of supports that come with it.
   struct Way {
-    std::vector<double> velocity;  ///< [m/s]
-    double work_of_supports = 0;   ///< [J]
+    std::vector<double> velocity, impulses;  ///< [m/s], [N s]
   };
   Way spread(const Model& step, const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
-             double resting, const Supports&);
-  Way within_bodies(Way, const Supports&) const;
+             double resting);
+  Way within_bodies(Way) const;
 
   const Model& at_rest_;
   const BlockSystem& mass_;

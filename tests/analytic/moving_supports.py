@@ -4,9 +4,11 @@ usage: moving_supports.py PROGRAM MPIEXEC
 
 Set-up    A stone on a bed. The bed begins to move under it at once, under two stones or a pair glued on one another, turns back,
           or shakes; or the stone is thrown on the bed at rest.
-Expected  In every step friction takes at least nothing and the book closes to 1e-9 of the energy. While it slips a stone gains
+Expected  In every step friction takes at least nothing, the book closes to 1e-9 of the energy, and supports bear the weight and
+          what changes the momentum of all stones, in that step and not only in the mean. While it slips a stone gains
           mu g, towards the velocity of the bed; until it has caught up friction takes m v^2 / 2 of its motion relative to the
-          bed, the same for a bed that moves and a stone that is thrown.
+          bed, the same for a bed that moves and a stone that is thrown. Stones that are glued on one another and fall on the
+          bed move as one stone of the same cells does. Of two beds the one on which a stone falls bears the blow alone.
 Tolerance 2 % of the bed's velocity, at any time: stones rebound by as much in the shock with which the bed starts. Energies
           3 %: stones are elastic, their damping takes a little; the two ways of looking at one motion differ by as much.
 """
@@ -47,9 +49,21 @@ def scene(drawing, drive, damping=0.0, velocities=None):
     made = scenes.scene(drawing, friction=FRICTION, supports=("drive",), loads=loads, stages=stages,
                         stone={"Young modulus": 2e10, "Poisson ratio": 0.0}, **more)
     made["steps"]["time"] = {"stiffness damping": damping}
-    made["observations"] = {"stone": {"blocks": "stone 0", "place": "mean"}}
+    made["observations"] = {"stone": {"blocks": "stone 0", "place": "mean"}, "all": {"blocks": "all", "place": "mean"},
+                            **{bed: {"place": "support", "support": bed} for bed in made["supports"]}}
     made["output"]["fields"] = False
     return made
+
+
+def mass_of(drawing):
+    """[kg] of boxes, drawn counter-clockwise."""
+    ends = {number: pair for pair, number in drawing.sides.items()}
+
+    def area(loop):
+        corners = [ends[abs(side)][side < 0] for side in loop]
+        return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(corners, corners[1:] + corners[:1])) / 2
+
+    return 2000.0 * sum(area(loop) for loop, _ in drawing.stones)
 
 
 BELT = {"ux": SPEED * DURATION, "time function": {"type": "ramp", "start": 0.0, "duration": DURATION}}
@@ -77,6 +91,8 @@ class MovingSupports(unittest.TestCase):
         run_scene(PROGRAM, MPIEXEC, folder / "run", scenes.write(made, folder / "scene"), *settings, ranks=ranks)
         with open(folder / "run" / "history.csv", encoding="utf-8") as file:
             rows = [{key: float(value) for key, value in row.items() if key != "stage" and value} for row in csv.DictReader(file)]
+        thrown = "initial velocities" in made  # between a first row at rest and the next
+        self.balances_momentum(rows[thrown:], made["supports"], mass_of(made["mesh"]))
         largest = max(row["elastic_J"] + row["kinetic_J"] for row in rows)
         for before, row in zip(rows, rows[1:]):
             self.assertGreaterEqual(row["friction_J"], before["friction_J"])
@@ -84,6 +100,23 @@ class MovingSupports(unittest.TestCase):
         last = rows[-1]
         print(name, "friction", last["friction_J"], "work", last["external_work_J"], "damping", last["damping_J"])
         return rows
+
+    def balances_momentum(self, rows, beds, mass):
+        """What beds bear is the weight, and what changes the momentum of all stones from row to row."""
+        def borne(row, axis):
+            return sum(row[f"f{axis}_N of {bed}"] for bed in beds)
+
+        def speed(row, axis):
+            return row.get(f"v{axis}_m_per_s of all", 0.0)  # none in load steps
+
+        def time(row):
+            return row.get("time_s", 0.0)
+
+        largest = max(abs(borne(row, axis)) for row in rows for axis in "xy")
+        for before, row in zip(rows, rows[1:]):
+            for axis, weight in (("x", 0.0), ("y", 9.81 * mass)):
+                gained = mass * (speed(row, axis) - speed(before, axis)) / (time(row) - time(before))
+                self.assertLess(abs(borne(row, axis) - weight - gained), 1e-6 * largest, (axis, time(row)))
 
     def moves_as_a_rigid_stone(self, rows, velocity_of_bed, begins=0.0):
         rows = rows[1:]
@@ -113,6 +146,34 @@ class MovingSupports(unittest.TestCase):
         made["joints"]["glue"] = {"friction coefficient": 0.6, "cohesion": 1e9, "tension strength": 1e9,
                                   "between": "stones", "and": "top"}
         self.moves_as_a_rigid_stone(self.run_scene("pair", made), lambda _: SPEED)
+
+    def fallen(self, name, boxes, **run):
+        """Stones of given heights on one another that fall by 0.1 mm on the first of two beds, glued together."""
+        drawing = Drawing(0.1)
+        for bed, x in (("drive", 0.0), ("beside", 2.0)):
+            drawing.box(x, -0.1, 0.4, 0.1, sets=("beds", f"{bed} bed"), bottom=bed)
+        y = 0.0
+        for number, height in enumerate(boxes):
+            drawing.box(0.0, y, 0.4, height, sets=("stones", f"stone {number}"))
+            y += height
+        made = scene(drawing, None, velocities={"thrown": {"blocks": "stones", "vx": 0.01}})
+        made["joints"] = {"bed": {"friction coefficient": FRICTION, "initial gap": 1e-4, "between": "beds", "and": "stones"},
+                          "glue": {"friction coefficient": math.inf, "cohesion": math.inf, "tension strength": math.inf}}
+        made["supports"] = {bed: {"on": bed} for bed in ("drive", "beside")}
+        made["observations"].update({bed: {"place": "support", "support": bed} for bed in made["supports"]})
+        made["observations"]["other"] = {"blocks": "beside bed", "place": "mean"}
+        made["steps"]["stages"] = {"fall": {"duration": 0.012, "time step": 1e-4, "at once": True, "loads": {"weight": 1.0}}}
+        return self.run_scene(name, made, "selection/mode=all", **run)
+
+    def test_stones_that_are_glued_fall_as_one(self):
+        one, two, ranked = (self.fallen(name, boxes, ranks=ranks)
+                            for name, boxes, ranks in (("one", (0.3,), 1), ("glued", (0.1, 0.2), 1), ("glued on 3", (0.1, 0.2), 3)))
+        self.assertGreater(max(row["fy_N of drive"] for row in one), 2 * 9.81 * 0.4 * 0.3 * 2000)
+        for rows in (one, two, ranked):
+            others = [{key.replace(" of other", " of all"): value for key, value in row.items() if "of all" not in key} for row in rows]
+            self.balances_momentum(others, ("beside",), 0.4 * 0.1 * 2000)
+            for row, expected in zip(rows, one):
+                self.assertLess(abs(row["kinetic_J"] - expected["kinetic_J"]), 1e-6 * one[-1]["external_work_J"])
 
     def test_undamped_whatever_is_selected(self):
         for name, settings in (("adaptive", ()), ("all", ("selection/mode=all",))):

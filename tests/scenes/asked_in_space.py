@@ -7,12 +7,15 @@ Expected  A train along the back of a wall bears on it whole, whether a return s
           faces stands on those that look up. Selection of all points selects all, where some were let go before: by an
           initial velocity, or in a run that goes on from one that selected fewer. Stones that are not there yet and are
           observed are told of alike on any number of ranks. A settlement along which its support holds nothing is told.
+          In time the ground bears, in every step, the weight and what changes the momentum of all stones, when one falls on it
+          and when it moves under it. Stones that are glued on one another fall as one does.
           A pressure on a stone of quadratic tetrahedra shortens it as one of hexahedra: what comes to a face comes to its
           corners, which is so of faces with straight edges alone.
 Tolerance Forces 1e-8 of them, that of the solver. The stone under pressure 2 %, what so few cells differ by.
 """
 
 import json
+import math
 import pathlib
 import sys
 
@@ -107,6 +110,36 @@ class AskedInSpace(program.SceneTest):
             told.append(json.dumps(sorted(w["text"] for w in run.result["warnings"])))
         self.assertIn("observes stones that are not there", told[0])
         self.assertEqual(*told)
+
+    def falls(self, stones, law, **more):
+        """A stone, or two that are glued, 1 x 0.6 x 1 m, that falls by 0.1 mm."""
+        mesh = {**PRISM, "height": 1.0, "stones": stones, "cells along": 2, "cells across": 2, "cells up": 4 // stones}
+        stages = {"fall": {"duration": 0.012, "time step": 0.0005, "at once": True,
+                           "loads": {name: 1.0 for name in ("weight", *more.get("loads", {}))}}}
+        whole = {"all": {"place": "mean", "blocks": "all"}}
+        glued = {f"{name} {kind}": math.inf for name, kind in (("friction", "coefficient"), ("tension", "strength"))}
+        joints = {"bed": law, "glue": {"between": "course 0", "and": "course 1", "cohesion": math.inf, **glued}}
+        text = scene("prism", mesh, stages=stages, joints=dict(list(joints.items())[:stones]), observations={**BORNE, **whole}, **more)
+        run = self.run_scene(text, out=f"{stones}")
+        self.assertEqual(run.outcome, "equilibrium", run.said)
+        mass, rows = 2000 * 0.6 * 1.2, run.history
+        largest = max(abs(row["fz_N of ground"]) for row in rows)
+        for before, row in zip(rows, rows[1:]):
+            for axis, weight in (("x", 0.0), ("y", 0.0), ("z", 9.81 * mass)):
+                gained = mass * (row[f"v{axis}_m_per_s of all"] - before[f"v{axis}_m_per_s of all"]) / 0.0005
+                self.assertLess(abs(row[f"f{axis}_N of ground"] - weight - gained), 1e-6 * largest, (axis, row["time_s"]))
+        self.assertGreater(largest, 2 * 9.81 * mass)
+        return rows
+
+    def test_the_ground_bears_what_changes_momentum(self):
+        bed = {"friction coefficient": 0.3, "initial gap": 1e-4}
+        one, two = (self.falls(stones, bed) for stones in (1, 2))
+        for row, expected in zip(two, one):
+            self.assertLess(abs(row["kinetic_J"] / expected["kinetic_J"] - 1), 1e-6)
+        shaken = {"shock": {"type": "settlement", "support": "ground", "ux": 1e-4, "uz": 2e-4,
+                            "time function": {"type": "sine", "frequency": 200.0}}}
+        for joint in (bed, {"friction coefficient": 0.3}):
+            self.falls(1, joint, loads=shaken)
 
     def test_a_pressure_is_borne_alike_by_all_cells(self):
         (self.folder / "stones.obj").write_text(solids.obj({"stone": solids.box((0, 0, 0), (1, 1, 1))}), encoding="utf-8")

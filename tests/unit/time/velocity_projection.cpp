@@ -53,7 +53,8 @@ TEUCHOS_UNIT_TEST(VelocityProjection, TwoNodesThatMeetGoOnWithTheirMeanAndTheOth
   VelocityProjection projection(wall.model, wall.mass);
   const auto before = wall.velocity({{1, 0, 0}, {0, -3, 0}, {0, -3, 0}});
   auto v = before;
-  TEST_EQUALITY(projection.apply(v, held(wall.model, false)), 0.0);
+  for (const double impulse : projection.apply(v, held(wall.model, false)))  // no support is there to give any
+    TEST_COMPARE(std::abs(impulse), <, 1e-9);
   const auto pairs = pairs_alone(wall.model);
   const long long found = static_cast<long long>(pairs.size());
   TEST_COMPARE(total_over_ranks(*wall.mass.comm(), found), >, 0);
