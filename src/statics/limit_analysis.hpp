@@ -83,7 +83,7 @@ class LimitAnalysis {
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
   std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
-  /// of programmes does not settle, and not in space, where each of these takes as long as five of what it begins from.
+  /// of programmes does not settle, and not in space, where it does not for walls of a hundred stones.
   /// @param associated  the answer of largest_factor(largest), where it begins
   /// @param motion      where wanted: in which it falls there, the largest 1 m; what slides opens by a thousandth of
   ///                    what it would with dilatancy
