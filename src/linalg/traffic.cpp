@@ -1,5 +1,6 @@
 #include "linalg/traffic.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "linalg/reduce.hpp"
@@ -10,6 +11,7 @@ namespace {
 
 // MPI is called from one thread.
 TrafficByKind counts;
+std::array<long long, traffic_kinds> largest{};  // bytes
 TrafficOf now = TrafficOf::else_where;
 bool is_counted = false;
 double inside_mpi = 0;  // s of the processor
@@ -42,6 +44,10 @@ TrafficByKind traffic_since(const TrafficByKind& before) {
   for (int k = 0; k < traffic_kinds; ++k) since[k] = since[k] - before[k];
   return since;
 }
+
+const std::array<long long, traffic_kinds>& largest_sent() { return largest; }
+
+void forget_largest_sent() { largest = {}; }
 
 bool traffic_is_counted() { return is_counted; }
 
@@ -80,6 +86,11 @@ double seconds_in_mpi() { return inside_mpi; }
 void add_seconds_in_mpi(double seconds) { inside_mpi += seconds; }
 
 Traffic& traffic_of_now() { return counts[static_cast<int>(now)]; }
+
+void note_size(long long bytes) {
+  auto& size = largest[static_cast<int>(now)];
+  size = std::max(size, bytes);
+}
 
 void count_traffic() { is_counted = true; }
 

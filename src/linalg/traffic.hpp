@@ -37,6 +37,9 @@ using TrafficByKind = std::array<Traffic, traffic_kinds>;
 /// Of this rank, since it began.
 const TrafficByKind& traffic_so_far();
 TrafficByKind traffic_since(const TrafficByKind& before);
+/// Bytes of the largest message or collective of each kind that this rank has sent since all sizes were forgotten.
+const std::array<long long, traffic_kinds>& largest_sent();
+void forget_largest_sent();
 /// 1 where the program counts; without, all counts are zero.
 bool traffic_is_counted();
 
@@ -58,8 +61,9 @@ class TrafficScope {
   TrafficOf before_;
 };
 
-/// For those who count.
+/// For those who count: what is sent next, and how large it is.
 Traffic& traffic_of_now();
+void note_size(long long bytes);
 void count_traffic();
 
 }  // namespace voussoir

@@ -12,6 +12,7 @@ namespace {
 
 using voussoir::add_seconds_in_mpi;
 using voussoir::count_traffic;
+using voussoir::note_size;
 using voussoir::traffic_of_now;
 
 [[maybe_unused]] const bool announced = (count_traffic(), true);
@@ -42,8 +43,10 @@ long long bytes_of(long long count, MPI_Datatype type) {
 [[nodiscard]] Inside message(int count, MPI_Datatype type, int to) {
   if (to == MPI_PROC_NULL) return {};
   auto& traffic = traffic_of_now();
+  const long long bytes = bytes_of(count, type);
   ++traffic.messages;
-  traffic.bytes += bytes_of(count, type);
+  traffic.bytes += bytes;
+  note_size(bytes);
   return {};
 }
 
@@ -53,8 +56,10 @@ long long bytes_of(long long count, MPI_Datatype type) {
   PMPI_Comm_size(comm, &ranks);
   if (ranks == 1) return {};
   auto& traffic = traffic_of_now();
+  const long long bytes = bytes_of(count, type);
   ++traffic.collectives;
-  traffic.collective_bytes += bytes_of(count, type);
+  traffic.collective_bytes += bytes;
+  note_size(bytes);
   return {};
 }
 

@@ -134,6 +134,7 @@ nlohmann::ordered_json entry_of(const SystemRow& r) {
       e[name + "bytes"] = traffic.bytes;
       e[name + "collectives"] = traffic.collectives;
       e[name + "collective_bytes"] = traffic.collective_bytes;
+      if (!total) e[name + "message_bytes"] = r.largest_sent[k];
     }
   return e;
 }
@@ -212,8 +213,10 @@ void time_solution(WholeSystem<dim>& system, const std::vector<PointStiffness>& 
   const auto d = Teuchos::rcp(new TpetraVector(problem.map()));
   const ClockOfRanks clock(comm);
   const auto before = traffic_so_far();
+  forget_largest_sent();
   row.iterations = problem.solve(stiffness, 1.0, b, d, {tolerance}).iterations;  // the residual below says how far
   const auto since = traffic_since(before);
+  row.largest_sent = largest_of_each(comm, largest_sent());
   row.solve = clock.seconds();
   for (int k = 0; k < traffic_kinds; ++k) {
     row.total[k] = total_traffic(since[k], comm);

@@ -3,6 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -88,6 +89,26 @@ void check(const SystemRow& row, int iterations_on_one_rank, Teuchos::FancyOStre
 
 TEUCHOS_UNIT_TEST(Messages, OfAWallOf16CoursesDoNotGrowWithRanks) { check(system_of(16, 0), 9, out, success); }
 TEUCHOS_UNIT_TEST(Messages, NorWithAThirdOfItsJointsOpen) { check(system_of(16, 0.3), 26, out, success); }
+
+/// Bytes of the largest message or collective of block motions, of any rank.
+long long largest_of_motions(const SystemRow& row, Teuchos::FancyOStream& out) {
+  const long long bytes = row.largest_sent[static_cast<int>(TrafficOf::block_motions)];
+  out << row.ranks << " ranks, " << row.blocks << " blocks: " << bytes << " bytes\n";
+  return bytes;
+}
+
+// With factors a rank sends the motions of its own blocks to the first one; with levels no more than those at a border,
+// which two parts as good as squares share: three motions for each of the blocks along it, six abreast at most.
+TEUCHOS_UNIT_TEST(Messages, NoneOfBlockMotionsIsOfTheSizeOfTheWhole) {
+  auto scene = wall_scene(32);
+  const auto factors = system_of(scene, 32, 0);
+  const double even = 8.0 * static_cast<double>(factors.coarse_unknowns) / factors.ranks;
+  TEST_COMPARE(static_cast<double>(largest_of_motions(factors, out)), <=, 1.1 * even);
+  scene.internals.preconditioner.motions_on_first = 0;
+  const auto levels = system_of(scene, 32, 0);
+  const double border = 6 * std::sqrt(static_cast<double>(levels.blocks) / levels.ranks);
+  TEST_COMPARE(static_cast<double>(largest_of_motions(levels, out)), <=, 8 * 3 * border);
+}
 
 // A few numbers per block, while the structure is built, and nothing per point or per unknown.
 TEUCHOS_UNIT_TEST(Messages, NoUnknownsAndNoPointsComeToEveryRank) {
