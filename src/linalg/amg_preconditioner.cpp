@@ -33,9 +33,8 @@ constexpr int first_swept_level(int dim, int ranks) {
 /// Nodes of an aggregate in the plane on many ranks, at least: more than half of the nine of a lattice. MueLu makes
 /// aggregates of two, which are many along borders of ranks.
 constexpr int least_of_aggregate = 5;
-/// Of the Jacobi step that smooths prolongators in space, over the largest eigenvalue; 4/3 in MueLu and in the plane
-/// (README.md, "Decisions").
-constexpr double damping_in_space = 1.7;
+/// Steps of conjugate gradients to prolongators of least energy, in space (README.md, "Decisions").
+constexpr int steps_to_least_energy = 4;
 
 bool names_smoothers(const Teuchos::ParameterList& list) {
   for (auto entry = list.begin(); entry != list.end(); ++entry)
@@ -75,7 +74,10 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   if (!names_smoothers(overrides)) smooth_by_gauss_seidel(list, 1);
   treat_small_levels(list, dim, ranks, overrides);
   if (dim == 2 && ranks > 1) list.set("aggregation: min agg size", least_of_aggregate);
-  if (dim == 3) list.set("sa: damping factor", damping_in_space);
+  if (dim == 3) {
+    list.set("multigrid algorithm", "emin");
+    list.set("emin: num iterations", steps_to_least_energy);
+  }
   if (ranks > 1) {
     list.set("repartition: enable", true);
     list.set("repartition: partitioner", "zoltan2");
