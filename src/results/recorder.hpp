@@ -78,6 +78,7 @@ class Recorder {
   void write_tables();
   std::vector<int> statuses_of_motion(const PointField& opening) const;
   std::vector<double> stresses(const std::vector<double>& deformation) const;
+  double inner_energy(const ContactState&) const;
   /// @param deformation  what of the displacement strains the stones
   void write_step(const ContactState&, const std::vector<double>& displacement, const std::vector<double>& deformation,
                   const std::vector<int>& status, const std::string& stage, double load_factor,
