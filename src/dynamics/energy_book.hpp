@@ -65,8 +65,11 @@ class EnergyBook {
     sum_.external_work += kinetic;
     sum_.work_within_steps += kinetic;
   }
-  /// What stones that are taken away take along.
-  void remove(double energy) { sum_.removed += energy; }
+  /// What stones that are taken away take along. @param inner  [J] beside it, of what blocks store beside u.K u / 2
+  void remove(double energy, double inner = 0) {
+    sum_.removed += energy + inner;
+    inner_ -= inner;
+  }
 
  private:
   Energies sum_;

@@ -228,6 +228,16 @@ void Model::loads(const std::map<std::string, double>& factors, double time, std
   check_size(force);
 }
 
+double Model::inner_energy(const std::map<std::string, double>& factors, double time, const std::vector<double>& u,
+                           const std::vector<char>& without) const {
+  const auto& s = structure();
+  const auto inner = loads_->inner_loads(factors, time, s);
+  const double mine = in_geometry([&](const auto&, const auto& blocks) {
+    return voussoir::inner_energy(blocks, s.deformation(u), inner, without);
+  });
+  return total_over_ranks(*s.comm(), mine);
+}
+
 void Model::mean_loads(const StepInTime& step, std::vector<double>& force) const {
   VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
   BlockForces all(structure());

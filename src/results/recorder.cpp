@@ -109,16 +109,6 @@ std::vector<double> Recorder::stresses(const std::vector<double>& deformation) c
   });
 }
 
-/// What stones store beside u.K u / 2 under the loads of now, over all ranks [J].
-double Recorder::inner_energy(const ContactState& state) const {
-  const auto& s = model_.structure();
-  const auto inner = model_.loads_at_work().inner_loads(factors_, time_of_loads_, s);
-  const double mine = model_.in_geometry([&](const auto&, const auto& structure) {
-    return voussoir::inner_energy(structure, s.deformation(state.displacement), inner, model_.absent());
-  });
-  return total_over_ranks(*s.comm(), mine);
-}
-
 void Recorder::write_step(const ContactState& state, const std::vector<double>& displacement,
                           const std::vector<double>& deformation, const std::vector<int>& status,
                           const std::string& stage, double load_factor, std::optional<double> time) {
@@ -158,7 +148,8 @@ void Recorder::record(const LoadStepBook& book, const ContactState& after, const
                       double seconds) {
   Phase phase("output");
   const bool jump = report.passed_in_time || jumped(report, model_.settings().internals.step);
-  record_.energy.advance(book.close(after, load, jump), false, inner_energy(after));
+  record_.energy.advance(book.close(after, load, jump), false,
+                         model_.inner_energy(factors_, time_of_loads_, after.displacement, model_.absent()));
   const auto reaction = observations_.ask_reactions() ? step_.residual(after, load) : std::vector<double>{};
   finish(after, report, stage, load_factor, {}, reaction, write_fields, seconds);
 }
@@ -174,7 +165,8 @@ void Recorder::record(const ContactState& after, const TimeStepReport& report, c
   energy.fracture = report.fracture;
   energy.damping = report.damping;
   energy.work_within_steps = report.work_of_impulses;
-  record_.energy.advance(energy, true, inner_energy(after));
+  record_.energy.advance(energy, true,
+                         model_.inner_energy(factors_, time_of_loads_, after.displacement, model_.absent()));
   record_.summary.time = time;
   finish(after, report.step, stage, stage_share, time, report.reaction, write_fields, seconds);
 }
