@@ -28,6 +28,7 @@ struct NodesOfBlock {
   /// is sparse and, along any motion, between once and some twelve times as stiff whatever the mesh.
   std::shared_ptr<const LocalCsr> sparse;
   std::shared_ptr<const CondensedEdges> edges;  ///< none where cells are linear
+  int first_edge = 0;                           ///< number of its first edge that bends on this rank
 };
 
 class BlockSystem {
@@ -46,6 +47,8 @@ class BlockSystem {
   int nodes() const { return static_cast<int>(node_id_.size()); }
   int owned_nodes() const { return owned_nodes_; }
   NodeId total_nodes() const { return total_nodes_; }
+  /// Edges that bend, of local blocks.
+  int edges() const { return edges_; }
   const std::vector<NodeId>& node_id() const { return node_id_; }
   const std::vector<int>& block_of_node() const { return block_of_node_; }
   /// Where a node is, and the middle of the bounding box of the whole structure as drawn [m].
@@ -96,7 +99,7 @@ class BlockSystem {
   std::vector<int> owner_of_halo_;
   ModelParameters model_;
   Teuchos::RCP<const Teuchos::Comm<int>> comm_;
-  int owned_blocks_ = 0, owned_nodes_ = 0;
+  int owned_blocks_ = 0, owned_nodes_ = 0, edges_ = 0;
   NodeId total_nodes_ = 0;
   std::vector<NodeId> node_id_;
   std::vector<int> block_of_node_, copies_start_, copy_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "base/check.hpp"
@@ -53,7 +54,7 @@ CondensedEdges::EdgeNumbers<dim> CondensedEdges::numbers_of(const Cell& cell) co
 
 template <int dim>
 CondensedEdges::CondensedEdges(const Block<dim>& block, const Material& material, const ModelParameters& model)
-    : edges_(block.curved), volume_(edges_.size(), 0.0), handed_over_(dim) {
+    : edges_(block.curved), volume_(edges_.size(), 0.0) {
   VOUSSOIR_EXPECT(!edges_.empty());
   const auto elasticity = dim == 2 ? lame(material, model.plane) : lame(material);
   const double thickness = dim == 2 ? thickness_of(material, model) : 1.0;
@@ -72,16 +73,6 @@ CondensedEdges::CondensedEdges(const Block<dim>& block, const Material& material
     if (const auto number = numbers_of<dim>(cell); *std::max_element(number.begin(), number.end()) >= 0)
       add_cell<dim>(cell, simplex_of(block, cell), number, elasticity, thickness, with_edges);
   factor_ = std::make_unique<SparseCholesky>(with_edges);
-  for (int axis = 0; axis < dim; ++axis) {
-    std::vector<double> force(dim * edges_.size(), 0.0);
-    for (std::size_t e = 0; e < edges_.size(); ++e) force[dim * e + axis] = volume_[e];
-    factor_->solve(force.data(), force.data());
-    auto& handed = handed_over_[axis];
-    handed.assign(dim * block.position.size(), 0.0);
-    for (int row = 0; row < with_corners_.rows(); ++row)
-      for (int k = with_corners_.start[row]; k < with_corners_.start[row + 1]; ++k)
-        handed[with_corners_.column[k]] -= with_corners_.value[k] * force[row];
-  }
 }
 
 template <int dim>
@@ -143,19 +134,33 @@ LocalCsr CondensedEdges::stiffness(const LocalCsr& linear) const {
 }
 
 template <int dim>
-void CondensedEdges::hand_over(const Vector<dim>& force, double* of_corners) const {
-  for (int axis = 0; axis < dim; ++axis)
-    for (std::size_t i = 0; force[axis] != 0 && i < handed_over_[axis].size(); ++i)
-      of_corners[i] += force[axis] * handed_over_[axis][i];
+void CondensedEdges::add_body_force(const Vector<dim>& force, double* of_edges) const {
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (int c = 0; c < dim; ++c) of_edges[dim * e + c] += volume_[e] * force[c];
+}
+
+void CondensedEdges::hand_over(std::vector<double> of_edges, double* of_corners) const {
+  VOUSSOIR_EXPECT(static_cast<int>(of_edges.size()) == factor_->size() && "forces: of the edges of this block");
+  factor_->solve(of_edges.data(), of_edges.data());
+  for (int row = 0; row < with_corners_.rows(); ++row)
+    for (int k = with_corners_.start[row]; k < with_corners_.start[row + 1]; ++k)
+      of_corners[with_corners_.column[k]] -= with_corners_.value[k] * of_edges[row];
+}
+
+double CondensedEdges::energy(const std::vector<double>& of_edges) const {
+  VOUSSOIR_EXPECT(static_cast<int>(of_edges.size()) == factor_->size() && "forces: of the edges of this block");
+  std::vector<double> bend(of_edges.size());
+  factor_->solve(of_edges.data(), bend.data());
+  return std::inner_product(bend.begin(), bend.end(), of_edges.begin(), 0.0) / 2;
 }
 
 template <int dim>
 std::vector<typename Simplex<dim>::OfEdges> CondensedEdges::bends(const Block<dim>& block, const std::vector<double>& u,
-                                                                  const Vector<dim>& force) const {
-  std::vector<double> b(dim * edges_.size());
-  with_corners_.multiply(u.data(), b.data());
-  for (std::size_t e = 0; e < edges_.size(); ++e)
-    for (int c = 0; c < dim; ++c) b[dim * e + c] = volume_[e] * force[c] - b[dim * e + c];
+                                                                  std::vector<double> b) const {
+  VOUSSOIR_EXPECT(static_cast<int>(b.size()) == factor_->size() && "forces: of the edges of this block");
+  std::vector<double> of_corners(b.size());
+  with_corners_.multiply(u.data(), of_corners.data());
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] -= of_corners[i];
   factor_->solve(b.data(), b.data());
   std::vector<typename Simplex<dim>::OfEdges> of_cells(block.cells.size());
   for (std::size_t n = 0; n < block.cells.size(); ++n) {
@@ -168,19 +173,17 @@ std::vector<typename Simplex<dim>::OfEdges> CondensedEdges::bends(const Block<di
 }
 
 long long CondensedEdges::bytes() const {
-  long long bytes = factor_->bytes() + with_corners_.bytes() +
-                    static_cast<long long>(edges_.size() * sizeof(edges_[0]) + volume_.size() * sizeof(double));
-  for (const auto& handed : handed_over_) bytes += static_cast<long long>(handed.size() * sizeof(double));
-  return bytes;
+  return factor_->bytes() + with_corners_.bytes() +
+         static_cast<long long>(edges_.size() * sizeof(edges_[0]) + volume_.size() * sizeof(double));
 }
 
 template CondensedEdges::CondensedEdges(const Block<2>&, const Material&, const ModelParameters&);
 template CondensedEdges::CondensedEdges(const Block<3>&, const Material&, const ModelParameters&);
-template void CondensedEdges::hand_over<2>(const Vector<2>&, double*) const;
-template void CondensedEdges::hand_over<3>(const Vector<3>&, double*) const;
+template void CondensedEdges::add_body_force<2>(const Vector<2>&, double*) const;
+template void CondensedEdges::add_body_force<3>(const Vector<3>&, double*) const;
 template std::vector<Simplex<2>::OfEdges> CondensedEdges::bends(const Block<2>&, const std::vector<double>&,
-                                                                const Vector<2>&) const;
+                                                                std::vector<double>) const;
 template std::vector<Simplex<3>::OfEdges> CondensedEdges::bends(const Block<3>&, const std::vector<double>&,
-                                                                const Vector<3>&) const;
+                                                                std::vector<double>) const;
 
 }  // namespace voussoir

@@ -34,15 +34,20 @@ class CondensedEdges {
 
   /// Of the corners once their edges are free to bend [N/m]: every entry is there.
   LocalCsr stiffness(const LocalCsr& of_linear_cells) const;
-  /// Adds to the forces of its corners what edges hand to them of a uniform force on all of the block [N/m3].
+  int size() const { return static_cast<int>(edges_.size()); }
+  /// Adds to the forces of edges [N, edge by edge] what comes to them of a uniform force on all of the block [N/m3].
   template <int dim>
-  void hand_over(const Vector<dim>& force, double* of_corners) const;
+  void add_body_force(const Vector<dim>& force, double* of_edges) const;
+  /// Adds to the forces of its corners what edges hand to them of theirs [N].
+  void hand_over(std::vector<double> of_edges, double* of_corners) const;
+  /// What is stored by edges that bend under forces on them [N] while corners stay where they are [J].
+  double energy(const std::vector<double>& of_edges) const;
   /// How far the edges of each cell bend [m], in the order of simplex_edges; straight ones by 0.
-  /// @param u      of the corners [m], without what they take freely
-  /// @param force  on all of the block [N/m3]
+  /// @param u         of the corners [m], without what they take freely
+  /// @param of_edges  forces on edges [N]
   template <int dim>
   std::vector<typename Simplex<dim>::OfEdges> bends(const Block<dim>&, const std::vector<double>& u,
-                                                    const Vector<dim>& force) const;
+                                                    std::vector<double> of_edges) const;
   long long bytes() const;
 
  private:
@@ -55,10 +60,9 @@ class CondensedEdges {
                 LocalCsr& with_edges);
 
   std::vector<std::array<int, 2>> edges_;
-  LocalCsr with_corners_;                         ///< K_ec
-  std::vector<double> volume_;                    ///< [m3] integral of the function of each edge
-  std::unique_ptr<SparseCholesky> factor_;        ///< of K_ee
-  std::vector<std::vector<double>> handed_over_;  ///< [m3] -K_ce K_ee^-1 f_e of 1 N/m3 along each axis
+  LocalCsr with_corners_;                   ///< K_ec
+  std::vector<double> volume_;              ///< [m3] integral of the function of each edge
+  std::unique_ptr<SparseCholesky> factor_;  ///< of K_ee
 };
 
 }  // namespace voussoir

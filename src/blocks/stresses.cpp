@@ -1,6 +1,9 @@
 #include "blocks/stresses.hpp"
 
+#include <utility>
+
 #include "blocks/assembly.hpp"
+#include "blocks/block_forces.hpp"
 #include "blocks/condensed_edges.hpp"
 #include "blocks/element_matrices.hpp"
 #include "blocks/solid_matrices.hpp"
@@ -26,20 +29,17 @@ std::array<double, 6> stress_of(const Structure<3>&, const LocalBlock<3>& block,
   return value;
 }
 
-/// Adds what edges add that bend.
+/// Adds what edges add that bend. A free strain bends none.
 /// @param stress  of the cells of the block
 template <int dim>
 void add_stress_of_edges(const Structure<dim>& s, const LocalBlock<dim>& block, const std::vector<double>& displacement,
-                         double free_strain, const Vector<dim>& body_force, double* stress) {
+                         double free_strain, std::vector<double> edge_force, double* stress) {
   if (!block.edges) return;
   const auto elasticity = dim == 2 ? lame(block.material, s.model().plane) : lame(block.material);
-  std::vector<double> u;  // a free strain bends nothing
-  u.reserve(dim * block.mesh.position.size());
-  for (std::size_t i = 0; i < block.mesh.position.size(); ++i)
-    for (int c = 0; c < dim; ++c)
-      u.push_back(displacement[dim * (block.first_local + i) + c] -
-                  free_strain * (block.mesh.position[i][c] - block.mesh.position.front()[c]));
-  const auto bends = block.edges->bends(block.mesh, u, body_force);
+  auto u = free_displacement(block, free_strain);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = displacement[dim * static_cast<std::size_t>(block.first_local) + i] - u[i];
+  const auto bends = block.edges->bends(block.mesh, u, std::move(edge_force));
   for (std::size_t n = 0; n < block.mesh.cells.size(); ++n) {
     const auto& cell = block.mesh.cells[n];
     if (cell.count != Simplex<dim>::corners) continue;
@@ -67,9 +67,8 @@ std::vector<double> cell_stresses(const Structure<dim>& s, const std::vector<dou
       const auto value = stress_of(s, block, cell, u, free_strain);
       stress.insert(stress.end(), value.begin(), value.end());
     }
-    Vector<dim> force{};
-    for (int c = 0; c < dim && !inner.body_force.empty(); ++c) force[c] = inner.body_force[dim * b + c];
-    add_stress_of_edges(s, block, displacement, free_strain, force, stress.data() + first);
+    add_stress_of_edges(s, block, displacement, free_strain, forces_of_edges(s, b, inner.edge_force),
+                        stress.data() + first);
   }
   return stress;
 }

@@ -3,15 +3,9 @@
 
 #include <vector>
 
-#include "blocks/structure.hpp"
+#include "blocks/inner_loads.hpp"
 
 namespace voussoir {
-
-/// What acts within blocks, which stresses depend on beside displacements; empty for none.
-struct InnerLoads {
-  std::vector<double> free_strain;  ///< [-, per local block] taken without stress in every direction, such as by heat
-  std::vector<double> body_force;   ///< [N/m3, dim x local block] on all of a block
-};
 
 /// Mean stress of every cell of the owned blocks, cell by cell [Pa]: (xx, yy, xy), in space (xx, xy, xz, yy, yz, zz).
 /// @param displacement  [m, dim x local node copies]

@@ -1,6 +1,7 @@
 #include "blocks/structure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -79,6 +80,8 @@ void Structure<dim>::add_block(Block<dim> mesh, NodeId first_node, const Materia
   b.stiffness = matrices.stiffness;
   b.sparse = matrices.sparse;
   b.edges = matrices.edges;
+  b.first_edge = edges_;
+  edges_ += static_cast<int>(b.mesh.curved.size());
   const int local = static_cast<int>(blocks_.size());
   for (std::size_t i = 0; i < b.mesh.position.size(); ++i) {
     node_id_.push_back(b.first_node + static_cast<NodeId>(i));
@@ -106,6 +109,15 @@ void Structure<dim>::group_copies(const std::vector<VertexId>& vertex) {
     }
     i = end;
   }
+}
+
+template <int dim>
+int Structure<dim>::edge_between(int node, int other) const {
+  const auto& block = blocks_[block_of_node_[node]];
+  const auto& curved = block.mesh.curved;
+  const std::array<int, 2> ends{std::min(node, other) - block.first_local, std::max(node, other) - block.first_local};
+  const auto at = std::lower_bound(curved.begin(), curved.end(), ends);
+  return at != curved.end() && *at == ends ? block.first_edge + static_cast<int>(at - curved.begin()) : -1;
 }
 
 template <int dim>

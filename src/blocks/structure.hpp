@@ -27,8 +27,7 @@ class Structure : public BlockSystem {
   /// Collective.
   /// @param share        of this rank, whose blocks the source can be asked of
   /// @param material_of  material of a block, called for blocks of this rank and its halo
-  /// @param held         whether a facet of a block is held or bears a load, so that its edges stay straight; none for
-  ///                     no facet
+  /// @param held         whether a facet of a block is held, so that its edges stay straight; none for no facet
   Structure(const BlockSource<dim>&, const BlockShare& share, const ModelParameters&,
             const std::function<Material(const Block<dim>&)>& material_of,
             const Teuchos::RCP<const Teuchos::Comm<int>>&,
@@ -42,6 +41,8 @@ class Structure : public BlockSystem {
   const std::vector<Vector<dim>>& position() const { return position_; }
   const std::vector<Vector<dim>>& drawn_position() const { return drawn_.empty() ? position_ : drawn_; }
   Vector<3> place(int node) const override { return in_space(position_[node]); }
+  /// The local edge that bends between two local nodes; -1 where none does.
+  int edge_between(int node, int other) const;
   void split_rigid_motions(std::vector<double>& u, std::vector<double>& rigid) const override;
   std::vector<double> nodal_volumes() const override;
 

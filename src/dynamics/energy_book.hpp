@@ -24,8 +24,13 @@ using EnergyOfStep = Energies;
 class EnergyBook {
  public:
   /// @param in_time  true for a time step, false for a load step
-  void advance(const EnergyOfStep& step, bool in_time = false) {
+  /// @param inner    [J] that blocks store beside u.K u / 2 at its end (blocks/inner_loads.hpp): it is what the loads
+  ///                 within them have brought, whatever the way
+  void advance(EnergyOfStep step, bool in_time = false, double inner = 0) {
     const double before = imbalance();
+    step.elastic += inner;
+    step.external_work += inner - inner_;
+    inner_ = inner;
     if (!in_time) sum_.removed += sum_.kinetic - step.kinetic;
     for (const auto& term : energy_terms)
       sum_.*term.value = step.*term.value + (term.kind == EnergyKind::stored ? 0.0 : sum_.*term.value);
@@ -37,6 +42,7 @@ class EnergyBook {
   void keep(Archive& archive) {
     for (const auto& term : energy_terms) archive.value("energy." + std::string(term.name), sum_.*term.value);
     archive.value("energy.imbalance_in_time_J", imbalance_in_time_);
+    archive.value("energy.inner_J", inner_);
   }
 
   const Energies& sums() const { return sum_; }
@@ -59,12 +65,15 @@ class EnergyBook {
     sum_.external_work += kinetic;
     sum_.work_within_steps += kinetic;
   }
-  /// What stones that are taken away take along.
-  void remove(double energy) { sum_.removed += energy; }
+  /// What stones that are taken away take along. @param inner  [J] beside it, of what blocks store beside u.K u / 2
+  void remove(double energy, double inner = 0) {
+    sum_.removed += energy + inner;
+    inner_ -= inner;
+  }
 
  private:
   Energies sum_;
-  double imbalance_in_time_ = 0;
+  double imbalance_in_time_ = 0, inner_ = 0;
 };
 
 }  // namespace voussoir

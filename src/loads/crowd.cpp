@@ -51,7 +51,7 @@ std::vector<KeyOfSpace> CrowdParameters::keys_of_space() const {
 
 template <int dim>
 void add_crowd(const Structure<dim>& s, const CrowdParameters& load, const FacetSet& facets, double factor,
-               std::vector<double>& force) {
+               BlockForces& force) {
   constexpr int up = dim - 1;
   std::vector<Slab> part{{0, load.x_from, load.x_to}};
   if constexpr (dim == 3) part.push_back({1, load.y_from, load.y_to});
@@ -75,7 +75,7 @@ std::unique_ptr<Load<dim>> crowd(const CrowdParameters& p, const LoadSite<dim>& 
 
 }  // namespace
 
-template void add_crowd<2>(const Structure<2>&, const CrowdParameters&, const FacetSet&, double, std::vector<double>&);
+template void add_crowd<2>(const Structure<2>&, const CrowdParameters&, const FacetSet&, double, BlockForces&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const CrowdParameters& p, const LoadSite<2>& site) {

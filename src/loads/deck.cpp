@@ -6,7 +6,6 @@
 
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
-#include "loads/facets.hpp"
 
 namespace voussoir {
 namespace {
@@ -14,16 +13,15 @@ namespace {
 /// A place below the line of wheels, by the shares of the corners of an edge or triangle.
 struct Place {
   double x;
-  std::array<double, DeckPiece::most> share;
+  std::array<double, 4> share;
 };
 
 template <int dim>
-void add_piece(const Structure<dim>& s, const std::array<int, DeckPiece::most>& node, Place a, Place b,
+void add_piece(const Structure<dim>& s, const std::array<int, 3>& node, Place a, Place b,
                std::vector<DeckPiece>& pieces) {
   if (a.x == b.x) return;
   if (a.x > b.x) std::swap(a, b);
-  DeckPiece piece{
-      {a.x, b.x}, {a.share, b.share}, {-1, -1, -1}, {-1, -1, -1}, s.blocks()[s.block_of_node()[node[0]]].mesh.id};
+  DeckPiece piece{{a.x, b.x}, {a.share, b.share}, {-1, -1, -1}, {}, s.blocks()[s.block_of_node()[node[0]]].mesh.id};
   for (std::size_t i = 0; i < node.size(); ++i)
     if (node[i] >= 0) piece.id[i] = s.node_id()[node[i]];
   pieces.push_back(piece);
@@ -93,9 +91,12 @@ std::vector<DeckPiece> pieces_of_deck(const Structure<dim>& s, const FacetSet& s
   });
   std::map<long long, int> local;
   for (int i = 0; i < s.nodes(); ++i) local[s.node_id()[i]] = i;
-  for (auto& piece : pieces)
-    for (int i = 0; i < DeckPiece::most; ++i)
-      if (const auto it = local.find(piece.id[i]); it != local.end()) piece.local[i] = it->second;
+  for (auto& piece : pieces) {
+    std::array<int, 4> node{-1, -1, -1, -1};
+    for (std::size_t i = 0; i < piece.id.size(); ++i)
+      if (const auto it = local.find(piece.id[i]); it != local.end()) node[i] = it->second;
+    piece.local = bearers_of(s, node);
+  }
   return pieces;
 }
 

@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "blocks/structure.hpp"
+#include "loads/facets.hpp"
 #include "mesh/facet_set.hpp"
 
 namespace voussoir {
 
 /// What lies below a line of wheels between two x: a wheel there is borne by these nodes, whose shares go linearly from
-/// one end to the other and add up to one, so that force and moment are exact.
+/// one end to the other and add up to one, so that force and moment are exact, and by edges that bend between them.
 struct DeckPiece {
-  static constexpr int most = 3;
-  std::array<double, 2> x;                        ///< [m] rising
-  std::array<std::array<double, most>, 2> share;  ///< [-] of each node, at either end
-  std::array<long long, most> id;                 ///< nodes; -1 for none
-  std::array<int, most> local;                    ///< the same on this rank, -1 elsewhere
+  std::array<double, 2> x;                     ///< [m] rising
+  std::array<std::array<double, 4>, 2> share;  ///< [-] of each node, at either end
+  std::array<long long, 3> id;                 ///< nodes; -1 for none
+  Bearers local;                               ///< the same on this rank, none elsewhere
   BlockId stone;
 };
 

@@ -61,7 +61,7 @@ bool EarthPressureParameters::is_zero() const { return coefficient() == 0 || (un
 
 template <int dim>
 void add_earth_pressure(const Structure<dim>& s, const EarthPressureParameters& load, const FacetSet& facets,
-                        double factor, std::vector<double>& force) {
+                        double factor, BlockForces& force) {
   constexpr int up = dim - 1;
   const double k = load.coefficient();
   add_on_facets(
@@ -87,7 +87,7 @@ std::unique_ptr<Load<dim>> earth_pressure(const EarthPressureParameters& p, cons
 }  // namespace
 
 template void add_earth_pressure<2>(const Structure<2>&, const EarthPressureParameters&, const FacetSet&, double,
-                                    std::vector<double>&);
+                                    BlockForces&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const EarthPressureParameters& p, const LoadSite<2>& site) {

@@ -6,6 +6,18 @@
 
 namespace voussoir {
 
+template <int dim>
+Bearers bearers_of(const Structure<dim>& s, const std::array<int, 4>& node) {
+  Bearers bearers;
+  bearers.node = node;
+  for (int i = 0; i < 3; ++i)
+    if (const int a = node[i], b = node[(i + 1) % 3]; a >= 0 && b >= 0) bearers.edge[i] = s.edge_between(a, b);
+  return bearers;
+}
+
+template Bearers bearers_of(const Structure<2>&, const std::array<int, 4>&);
+template Bearers bearers_of(const Structure<3>&, const std::array<int, 4>&);
+
 std::vector<LoadedEdge> edges_of_set(const Structure<2>& s, const FacetSet& set) {
   std::vector<LoadedEdge> edges;
   for (const auto& b : s.blocks())
@@ -26,7 +38,7 @@ std::vector<LoadedEdge> edges_of_set(const Structure<2>& s, const FacetSet& set)
         if (first && second && dot(outward, middle - x0) > 0) outward = -1.0 * outward;
       }
       const double length = norm(along);
-      edges.push_back({{b.first_local + f.node[0], b.first_local + f.node[1]},
+      edges.push_back({bearers_of(s, {b.first_local + f.node[0], b.first_local + f.node[1], -1, -1}),
                        {x0, x1},
                        (1 / length) * outward,
                        length,
@@ -68,10 +80,12 @@ std::vector<LoadedFace> faces_of_set(const Structure<3>& s, const FacetSet& set)
       if (!set.has(b.mesh, f)) continue;
       LoadedFace face{};
       face.count = f.count;
+      std::array<int, 4> node{-1, -1, -1, -1};
       for (int i = 0; i < f.count; ++i) {
-        face.node[i] = b.first_local + f.node[i];
+        node[i] = b.first_local + f.node[i];
         face.x[i] = b.mesh.position[f.node[i]];
       }
+      static_cast<Bearers&>(face) = bearers_of(s, node);
       const auto share = shares_of(face);
       const double side = points_inward(b.mesh, f, share[0] + share[1] + share[2] + share[3]) ? -1 : 1;
       for (int i = 0; i < f.count; ++i) face.outward[i] = side * share[i];
@@ -104,7 +118,17 @@ std::vector<SharesOfCorners> cut(std::vector<SharesOfCorners> polygon, const std
   return polygon;
 }
 
-/// Adds points for one triangle of a face; the middles of the edges of a triangle are exact to the second degree.
+/// Shares of the corners of a triangle in a point, and its part of the area: exact to the third degree, that of a
+/// linear traction on an edge that bends.
+constexpr std::array<std::array<double, 4>, 7> third_degree{{{1, 0, 0, 1. / 20},
+                                                             {0, 1, 0, 1. / 20},
+                                                             {0, 0, 1, 1. / 20},
+                                                             {1. / 2, 1. / 2, 0, 2. / 15},
+                                                             {0, 1. / 2, 1. / 2, 2. / 15},
+                                                             {1. / 2, 0, 1. / 2, 2. / 15},
+                                                             {1. / 3, 1. / 3, 1. / 3, 9. / 20}}};
+
+/// Adds points for one triangle of a face.
 void add_points(const LoadedFace& face, const std::array<int, 3>& corner, double weight, const std::vector<Slab>& slabs,
                 std::vector<FacePoint>& points) {
   const auto& x = face.x;
@@ -120,12 +144,12 @@ void add_points(const LoadedFace& face, const std::array<int, 3>& corner, double
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const std::array<SharesOfCorners, 3> part{polygon[0], polygon[i - 1], polygon[i]};
     const double share = dot(part[0], cross(part[1], part[2]));  // of the area of the triangle
-    for (int edge = 0; edge < 3; ++edge) {
-      const auto middle = 0.5 * (part[edge] + part[(edge + 1) % 3]);
-      FacePoint point{{}, normal, {}};
+    for (const auto& [a, b, c, of_area] : third_degree) {
+      const auto shares = a * part[0] + b * part[1] + c * part[2];
+      FacePoint point{{}, normal, weight * share * of_area * twice / 2, {}};
       for (int k = 0; k < 3; ++k) {
-        point.at = point.at + middle[k] * x[corner[k]];
-        point.area[corner[k]] = weight * share * twice / 6 * middle[k];
+        point.at = point.at + shares[k] * x[corner[k]];
+        point.share[corner[k]] = shares[k];
       }
       points.push_back(point);
     }

@@ -2,19 +2,40 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "blocks/block_forces.hpp"
 #include "blocks/structure.hpp"
 #include "mesh/facet_set.hpp"
 
 namespace voussoir {
 
+/// What an edge or face bears a force by, on this rank: its corners, and those of its edges that bend. -1 for none.
+struct Bearers {
+  std::array<int, 4> node{-1, -1, -1, -1};
+  std::array<int, 3> edge{-1, -1, -1};  ///< between corners 0 and 1, 1 and 2, 2 and 0 of an edge or triangle
+
+  /// Adds what comes to them of a force [N] at a place: to a corner L_i of it, to an edge that bends 4 L_i L_j.
+  /// @param share  L_i of each corner there
+  template <int dim>
+  void add(const std::array<double, 4>& share, const Vector<dim>& force, BlockForces& to) const {
+    for (std::size_t i = 0; i < node.size(); ++i)
+      for (int c = 0; c < dim && node[i] >= 0; ++c) to.of_nodes[dim * node[i] + c] += share[i] * force[c];
+    for (std::size_t i = 0; i < edge.size(); ++i)
+      for (int c = 0; c < dim && edge[i] >= 0; ++c)
+        to.of_edges[dim * edge[i] + c] += 4 * share[i] * share[(i + 1) % 3] * force[c];
+  }
+};
+/// Those of corners of one block, of which the last may be -1.
+template <int dim>
+Bearers bearers_of(const Structure<dim>&, const std::array<int, 4>& node);
+
 /// An edge of a block on this rank or its halo.
-struct LoadedEdge {
-  int node[2];        ///< local node copies
-  Vector<2> x[2];     ///< [m] their positions
+struct LoadedEdge : Bearers {
+  Vector<2> x[2];     ///< [m] positions of its nodes
   Vector<2> outward;  ///< unit normal that leaves the block
   double length;      ///< [m]
   double thickness;   ///< [m] of its block, out of plane
@@ -32,9 +53,8 @@ inline bool has_width(const Vector<2>& a, const Vector<2>& b) { return std::abs(
 std::vector<LoadedEdge> edges_of_set(const Structure<2>&, const FacetSet&);
 
 /// A face of a block on this rank or its halo.
-struct LoadedFace {
+struct LoadedFace : Bearers {
   int count;             ///< of corners, 3 or 4
-  int node[4];           ///< local node copies
   Vector<3> x[4];        ///< [m] their positions
   Vector<3> outward[4];  ///< [m2] integral of the shape function of each times the unit normal that leaves the block
 };
@@ -53,41 +73,40 @@ struct PartOfEdge {
 };
 PartOfEdge part_between(const LoadedEdge&, int c, double low, double high);
 
-/// Adds the consistent nodal forces of a traction [Pa] along a part of an edge. Two Gauss points: exact for a traction
-/// that is linear along the part.
+/// Adds the consistent forces of a traction [Pa] along a part of an edge. Two Gauss points: exact for a traction that
+/// is linear along the part, on an edge that bends too.
 /// @param traction  Vector<2>(const Vector<2>& position)
 template <class Traction>
-void add_along(const LoadedEdge& e, const PartOfEdge& part, const Traction& traction, std::vector<double>& force) {
+void add_along(const LoadedEdge& e, const PartOfEdge& part, const Traction& traction, BlockForces& force) {
   if (part.from >= part.to) return;
   const double middle = (part.from + part.to) / 2, half = (part.to - part.from) / 2;
   for (const double xi : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
     const double s = middle + xi * half, area = half * e.length * e.thickness;
     const Vector<2> t = traction(e.at(s));
-    for (int c = 0; c < 2; ++c) {
-      force[2 * e.node[0] + c] += (1 - s) * area * t[c];
-      force[2 * e.node[1] + c] += s * area * t[c];
-    }
+    e.add<2>({1 - s, s, 0, 0}, area * t, force);
   }
 }
 
 /// A point of a part of a face at which tractions are summed up.
 struct FacePoint {
-  Vector<3> at;       ///< [m]
-  Vector<3> outward;  ///< unit normal that leaves the block
-  double area[4];     ///< [m2] its weight times the shape function of each corner
+  Vector<3> at;                 ///< [m]
+  Vector<3> outward;            ///< unit normal that leaves the block
+  double area;                  ///< [m2] its weight
+  std::array<double, 4> share;  ///< [-] shape function of each corner
 };
 
-/// Points and weights that are exact for a traction that is linear over what of a face lies in all slabs. One of four
+/// Points and weights that are exact for a traction that is linear over what of a face lies in all slabs, on one whose
+/// edges bend too. One of four
 /// corners counts as two triangles, once along each diagonal with half the weight, so that none is preferred; force and
 /// moment are exact.
 std::vector<FacePoint> points_of(const LoadedFace&, const std::vector<Slab>&);
 
-/// Adds the consistent nodal forces of a traction [Pa] on what of the facets of a set lies in all slabs. Exact for
+/// Adds the consistent forces of a traction [Pa] on what of the facets of a set lies in all slabs. Exact for
 /// tractions that are linear along a facet.
 /// @param traction  Vector<dim>(const Vector<dim>& position, const Vector<dim>& outward)
 template <class Traction>
 void add_on_facets(const Structure<2>& s, const FacetSet& set, const std::vector<Slab>& slabs, const Traction& traction,
-                   std::vector<double>& force) {
+                   BlockForces& force) {
   for (const auto& e : edges_of_set(s, set)) {
     PartOfEdge part;
     for (const auto& slab : slabs) {
@@ -101,13 +120,10 @@ void add_on_facets(const Structure<2>& s, const FacetSet& set, const std::vector
 
 template <class Traction>
 void add_on_facets(const Structure<3>& s, const FacetSet& set, const std::vector<Slab>& slabs, const Traction& traction,
-                   std::vector<double>& force) {
+                   BlockForces& force) {
   for (const auto& face : faces_of_set(s, set))
-    for (const auto& point : points_of(face, slabs)) {
-      const Vector<3> t = traction(point.at, point.outward);
-      for (int i = 0; i < face.count; ++i)
-        for (int c = 0; c < 3; ++c) force[3 * face.node[i] + c] += point.area[i] * t[c];
-    }
+    for (const auto& point : points_of(face, slabs))
+      face.add<3>(point.share, point.area * traction(point.at, point.outward), force);
 }
 
 }  // namespace voussoir

@@ -121,12 +121,12 @@ class GroundMotion final : public Load<dim> {
         mass_.push_back(b.material.density * volume);
   }
 
-  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
+  void add(const std::vector<LoadMoment>& moments, BlockForces& force, std::vector<double>&) const override {
     for (int c = 0; c < dim; ++c) {
       double a = 0;
       for (const auto& [time, factor] : moments) a += factor * (steady_[c] + recorded(c, time));
       if (a == 0) continue;
-      for (std::size_t i = 0; i < mass_.size(); ++i) force[dim * i + c] -= mass_[i] * a;
+      for (std::size_t i = 0; i < mass_.size(); ++i) force.of_nodes[dim * i + c] -= mass_[i] * a;
     }
   }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "blocks/condensed_edges.hpp"
-
 namespace voussoir {
 
 template <int dim>
@@ -28,53 +26,42 @@ std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<
   return std::visit([&](const auto& kind) { return make_load_of<dim>(kind, site); }, load.kind);
 }
 
-template <int dim>
-PatternLoad<dim>::PatternLoad(const std::vector<double>& unit, Of of) : of_(of) {
+Pattern::Pattern(const std::vector<double>& list) {
   const auto count =
-      static_cast<std::size_t>(std::count_if(unit.begin(), unit.end(), [](double value) { return value != 0; }));
+      static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [](double value) { return value != 0; }));
   index_.reserve(count);
   value_.reserve(count);
-  for (std::size_t i = 0; i < unit.size(); ++i)
-    if (unit[i] != 0) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i] != 0) {
       index_.push_back(static_cast<int>(i));
-      value_.push_back(unit[i]);
+      value_.push_back(list[i]);
     }
 }
 
-template <int dim>
-void PatternLoad<dim>::add(const std::vector<LoadMoment>& moments, std::vector<double>& force,
-                           std::vector<double>& prescribed) const {
-  const double factor = sum_of_factors(moments);
-  auto& to = of_ == Of::forces ? force : prescribed;
+void Pattern::add(double factor, std::vector<double>& to) const {
   for (std::size_t k = 0; k < index_.size(); ++k) to[index_[k]] += factor * value_[k];
 }
 
 template <int dim>
+PatternLoad<dim>::PatternLoad(const BlockForces& unit)
+    : nodes_(unit.of_nodes), edges_(unit.of_edges), prescribed_({}) {}
+
+template <int dim>
+PatternLoad<dim>::PatternLoad(const std::vector<double>& unit) : nodes_({}), edges_({}), prescribed_(unit) {}
+
+template <int dim>
+void PatternLoad<dim>::add(const std::vector<LoadMoment>& moments, BlockForces& force,
+                           std::vector<double>& prescribed) const {
+  const double factor = sum_of_factors(moments);
+  nodes_.add(factor, force.of_nodes);
+  edges_.add(factor, force.of_edges);
+  prescribed_.add(factor, prescribed);
+}
+
+template <int dim>
 std::size_t PatternLoad<dim>::bytes() const {
-  return sizeof(*this) + index_.capacity() * sizeof(int) + value_.capacity() * sizeof(double);
+  return sizeof(*this) + nodes_.bytes() + edges_.bytes() + prescribed_.bytes();
 }
-
-template <int dim>
-BodyForce<dim>::BodyForce(const Structure<dim>& s, const std::vector<double>& unit, std::vector<double> per_volume)
-    : PatternLoad<dim>(unit) {
-  const auto& blocks = s.blocks();
-  if (std::any_of(blocks.begin(), blocks.end(), [](const auto& b) { return b.edges != nullptr; }))
-    per_volume_ = std::move(per_volume);
-}
-
-template <int dim>
-void BodyForce<dim>::add_body_force(double factor, std::vector<double>& force) const {
-  for (std::size_t i = 0; i < per_volume_.size(); ++i) force[i] += factor * per_volume_[i];
-}
-
-template <int dim>
-void hand_over_edges(const LocalBlock<dim>& block, const Vector<dim>& per_volume, std::vector<double>& force) {
-  if (block.edges)
-    block.edges->template hand_over<dim>(per_volume, &force[dim * static_cast<std::size_t>(block.first_local)]);
-}
-
-template void hand_over_edges(const LocalBlock<2>&, const Vector<2>&, std::vector<double>&);
-template void hand_over_edges(const LocalBlock<3>&, const Vector<3>&, std::vector<double>&);
 
 template struct LoadSite<2>;
 template struct LoadSite<3>;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/warning.hpp"
+#include "blocks/block_forces.hpp"
 #include "blocks/structure.hpp"
 #include "blocks/support_parameters.hpp"
 #include "loads/load_parameters.hpp"
@@ -39,10 +40,9 @@ class LoadOnNodes {
  public:
   virtual ~LoadOnNodes() = default;
   /// Adds what the load is at some times, each times its factor. No communication.
-  /// @param force       [N, dim x local node copies]
-  /// @param prescribed  [m, the same shape]
-  virtual void add(const std::vector<LoadMoment>&, std::vector<double>& force,
-                   std::vector<double>& prescribed) const = 0;
+  /// @param force       of nodes and of edges that bend
+  /// @param prescribed  [m, dim x local node copies]
+  virtual void add(const std::vector<LoadMoment>&, BlockForces& force, std::vector<double>& prescribed) const = 0;
   /// The load moves by itself, so that it is not the same at all times.
   virtual bool moves() const { return false; }
   /// Adds the times between two times at which it does not move smoothly [s]; between them it moves linearly.
@@ -52,9 +52,6 @@ class LoadOnNodes {
   virtual bool strains() const { return false; }
   /// The load acts on all of stones, and not on edges, faces or points of them.
   virtual bool of_stones() const { return strains(); }
-  /// Adds factor times the force on all of a block [N/m3, dim x local block]; of blocks whose edges bend.
-  virtual void add_body_force(double, std::vector<double>&) const {}
-  virtual bool has_body_force() const { return false; }
   /// [s] A time step that sees how the load varies; infinite when it does not vary by itself. The same on every rank.
   virtual double resolution() const { return std::numeric_limits<double>::infinity(); }
   /// [s] The same for steps between two times.
@@ -81,50 +78,51 @@ std::unique_ptr<Load<dim>> make_load(const LoadParameters&, const LoadSite<dim>&
 template <int dim, class Parameters>
 std::unique_ptr<Load<dim>> make_load_of(const Parameters&, const LoadSite<dim>&);
 
-/// Forces that keep their pattern: the factor times what they are for factor 1. Zeros are not held.
-template <int dim>
-class PatternLoad : public Load<dim> {
+/// What is not zero of a list.
+class Pattern {
  public:
-  enum class Of { forces, displacements };
-  /// @param unit  [N or m, dim x local node copies] for factor 1
-  explicit PatternLoad(const std::vector<double>& unit, Of = Of::forces);
-  void add(const std::vector<LoadMoment>&, std::vector<double>& force, std::vector<double>& prescribed) const override;
-  std::size_t bytes() const override;
+  explicit Pattern(const std::vector<double>&);
+  void add(double factor, std::vector<double>& to) const;
+  std::size_t bytes() const { return index_.capacity() * sizeof(int) + value_.capacity() * sizeof(double); }
 
  private:
-  Of of_;
   std::vector<int> index_;
   std::vector<double> value_;
 };
 
-/// The same of forces on all of a block, which bend edges within: stresses are told of them.
+/// A load that keeps its pattern: the factor times what it is for factor 1.
+template <int dim>
+class PatternLoad : public Load<dim> {
+ public:
+  explicit PatternLoad(const BlockForces& unit);
+  /// @param unit  prescribed displacements [m, dim x local node copies] for factor 1
+  explicit PatternLoad(const std::vector<double>& unit);
+  void add(const std::vector<LoadMoment>&, BlockForces& force, std::vector<double>& prescribed) const override;
+  std::size_t bytes() const override;
+
+ private:
+  Pattern nodes_, edges_, prescribed_;
+};
+
+/// The same of forces on all of stones.
 template <int dim>
 class BodyForce final : public PatternLoad<dim> {
  public:
-  /// @param per_volume  [N/m3, dim x local block] for factor 1
-  BodyForce(const Structure<dim>&, const std::vector<double>& unit, std::vector<double> per_volume);
-  void add_body_force(double factor, std::vector<double>& force) const override;
-  bool has_body_force() const override { return !per_volume_.empty(); }
+  using PatternLoad<dim>::PatternLoad;
   bool of_stones() const override { return true; }
-  std::size_t bytes() const override {
-    return PatternLoad<dim>::bytes() + sizeof(per_volume_) + per_volume_.capacity() * sizeof(double);
-  }
-
- private:
-  std::vector<double> per_volume_;  ///< empty where no edge bends
 };
 
-/// A pattern load from a function that adds forces for factor 1: add(unit).
+/// A load of such a kind from a function that adds forces for factor 1: add(unit).
+template <class Kind, int dim, class Add>
+std::unique_ptr<Load<dim>> made_of(const Structure<dim>& s, const Add& add) {
+  BlockForces unit(s);
+  add(unit);
+  return std::make_unique<Kind>(unit);
+}
 template <int dim, class Add>
 std::unique_ptr<Load<dim>> pattern_of(const Structure<dim>& s, const Add& add) {
-  std::vector<double> unit(static_cast<std::size_t>(dim) * s.nodes(), 0.0);
-  add(unit);
-  return std::make_unique<PatternLoad<dim>>(unit);
+  return made_of<PatternLoad<dim>>(s, add);
 }
-
-/// Adds to nodes what edges of a block that bend hand over of a force on all of it [N/m3]; else nothing.
-template <int dim>
-void hand_over_edges(const LocalBlock<dim>&, const Vector<dim>& per_volume, std::vector<double>& force);
 
 extern template class PatternLoad<2>;
 

@@ -42,7 +42,7 @@ class LineOfWheels {
     look_for_several_stones(site);
   }
 
-  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force) const {
+  void add(const std::vector<LoadMoment>& moments, BlockForces& force) const {
     for (const auto& [time, factor] : moments)
       for (std::size_t k = 0; k < load_.size(); ++k) {
         const double x = place(k, time);
@@ -50,10 +50,9 @@ class LineOfWheels {
         if (below < 0) continue;
         const DeckPiece& piece = deck_[below];
         const double s = (x - piece.x[0]) / (piece.x[1] - piece.x[0]);
-        for (int i = 0; i < DeckPiece::most; ++i)
-          if (piece.local[i] >= 0)
-            force[dim * piece.local[i] + dim - 1] -=
-                factor * load_[k] * ((1 - s) * piece.share[0][i] + s * piece.share[1][i]);
+        Vector<dim> down{};
+        down[dim - 1] = -factor * load_[k];
+        piece.local.template add<dim>((1 - s) * piece.share[0] + s * piece.share[1], down, force);
       }
   }
 
@@ -153,7 +152,7 @@ class MovingTrain final : public Load<dim> {
     }
   }
 
-  void add(const std::vector<LoadMoment>& moments, std::vector<double>& force, std::vector<double>&) const override {
+  void add(const std::vector<LoadMoment>& moments, BlockForces& force, std::vector<double>&) const override {
     for (const auto& line : wheels_) line.add(moments, force);
   }
   bool moves() const override { return moves_; }

@@ -62,7 +62,7 @@ NearestNode nearest_node(const Structure<dim>& s, const Vector<dim>& point, cons
 
 template <int dim>
 void add_point_load(const Structure<dim>& s, const PointLoadParameters& load, double factor, const std::string& where,
-                    std::vector<double>& force, const std::vector<char>& among) {
+                    BlockForces& force, const std::vector<char>& among) {
   const auto at = in_dimension<dim>({load.x, load.y, load.z}), given = in_dimension<dim>({load.fx, load.fy, load.fz});
   const auto node = nearest_node(s, at, among);
   if (node.distance > load.tolerance)
@@ -71,7 +71,7 @@ void add_point_load(const Structure<dim>& s, const PointLoadParameters& load, do
                      number_text(node.distance) +
                      " m away.\n  Move the point to the outside of the structure, or give a larger tolerance.");
   if (node.local < 0) return;
-  for (int c = 0; c < dim; ++c) force[dim * node.local + c] += factor * given[c];
+  for (int c = 0; c < dim; ++c) force.of_nodes[dim * node.local + c] += factor * given[c];
 }
 
 namespace {
@@ -84,8 +84,7 @@ constexpr double round_off = 1e-9;  // of the size of the structure
 template <int dim>
 class PointLoad final : public PatternLoad<dim> {
  public:
-  PointLoad(const std::vector<double>& unit, Warnings warnings)
-      : PatternLoad<dim>(unit), warnings_(std::move(warnings)) {}
+  PointLoad(const BlockForces& unit, Warnings warnings) : PatternLoad<dim>(unit), warnings_(std::move(warnings)) {}
   Warnings warnings() const override { return warnings_; }
 
  private:
@@ -114,7 +113,7 @@ std::unique_ptr<Load<dim>> point_load(const PointLoadParameters& p, const LoadSi
   std::vector<char> among(s.nodes(), 0);
   for (const auto& b : s.blocks())
     if (site.in_block_set(b.mesh, p.blocks)) std::fill_n(among.begin() + b.first_local, b.mesh.position.size(), 1);
-  std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
+  BlockForces unit(s);
   add_point_load(s, p, 1.0, site.where, unit, among);
   const auto at = in_dimension<dim>({p.x, p.y, p.z});
   const auto stones = stones_near(s, at, among);
@@ -128,7 +127,7 @@ std::unique_ptr<Load<dim>> point_load(const PointLoadParameters& p, const LoadSi
 template NearestNode nearest_node<2>(const Structure<2>&, const Vector<2>&, const std::vector<char>&);
 template NearestNode nearest_node<3>(const Structure<3>&, const Vector<3>&, const std::vector<char>&);
 template void add_point_load<2>(const Structure<2>&, const PointLoadParameters&, double, const std::string&,
-                                std::vector<double>&, const std::vector<char>&);
+                                BlockForces&, const std::vector<char>&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const PointLoadParameters& p, const LoadSite<2>& site) {

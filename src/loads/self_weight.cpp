@@ -2,6 +2,7 @@
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
 #include "blocks/assembly.hpp"
+#include "blocks/condensed_edges.hpp"
 #include "loads/common_keys.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -32,14 +33,15 @@ std::vector<KeyOfSpace> AccelerationParameters::keys_of_space() const {
 }
 
 template <int dim>
-void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration, double factor,
-                       std::vector<double>& force) {
+void add_inertia_force(const Structure<dim>& s, const Vector<dim>& acceleration, double factor, BlockForces& force) {
   for (const auto& b : s.blocks()) {
     const auto volume = nodal_volumes(b.mesh, b.material, s.model());
     for (std::size_t i = 0; i < volume.size(); ++i)
       for (int c = 0; c < dim; ++c)
-        force[dim * (b.first_local + i) + c] += factor * b.material.density * volume[i] * acceleration[c];
-    hand_over_edges<dim>(b, factor * b.material.density * acceleration, force);
+        force.of_nodes[dim * (b.first_local + i) + c] += factor * b.material.density * volume[i] * acceleration[c];
+    if (b.edges)
+      b.edges->template add_body_force<dim>(factor * b.material.density * acceleration,
+                                            &force.of_edges[dim * b.first_edge]);
   }
 }
 
@@ -55,8 +57,7 @@ Vector<dim> down(double gravity) {
 }  // namespace
 
 template <int dim>
-void add_self_weight(const Structure<dim>& s, const SelfWeightParameters& weight, double factor,
-                     std::vector<double>& force) {
+void add_self_weight(const Structure<dim>& s, const SelfWeightParameters& weight, double factor, BlockForces& force) {
   add_inertia_force(s, down<dim>(weight.gravity), factor, force);
 }
 
@@ -64,11 +65,8 @@ namespace {
 
 template <int dim>
 std::unique_ptr<Load<dim>> inertia_force(const Vector<dim>& acceleration, const LoadSite<dim>& site) {
-  std::vector<double> unit(static_cast<std::size_t>(dim) * site.structure.nodes(), 0.0), per_volume;
-  add_inertia_force(site.structure, acceleration, 1.0, unit);
-  for (const auto& b : site.structure.blocks())
-    for (const double a : acceleration) per_volume.push_back(b.material.density * a);
-  return std::make_unique<BodyForce<dim>>(site.structure, unit, std::move(per_volume));
+  return made_of<BodyForce<dim>>(site.structure,
+                                 [&](auto& unit) { add_inertia_force(site.structure, acceleration, 1.0, unit); });
 }
 
 template <int dim>
@@ -78,10 +76,10 @@ std::unique_ptr<Load<dim>> weight(const SelfWeightParameters& p, const LoadSite<
 
 }  // namespace
 
-template void add_inertia_force<2>(const Structure<2>&, const Vector<2>&, double, std::vector<double>&);
-template void add_inertia_force<3>(const Structure<3>&, const Vector<3>&, double, std::vector<double>&);
-template void add_self_weight<2>(const Structure<2>&, const SelfWeightParameters&, double, std::vector<double>&);
-template void add_self_weight<3>(const Structure<3>&, const SelfWeightParameters&, double, std::vector<double>&);
+template void add_inertia_force<2>(const Structure<2>&, const Vector<2>&, double, BlockForces&);
+template void add_inertia_force<3>(const Structure<3>&, const Vector<3>&, double, BlockForces&);
+template void add_self_weight<2>(const Structure<2>&, const SelfWeightParameters&, double, BlockForces&);
+template void add_self_weight<3>(const Structure<3>&, const SelfWeightParameters&, double, BlockForces&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const SelfWeightParameters& p, const LoadSite<2>& site) {

@@ -108,8 +108,7 @@ class TurningSupport : public Load<dim> {
         moves_(std::move(moves)) {
     for (const auto& m : moves_) arm_.push_back(s.drawn_position()[m.node] - in_dimension<dim>(p.turn.about));
   }
-  void add(const std::vector<LoadMoment>& moments, std::vector<double>&,
-           std::vector<double>& prescribed) const override {
+  void add(const std::vector<LoadMoment>& moments, BlockForces&, std::vector<double>& prescribed) const override {
     const double factor = sum_of_factors(moments);
     const auto rotation = rotation_about<dim>(direction_, factor * rotation_);
     for (std::size_t k = 0; k < moves_.size(); ++k)
@@ -162,7 +161,7 @@ std::unique_ptr<Load<dim>> settlement(SettlementParameters p, const LoadSite<dim
     return std::make_unique<TurningSupport<dim>>(s, p, std::move(moves));
   std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
   for (const auto& m : moves) m.add(motion_at<dim>(p, s.drawn_position()[m.node]), unit);
-  return std::make_unique<PatternLoad<dim>>(unit, PatternLoad<dim>::Of::displacements);
+  return std::make_unique<PatternLoad<dim>>(unit);
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
-// Forces that would hold stones at their free strain are K times the displacement of that strain: K knows every kind of
-// cell, and is exact for uniform strain.
-//
 // Theory  B. A. Boley, J. H. Weiner, Theory of Thermal Stresses, 1960, chapters 1 and 3.
 #include "base/parameter_section.hpp"
 #include "base/text.hpp"
+#include "blocks/inner_loads.hpp"
 #include "loads/common_keys.hpp"
 #include "loads/load.hpp"
 #include "loads/loads.hpp"
@@ -15,7 +13,7 @@ namespace {
 template <int dim>
 class Temperature final : public PatternLoad<dim> {
  public:
-  Temperature(const std::vector<double>& unit_force, std::vector<double> strain)
+  Temperature(const BlockForces& unit_force, std::vector<double> strain)
       : PatternLoad<dim>(unit_force), strain_(std::move(strain)) {}
 
   void add_free_strain(double factor, std::vector<double>& strain) const override {
@@ -48,19 +46,13 @@ std::string TemperatureParameters::summary() const {
 bool TemperatureParameters::is_zero() const { return change == 0 || expansion == 0; }
 
 template <int dim>
-void add_thermal_force(const Structure<dim>& s, const std::vector<double>& strain, double factor,
-                       std::vector<double>& force) {
+void add_thermal_force(const Structure<dim>& s, const std::vector<double>& strain, double factor, BlockForces& force) {
   for (std::size_t n = 0; n < s.blocks().size(); ++n) {
     const auto& b = s.blocks()[n];
     if (strain[n] == 0) continue;
-    std::vector<double> swollen;  // the free displacement, about the first node
-    swollen.reserve(dim * b.mesh.position.size());
-    for (const auto& x : b.mesh.position)
-      for (int c = 0; c < dim; ++c) swollen.push_back(factor * strain[n] * (x[c] - b.mesh.position.front()[c]));
-    const auto& k = *b.stiffness;
-    for (std::size_t row = 0; row < swollen.size(); ++row)
-      for (int entry = k.start[row]; entry < k.start[row + 1]; ++entry)
-        force[dim * static_cast<std::size_t>(b.first_local) + row] += k.value[entry] * swollen[k.column[entry]];
+    const auto of_block = force_of_strain(b, factor * strain[n]);
+    for (std::size_t i = 0; i < of_block.size(); ++i)
+      force.of_nodes[dim * static_cast<std::size_t>(b.first_local) + i] += of_block[i];
   }
 }
 
@@ -80,14 +72,14 @@ std::unique_ptr<Load<dim>> temperature(const TemperatureParameters& p, const Loa
     strain.push_back(site.in_block_set(b.mesh, p.blocks)
                          ? free_strain(p, b.material, dim == 2 && s.model().plane == Plane::strain)
                          : 0.0);
-  std::vector<double> unit(dim * static_cast<std::size_t>(s.nodes()), 0.0);
+  BlockForces unit(s);
   add_thermal_force(s, strain, 1.0, unit);
   return std::make_unique<Temperature<dim>>(unit, std::move(strain));
 }
 
 }  // namespace
 
-template void add_thermal_force<2>(const Structure<2>&, const std::vector<double>&, double, std::vector<double>&);
+template void add_thermal_force<2>(const Structure<2>&, const std::vector<double>&, double, BlockForces&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const TemperatureParameters& p, const LoadSite<2>& site) {

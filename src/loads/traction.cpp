@@ -37,7 +37,7 @@ std::vector<KeyOfSpace> TractionParameters::keys_of_space() const {
 
 template <>
 void add_traction<2>(const Structure<2>& s, const TractionParameters& load, const FacetSet& facets, double factor,
-                     std::vector<double>& force) {
+                     BlockForces& force) {
   add_on_facets(
       s, facets, {},
       [&](const Vector<2>&, const Vector<2>& outward) {
@@ -49,12 +49,16 @@ void add_traction<2>(const Structure<2>& s, const TractionParameters& load, cons
 
 template <>
 void add_traction<3>(const Structure<3>& s, const TractionParameters& load, const FacetSet& facets, double factor,
-                     std::vector<double>& force) {
+                     BlockForces& force) {
   const Vector<3> dead{load.tx, load.ty, load.tz};
-  for (const auto& face : faces_of_set(s, facets))
+  for (const auto& face : faces_of_set(s, facets)) {
+    const auto force_of = [&](const Vector<3>& area) { return factor * (norm(area) * dead - load.pressure * area); };
     for (int i = 0; i < face.count; ++i)
-      for (int c = 0; c < 3; ++c)
-        force[3 * face.node[i] + c] += factor * (norm(face.outward[i]) * dead[c] - load.pressure * face.outward[i][c]);
+      for (int c = 0; c < 3; ++c) force.of_nodes[3 * face.node[i] + c] += force_of(face.outward[i])[c];
+    // Over a triangle the integral of 4 L_i L_j is that of L_i.
+    for (const int edge : face.edge)
+      for (int c = 0; c < 3 && edge >= 0; ++c) force.of_edges[3 * edge + c] += force_of(face.outward[0])[c];
+  }
 }
 
 template <>

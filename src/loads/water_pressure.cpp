@@ -29,7 +29,7 @@ bool WaterPressureParameters::is_zero() const { return density == 0 || gravity =
 
 template <int dim>
 void add_water_pressure(const Structure<dim>& s, const WaterPressureParameters& load, const FacetSet& facets,
-                        double factor, std::vector<double>& force) {
+                        double factor, BlockForces& force) {
   constexpr int up = dim - 1;
   const double weight = factor * load.density * load.gravity;
   add_on_facets(
@@ -50,7 +50,7 @@ std::unique_ptr<Load<dim>> water_pressure(const WaterPressureParameters& p, cons
 }  // namespace
 
 template void add_water_pressure<2>(const Structure<2>&, const WaterPressureParameters&, const FacetSet&, double,
-                                    std::vector<double>&);
+                                    BlockForces&);
 
 template <>
 std::unique_ptr<Load<2>> make_load_of<2>(const WaterPressureParameters& p, const LoadSite<2>& site) {

@@ -24,8 +24,8 @@ void find_curved_edges(std::vector<Block<dim>>&);
 template <int dim>
 std::unique_ptr<BlockSource<dim>> with_curved_edges(std::unique_ptr<BlockSource<dim>>);
 
-/// Of the curved edges of a block those that lie in none of some facets, such as those that are held or bear a load: a
-/// face that is held at its corners is held between them too, and what comes to its corners is all that comes to it.
+/// Of the curved edges of a block those that lie in none of some facets, such as those that are held: a face that is
+/// held at its corners is held between them too.
 template <int dim>
 std::vector<std::array<int, 2>> curved_edges_off(const Block<dim>&, const std::function<bool(const TaggedFacet&)>&);
 

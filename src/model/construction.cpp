@@ -39,12 +39,12 @@ void Construction::take(const Model& model, const ContactState& state) {
   const int dim = structure_.components();
   std::vector<double> gone(state.displacement.size(), 0.0), force;
   const auto gaps = model.gaps(state.displacement, state.lambda);
-  std::vector<char> goes(absent_.size(), 0);  // absent from now on: some joint of it is not apart yet
+  stays_.assign(absent_.size(), 1);  // but what is absent from now on: some joint of it is not apart yet
   for (int k = 0; k < model.points().size(); ++k)
     for (const int block : {model.points().joint_of(k).local_i, model.points().joint_of(k).local_j})
-      if (state.initial_gap[k] != apart() && absent_[block]) goes[block] = 1;
+      if (state.initial_gap[k] != apart() && absent_[block]) stays_[block] = 0;
   for (std::size_t i = 0; i < gone.size(); ++i)
-    if (goes[structure_.block_of_node()[i / dim]]) gone[i] = state.displacement[i];
+    if (!stays_[structure_.block_of_node()[i / dim]]) gone[i] = state.displacement[i];
   structure_.apply_stiffness(gone, force);
   energy_gone_ = 0;
   for (int i = 0; i < dim * structure_.owned_nodes(); ++i) energy_gone_ += gone[i] * force[i] / 2;

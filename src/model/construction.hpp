@@ -32,6 +32,9 @@ class Construction {
   /// they took of the motion of the others as they let go, the mean of their force before and none after. Collective.
   /// @param start, after  states at the start and the end of that step
   double taken(const ContactState& start, const ContactState& after) const;
+  /// 1 for each local block that stays out of that account, as it was not among those that were gone when the last step
+  /// began; empty when a scene builds nothing.
+  const std::vector<char>& stays() const { return stays_; }
   /// Forces on the others that those blocks let go of in that step [N, dim x local node copies]; empty without
   /// construction.
   const std::vector<double>& let_go() const { return let_go_; }
@@ -57,6 +60,7 @@ class Construction {
   std::map<std::string, std::vector<char>> absent_in_;  ///< by stage, per local block
   std::vector<double> drawn_gap_;  ///< [m] per point, of joints as the scene draws them; empty when all are closed
   std::vector<char> absent_;       ///< per local block; empty when a scene builds nothing
+  std::vector<char> stays_;        ///< likewise: all but the blocks that disappeared as this step began
   double energy_gone_ = 0;         ///< [J] of the blocks of this rank that disappeared as this step began
   std::vector<double> let_go_;     ///< [N, dim x local node copies] with which they had held the others
 };

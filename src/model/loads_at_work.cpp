@@ -30,8 +30,7 @@ double factor_of(const std::map<std::string, double>& factors, const std::string
 }  // namespace
 
 template <int dim>
-LoadsAtWork::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure)
-    : blocks_(structure.blocks().size()), components_(dim) {
+LoadsAtWork::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, const Structure<dim>& structure) {
   std::vector<std::pair<std::string, SupportParameters>> supports;
   for (const auto& support : scene.supports) supports.emplace_back(support.name, support.parameters);
   for (const auto& p : scene.loads) {
@@ -44,11 +43,9 @@ LoadsAtWork::LoadsAtWork(const Scene& scene, const BlockSource<dim>& source, con
   }
 }
 
-void LoadsAtWork::add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+void LoadsAtWork::add(const std::map<std::string, double>& factors, double time, BlockForces& force,
                       std::vector<double>& prescribed) const {
-  VOUSSOIR_EXPECT(force.size() == prescribed.size() && "force and prescribed displacement: of one structure");
-  std::fill(force.begin(), force.end(), 0.0);
-  std::fill(prescribed.begin(), prescribed.end(), 0.0);
+  VOUSSOIR_EXPECT(force.of_nodes.size() == prescribed.size() && "force and prescribed displacement: of one structure");
   for (const auto& n : loads_) {
     const auto it = factors.find(n.name);
     if (it == factors.end() || it->second == 0) continue;
@@ -60,7 +57,7 @@ void LoadsAtWork::add(const std::map<std::string, double>& factors, double time,
   }
 }
 
-bool LoadsAtWork::act(std::size_t load, const std::map<std::string, double>& factors, double time, std::size_t size,
+bool LoadsAtWork::act(std::size_t load, const std::map<std::string, double>& factors, double time, const BlockSystem& s,
                       ActingLoad& acting) const {
   const Named& n = loads_[load];
   acting.name = n.name;
@@ -68,8 +65,8 @@ bool LoadsAtWork::act(std::size_t load, const std::map<std::string, double>& fac
   acting.factor = factor_of(factors, n.name) * n.time_function(time);
   acting.of_stones = n.load->of_stones();
   if (acting.factor == 0) return false;
-  acting.force.assign(size, 0.0);
-  acting.prescribed.assign(size, 0.0);
+  acting.force = BlockForces(s);
+  acting.prescribed.assign(acting.force.of_nodes.size(), 0.0);
   n.load->add({{time, acting.factor}}, acting.force, acting.prescribed);
   return true;
 }
@@ -99,11 +96,10 @@ std::vector<LoadMoment> LoadsAtWork::moments_of(const Named& n, double begin, do
   return moments;
 }
 
-void LoadsAtWork::add_mean(const StepInTime& step, std::vector<double>& force) const {
+void LoadsAtWork::add_mean(const StepInTime& step, BlockForces& force) const {
   VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
   VOUSSOIR_EXPECT(std::isfinite(step.from) && std::isfinite(step.to) && "times of a step: finite");
-  std::fill(force.begin(), force.end(), 0.0);
-  std::vector<double> unused(force.size(), 0.0);  // supports go to where they are at the end of the step
+  std::vector<double> unused(force.of_nodes.size(), 0.0);  // supports go to where they are at the end of the step
   for (const auto& n : loads_) {
     const double begin = factor_of(step.begin, n.name), end = factor_of(step.end, n.name);
     if (begin == 0 && end == 0) continue;
@@ -115,19 +111,20 @@ void LoadsAtWork::add_mean(const StepInTime& step, std::vector<double>& force) c
   }
 }
 
-InnerLoads LoadsAtWork::inner_loads(const std::map<std::string, double>& factors, double time) const {
+InnerLoads LoadsAtWork::inner_loads(const std::map<std::string, double>& factors, double time,
+                                    const BlockSystem& s) const {
   InnerLoads inner;
+  if (s.edges() > 0) {
+    BlockForces force(s);
+    std::vector<double> unused(force.of_nodes.size(), 0.0);
+    add(factors, time, force, unused);
+    inner.edge_force = std::move(force.of_edges);
+  }
   for (const auto& n : loads_) {
     const auto it = factors.find(n.name);
-    if (it == factors.end()) continue;
-    if (n.load->strains()) {
-      inner.free_strain.resize(blocks_, 0.0);
-      n.load->add_free_strain(it->second * n.time_function(time), inner.free_strain);
-    }
-    if (n.load->has_body_force()) {
-      inner.body_force.resize(components_ * blocks_, 0.0);
-      n.load->add_body_force(it->second * n.time_function(time), inner.body_force);
-    }
+    if (it == factors.end() || !n.load->strains()) continue;
+    inner.free_strain.resize(s.local_blocks(), 0.0);
+    n.load->add_free_strain(it->second * n.time_function(time), inner.free_strain);
   }
   return inner;
 }

@@ -22,9 +22,10 @@ struct Scene;
 /// A load of the scene as it acts at a moment.
 struct ActingLoad {
   std::string name, type;
-  double factor = 0;                      ///< that of its stage times its function of time
-  bool of_stones = false;                 ///< acts on all of stones, and not on edges, faces or points of them
-  std::vector<double> force, prescribed;  ///< [N], [m, components x local node copies]
+  double factor = 0;               ///< that of its stage times its function of time
+  bool of_stones = false;          ///< acts on all of stones, and not on edges, faces or points of them
+  BlockForces force;               ///< as it comes to nodes and edges, which have handed over nothing
+  std::vector<double> prescribed;  ///< [m, components x local node copies]
 };
 
 class LoadsAtWork {
@@ -33,21 +34,21 @@ class LoadsAtWork {
   template <int dim>
   LoadsAtWork(const Scene&, const BlockSource<dim>&, const Structure<dim>&);
 
-  /// Nodal forces [N] and prescribed displacements [m] under load factors by name, written over.
-  void add(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
+  /// Adds forces and prescribed displacements [m] under load factors by name.
+  void add(const std::map<std::string, double>& factors, double time, BlockForces& force,
            std::vector<double>& prescribed) const;
-  /// Mean nodal forces [N] over a step of time, written over: their impulse is exact however long the step is.
-  void add_mean(const StepInTime&, std::vector<double>& force) const;
+  /// Adds mean forces over a step of time: their impulse is exact however long the step is.
+  void add_mean(const StepInTime&, BlockForces& force) const;
   /// Each load that acts, by itself and in the order of the scene; the same loads on every rank.
   template <class Visit>
-  void each_acting(const std::map<std::string, double>& factors, double time, std::size_t size,
+  void each_acting(const std::map<std::string, double>& factors, double time, const BlockSystem& s,
                    const Visit& visit) const {
     ActingLoad acting;
     for (std::size_t k = 0; k < loads_.size(); ++k)
-      if (act(k, factors, time, size, acting)) visit(acting);
+      if (act(k, factors, time, s, acting)) visit(acting);
   }
-  /// What of them stresses depend on beside displacements.
-  InnerLoads inner_loads(const std::map<std::string, double>& factors, double time) const;
+  /// What of them acts within blocks, where stresses and energies see it.
+  InnerLoads inner_loads(const std::map<std::string, double>& factors, double time, const BlockSystem&) const;
 
   /// [s] A time step that sees how all loads vary; infinite when none does.
   double resolution() const;
@@ -79,11 +80,10 @@ class LoadsAtWork {
   };
 
   /// A load at a moment, written over; false when it does not act.
-  bool act(std::size_t load, const std::map<std::string, double>& factors, double time, std::size_t size,
+  bool act(std::size_t load, const std::map<std::string, double>& factors, double time, const BlockSystem&,
            ActingLoad&) const;
   std::vector<LoadMoment> moments_of(const Named&, double begin, double end, double from, double to) const;
 
-  std::size_t blocks_, components_;  ///< on this rank; of forces
   std::vector<Named> loads_;
 };
 

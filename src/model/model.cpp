@@ -219,20 +219,30 @@ bool Model::bears(int point) const {
 
 void Model::loads(const std::map<std::string, double>& factors, double time, std::vector<double>& force,
                   std::vector<double>& prescribed) const {
-  const int dim = components();
   VOUSSOIR_EXPECT(std::isfinite(time) && "time: finite");
   for (const auto& [load, factor] : factors) VOUSSOIR_EXPECT(std::isfinite(factor) && "factors of loads: finite");
-  force.resize(static_cast<std::size_t>(dim) * structure().nodes());
-  prescribed.resize(force.size());
-  loads_->add(factors, time, force, prescribed);
+  BlockForces all(structure());
+  prescribed.assign(all.of_nodes.size(), 0.0);
+  loads_->add(factors, time, all, prescribed);
+  force = handed_over(structure(), std::move(all));
   check_size(force);
 }
 
+double Model::inner_energy(const std::map<std::string, double>& factors, double time, const std::vector<double>& u,
+                           const std::vector<char>& without) const {
+  const auto& s = structure();
+  const auto inner = loads_->inner_loads(factors, time, s);
+  const double mine = in_geometry([&](const auto&, const auto& blocks) {
+    return voussoir::inner_energy(blocks, s.deformation(u), inner, without);
+  });
+  return total_over_ranks(*s.comm(), mine);
+}
+
 void Model::mean_loads(const StepInTime& step, std::vector<double>& force) const {
-  const int dim = components();
   VOUSSOIR_EXPECT(step.from < step.to && "times of a step: ascending");
-  force.resize(static_cast<std::size_t>(dim) * structure().nodes());
-  loads_->add_mean(step, force);
+  BlockForces all(structure());
+  loads_->add_mean(step, all);
+  force = handed_over(structure(), std::move(all));
   check_size(force);
 }
 

@@ -105,6 +105,11 @@ class Model {
              std::vector<double>& prescribed) const;
   /// Mean nodal forces [N] over a step of time.
   void mean_loads(const StepInTime&, std::vector<double>& force) const;
+  /// What blocks store beside u.K u / 2 under loads at a time (blocks/inner_loads.hpp), over all ranks [J]. Collective.
+  /// @param u        [m, components x local node copies]
+  /// @param without  1 for each local block that does not count; empty for none
+  double inner_energy(const std::map<std::string, double>& factors, double time, const std::vector<double>& u,
+                      const std::vector<char>& without) const;
   /// The loads themselves, by name.
   const LoadsAtWork& loads_at_work() const { return *loads_; }
   /// Factor of the mass in the matrices of a time step [1/s2]; 0 of the model at rest.

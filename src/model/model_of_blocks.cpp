@@ -32,15 +32,11 @@ Material material_of(const Scene& scene, const BlockSource<dim>& source, const B
   return m;
 }
 
-/// Whether a support of the scene holds a facet, or a load acts on it: what comes to the corners of such a facet is all
-/// that comes to it.
+/// Whether a support of the scene holds a facet: held at its corners it is held between them too.
 template <int dim>
-std::function<bool(const Block<dim>&, const TaggedFacet&)> by_corners(const Scene& scene,
-                                                                      const BlockSource<dim>& source) {
+std::function<bool(const Block<dim>&, const TaggedFacet&)> is_held(const Scene& scene, const BlockSource<dim>& source) {
   std::vector<FacetSet> sets;
   for (const auto& [name, support] : scene.supports) sets.push_back(facet_set(source, {support.on, support.blocks}));
-  for (const auto& load : scene.loads)
-    if (const auto on = load.facets()) sets.push_back(facet_set(source, {on->on, on->blocks}));
   return [sets](const Block<dim>& block, const TaggedFacet& facet) {
     return std::any_of(sets.begin(), sets.end(), [&](const FacetSet& set) { return set.has(block, facet); });
   };
@@ -65,7 +61,7 @@ ModelOfBlocks<dim>::ModelOfBlocks(const Scene& scene, const BlockSource<dim>& so
     Phase phase("blocks");
     structure_ = std::make_unique<Structure<dim>>(
         source, share_out(source, *comm), scene.model,
-        [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm, by_corners(scene, source));
+        [&](const Block<dim>& block) { return material_of(scene, source, block); }, comm, is_held(scene, source));
     if constexpr (dim == 3) cell_size_ = std::make_shared<const std::vector<double>>(cell_sizes(*structure_));
   }
   {

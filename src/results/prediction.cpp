@@ -38,7 +38,8 @@ void print_effect_costs(const Scene& scene, const BlockSource<dim>& source, cons
   const auto made = loads.costs(comm);
   std::map<std::string, double> factors;
   for (const auto& load : scene.loads) factors[load.name] = 1.0;
-  std::vector<double> force(dim * structure.nodes()), prescribed(force.size());
+  BlockForces force(structure);
+  std::vector<double> prescribed(force.of_nodes.size());
   loads.add(factors, 0.0, force, prescribed);
   say << "effects\n"
       << std::left << std::setw(20) << "" << std::right << std::setw(12) << "bytes" << std::setw(16) << "[s] per step"

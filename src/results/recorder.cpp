@@ -96,7 +96,7 @@ void Recorder::write_tables() {
 /// Of the cells of this rank [Pa]; stones that are not there have none.
 std::vector<double> Recorder::stresses(const std::vector<double>& deformation) const {
   const int dim = model_.components(), of_cell = dim * (dim + 1) / 2;
-  const auto inner = model_.loads_at_work().inner_loads(factors_, time_of_loads_);
+  const auto inner = model_.loads_at_work().inner_loads(factors_, time_of_loads_, model_.structure());
   return model_.in_geometry([&](const auto&, const auto& s) {
     auto stress = cell_stresses(s, deformation, inner);
     auto of_block = stress.begin();
@@ -148,7 +148,8 @@ void Recorder::record(const LoadStepBook& book, const ContactState& after, const
                       double seconds) {
   Phase phase("output");
   const bool jump = report.passed_in_time || jumped(report, model_.settings().internals.step);
-  record_.energy.advance(book.close(after, load, jump));
+  record_.energy.advance(book.close(after, load, jump), false,
+                         model_.inner_energy(factors_, time_of_loads_, after.displacement, model_.absent()));
   const auto reaction = observations_.ask_reactions() ? step_.residual(after, load) : std::vector<double>{};
   finish(after, report, stage, load_factor, {}, reaction, write_fields, seconds);
 }
@@ -164,7 +165,8 @@ void Recorder::record(const ContactState& after, const TimeStepReport& report, c
   energy.fracture = report.fracture;
   energy.damping = report.damping;
   energy.work_within_steps = report.work_of_impulses;
-  record_.energy.advance(energy, true);
+  record_.energy.advance(energy, true,
+                         model_.inner_energy(factors_, time_of_loads_, after.displacement, model_.absent()));
   record_.summary.time = time;
   finish(after, report.step, stage, stage_share, time, report.reaction, write_fields, seconds);
 }

@@ -58,7 +58,7 @@ class Recorder {
   /// The sums of the run with attempts that no step has followed.
   RunSummary result() const;
   /// Books what stones that are taken away take along. [J]
-  void remove(double energy) { record_.energy.remove(energy); }
+  void remove(double energy, double inner) { record_.energy.remove(energy, inner); }
   /// Writes forces that balance loads, of stones that do not move, as a step.
   void record_forces(const PointField& force, const std::string& stage, double load_factor);
   /// Writes the motion a collapse begins with as a last step. Its points open, slip or stick as the motion has them.

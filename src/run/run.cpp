@@ -160,6 +160,14 @@ std::map<std::string, double> Run::seconds() const {
   return all;
 }
 
+/// Books what stones take along that have gone since the last step, as they stood at its end under its loads.
+void Run::remove_taken(const ContactState& start) {
+  if (!construction_.builds()) return;
+  const double inner =
+      model_.inner_energy(steps_.last_factors(), steps_.time(), start.displacement, construction_.stays());
+  recorder_->remove(construction_.taken(start, state_), inner);
+}
+
 bool Run::load_step(const ContactState& before) {
   const auto& summary = recorder_->summary();
   const std::string stage = steps_.stage();
@@ -201,7 +209,7 @@ bool Run::load_step(const ContactState& before) {
   for (const auto& w : warnings_of(report, model_.settings(), at_factor(stage, target))) warn(w);
   for (const auto& w : dropped) warn(w);
   failure_.reset();
-  recorder_->remove(construction_.taken(start, state_));
+  remove_taken(start);
   recorder_->set_loads(steps_.factors(), steps_.time());
   steps_.accept();
   const double jumps = summary.energy.jump;

@@ -75,6 +75,7 @@ class Run {
 
   /// False when the run ends here.
   bool load_step(const ContactState& before);
+  void remove_taken(const ContactState& start);
 
   /// What a load step came to that has not been solved.
   Failure failure_in(const ContactState& failed, const StepReport&, double target) const;

@@ -19,42 +19,15 @@
 #include "linalg/sparse_cholesky.hpp"
 #include "mesh/block_list.hpp"
 #include "mesh/curved_edges.hpp"
+#include "unit/blocks/cut_boxes.hpp"
 
 namespace {
 
 using namespace voussoir;
+using test::body_force;
+using test::box;
 
 const Material stone{2.5, 0.3, 1.0};  // numbers near 1, so that absolute tolerances mean relative ones
-
-/// A box of n[0] x n[1] x n[2] cubes of side h from a corner on; coincident nodes of two of them have the same vertex.
-Block<3> box(BlockId id, const std::array<int, 3>& n, double h, const std::array<int, 3>& from = {}) {
-  Block<3> block;
-  block.id = id;
-  block.name = "box " + std::to_string(id);
-  const auto node = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
-  for (int k = 0; k <= n[2]; ++k)
-    for (int j = 0; j <= n[1]; ++j)
-      for (int i = 0; i <= n[0]; ++i) {
-        block.position.push_back({h * (from[0] + i), h * (from[1] + j), h * (from[2] + k)});
-        block.vertex.push_back(((from[2] + k) * 100LL + from[1] + j) * 100 + from[0] + i);
-      }
-  const std::array<std::array<int, 3>, 6> orders{{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {2, 1, 0}, {0, 2, 1}}};
-  for (int k = 0; k < n[2]; ++k)
-    for (int j = 0; j < n[1]; ++j)
-      for (int i = 0; i < n[0]; ++i)
-        for (std::size_t o = 0; o < orders.size();
-             ++o) {  // along the edges of a cube, from its corner to the one across
-          std::array<int, 3> at{i, j, k};
-          Cell cell{{node(i, j, k)}, 4};
-          for (int step = 0; step < 3; ++step) {
-            ++at[orders[o][step]];
-            cell.node[step + 1] = node(at[0], at[1], at[2]);
-          }
-          if (o >= 3) std::swap(cell.node[1], cell.node[2]);
-          block.cells.push_back(cell);
-        }
-  return block;
-}
 
 Block<3> all_curved(Block<3> block) {
   std::vector<Block<3>> alone{block};
@@ -199,14 +172,15 @@ TEUCHOS_UNIT_TEST(CondensedEdges, UniformStrainIsExactInADistortedMesh) {
   }
   TEST_COMPARE(apart, <=, 1e-12 * largest);
   const CondensedEdges edges(block, stone, {});
-  for (const auto& cell : edges.bends<3>(block, u, {}))
+  for (const auto& cell : edges.bends<3>(block, u, body_force<3>(edges, {})))
     for (const auto& bend : cell) TEST_COMPARE(norm(bend), <=, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(CondensedEdges, HandOverNoForceAndNoMoment) {
   const auto block = straight_where(all_curved(box(0, {2, 1, 3}, 0.5)), [](const auto& x) { return x[0] == 0; });
   std::vector<double> force(3 * block.position.size(), 0.0);
-  CondensedEdges(block, stone, {}).hand_over<3>({1, -2, 3}, force.data());
+  const CondensedEdges edges(block, stone, {});
+  edges.hand_over(body_force<3>(edges, {1, -2, 3}), force.data());
   Vector<3> sum{}, moment{};
   double largest = 0;
   for (std::size_t i = 0; i < block.position.size(); ++i) {
@@ -236,14 +210,15 @@ TEUCHOS_UNIT_TEST(CondensedEdges, AColumnUnderItsOwnWeightIsExact) {
     force[3 * i + 2] = -weight * volume[i];
     for (int c = 0; c < 3 && block.position[i][2] == 0; ++c) held[3 * i + c] = 1;
   }
-  b.edges->hand_over<3>({0, 0, -weight}, force.data());
+  const auto of_edges = body_force<3>(*b.edges, {0, 0, -weight});
+  b.edges->hand_over(of_edges, force.data());
   const auto u = solved(*b.stiffness, held, force);
   for (std::size_t i = 0; i < volume.size(); ++i) {
     const double z = block.position[i][2];
     TEST_COMPARE(std::abs(u[3 * i + 2] - weight * (z * z / 2 - height * z) / slack.young_modulus), <=, 1e-13);
     TEST_COMPARE(std::abs(u[3 * i]) + std::abs(u[3 * i + 1]), <=, 1e-13);
   }
-  const auto stress = cell_stresses(s, u, {{}, {0, 0, -weight}});
+  const auto stress = cell_stresses(s, u, {{}, of_edges});
   for (std::size_t n = 0; n < block.cells.size(); ++n) {
     double z = 0;
     for (int k = 0; k < 4; ++k) z += block.position[block.cells[n].node[k]][2] / 4;

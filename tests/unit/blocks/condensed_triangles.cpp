@@ -15,29 +15,16 @@
 #include "blocks/structure.hpp"
 #include "mesh/block_list.hpp"
 #include "mesh/curved_edges.hpp"
-#include "mesh/lattice.hpp"
+#include "unit/blocks/cut_boxes.hpp"
 
 namespace {
 
 using namespace voussoir;
+using test::body_force;
+using test::rectangle_of_triangles;
 
 const Material stone{2.5, 0.3, 1.0};  // numbers near 1, so that absolute tolerances mean relative ones
 constexpr double thickness = 0.7;
-
-/// across x up squares of side h from a corner on; its lowest edges are of the set 0, its right ones of the set 1.
-Block<2> rectangle(BlockId id, int across, int up, double h, int from = 0) {
-  Block<2> block;
-  block.id = id;
-  for (int j = 0; j <= up; ++j)
-    for (int i = 0; i <= across; ++i) {
-      block.position.push_back({h * (from + i), h * j});
-      block.vertex.push_back(100 * j + from + i);
-    }
-  block.cells = lattice_cells(across, up, CellType::quadratic_triangle);
-  add_lattice_facets(block, across, up, LatticeSide::bottom, 0);
-  add_lattice_facets(block, across, up, LatticeSide::left, 1);
-  return block;
-}
 
 /// One block by itself, whose edges of a set are held.
 Structure<2> structure_of(const Block<2>& block, const Material& material, bool quadratic, int held) {
@@ -78,7 +65,7 @@ std::vector<double> solved(const LocalCsr& k, const std::vector<char>& held, con
 }
 
 TEUCHOS_UNIT_TEST(CondensedTriangles, EdgesOfOneBlockAloneBend) {
-  std::vector<Block<2>> blocks{rectangle(0, 2, 1, 1), rectangle(1, 2, 1, 1, 2)};
+  std::vector<Block<2>> blocks{rectangle_of_triangles(0, 2, 1, 1), rectangle_of_triangles(1, 2, 1, 1, 2)};
   find_curved_edges(blocks);
   for (const auto& block : blocks) {
     TEST_EQUALITY(block.curved.size(), 8);  // nine, less the one that both have
@@ -90,7 +77,7 @@ TEUCHOS_UNIT_TEST(CondensedTriangles, EdgesOfOneBlockAloneBend) {
 }
 
 TEUCHOS_UNIT_TEST(CondensedTriangles, NothingBendsUnderUniformStrain) {
-  std::vector<Block<2>> blocks{rectangle(0, 3, 2, 0.5)};
+  std::vector<Block<2>> blocks{rectangle_of_triangles(0, 3, 2, 0.5)};
   find_curved_edges(blocks);
   // The outside stays straight, as on joints: there stress is borne.
   auto& edges = blocks[0].curved;
@@ -105,15 +92,17 @@ TEUCHOS_UNIT_TEST(CondensedTriangles, NothingBendsUnderUniformStrain) {
     u.push_back(0.5 + 3 * x[0] + x[1]);
     u.push_back(-1 + 2 * x[0] - 2 * x[1]);
   }
-  for (const auto& cell : CondensedEdges(blocks[0], stone, {}).bends<2>(blocks[0], u, {}))
+  const CondensedEdges condensed(blocks[0], stone, {});
+  for (const auto& cell : condensed.bends<2>(blocks[0], u, body_force<2>(condensed, {})))
     for (const auto& bend : cell) TEST_COMPARE(norm(bend), <=, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(CondensedTriangles, HandOverNoForceAndNoMoment) {
-  std::vector<Block<2>> blocks{rectangle(0, 2, 3, 0.5)};
+  std::vector<Block<2>> blocks{rectangle_of_triangles(0, 2, 3, 0.5)};
   find_curved_edges(blocks);
   std::vector<double> force(2 * blocks[0].position.size(), 0.0);
-  CondensedEdges(blocks[0], stone, {}).hand_over<2>({1, -2}, force.data());
+  const CondensedEdges edges(blocks[0], stone, {});
+  edges.hand_over(body_force<2>(edges, {1, -2}), force.data());
   Vector<2> sum{};
   double moment = 0, largest = 0;
   for (std::size_t i = 0; i < blocks[0].position.size(); ++i) {
@@ -131,7 +120,7 @@ TEUCHOS_UNIT_TEST(CondensedTriangles, HandOverNoForceAndNoMoment) {
 TEUCHOS_UNIT_TEST(CondensedTriangles, AColumnUnderItsOwnWeightIsExact) {
   const double weight = 0.7, height = 1.5;
   const Material slack{2.5, 0.0, 1.0};
-  const auto block = rectangle(0, 2, 3, 0.5);
+  const auto block = rectangle_of_triangles(0, 2, 3, 0.5);
   const auto s = structure_of(block, slack, true, 0);
   const auto& b = s.blocks()[0];
   std::vector<double> force(2 * block.position.size(), 0.0);
@@ -141,14 +130,15 @@ TEUCHOS_UNIT_TEST(CondensedTriangles, AColumnUnderItsOwnWeightIsExact) {
     force[2 * i + 1] = -weight * volume[i];
     for (int c = 0; c < 2 && block.position[i][1] == 0; ++c) held[2 * i + c] = 1;
   }
-  b.edges->hand_over<2>({0, -weight}, force.data());
+  const auto of_edges = body_force<2>(*b.edges, {0, -weight});
+  b.edges->hand_over(of_edges, force.data());
   const auto u = solved(*b.stiffness, held, force);
   for (std::size_t i = 0; i < volume.size(); ++i) {
     const double y = block.position[i][1];
     TEST_COMPARE(std::abs(u[2 * i + 1] - weight * (y * y / 2 - height * y) / slack.young_modulus), <=, 1e-13);
     TEST_COMPARE(std::abs(u[2 * i]), <=, 1e-13);
   }
-  const auto stress = cell_stresses(s, u, {{}, {0, -weight}});
+  const auto stress = cell_stresses(s, u, {{}, of_edges});
   for (std::size_t n = 0; n < block.cells.size(); ++n) {
     double middle = 0;
     for (int i = 0; i < 3; ++i) middle += block.position[block.cells[n].node[i]][1] / 3;
@@ -160,7 +150,7 @@ TEUCHOS_UNIT_TEST(CondensedTriangles, AColumnUnderItsOwnWeightIsExact) {
 /// How far the end of a bar 2 : 1 that is held at the left and sheared at the right goes, over a beam's.
 double of_a_beam(int across, bool quadratic) {
   const double h = 2.0 / across;
-  const auto block = rectangle(0, across, across / 2, h);
+  const auto block = rectangle_of_triangles(0, across, across / 2, h);
   const auto s = structure_of(block, stone, quadratic, 1);
   std::vector<double> force(2 * block.position.size(), 0.0);
   std::vector<char> held(force.size(), 0);

@@ -135,6 +135,22 @@ TEUCHOS_UNIT_TEST(EnergyBook, IsKeptWhole) {
   TEST_EQUALITY_CONST(back.imbalance(), 0.0);  // a part counts no second time
 }
 
+TEUCHOS_UNIT_TEST(EnergyBook, WhatBlocksStoreWithinIsWorkOfLoads) {
+  EnergyBook book, back;
+  book.advance({1.0, 0.0, 1.0}, false, 0.5);
+  TEST_EQUALITY_CONST(book.sums().elastic, 1.5);
+  TEST_EQUALITY_CONST(book.sums().external_work, 1.5);
+  Memory memory;
+  book.keep(memory);
+  memory.restoring = true;
+  back.keep(memory);
+  back.remove(0.0, 0.125);  // leaves with a stone, and is no work
+  back.advance({2.0, 0.0, 1.0}, false, 0.25);
+  TEST_EQUALITY_CONST(back.sums().elastic, 2.25);
+  TEST_EQUALITY_CONST(back.sums().external_work, 2.375);
+  TEST_EQUALITY_CONST(back.imbalance(), 0.0);
+}
+
 TEUCHOS_UNIT_TEST(EnergyBook, LoadStepsRemoveWhatMoves) {
   EnergyBook book;
   book.advance({1.0, 2.0, 3.0, 0.0, 0.0, 0.0}, true);

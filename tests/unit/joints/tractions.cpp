@@ -27,8 +27,10 @@ struct Bonded {
         points(source, structure),
         held(held_at_base(structure)),
         continuum(structure, points, held, {}) {
-    std::vector<double> load(2 * structure.nodes(), 0.0), u;
-    add_inertia_force<2>(structure, acceleration, 1.0, load);
+    BlockForces forces(structure);
+    std::vector<double> u;
+    add_inertia_force<2>(structure, acceleration, 1.0, forces);
+    const auto& load = forces.of_nodes;
     TpetraVector b(continuum.space().map()), x(continuum.space().map());
     continuum.space().sum(load, b);
     continuum.preconditioner()->apply(b, x);  // small enough to be factored

@@ -42,12 +42,13 @@ TEUCHOS_UNIT_TEST(PointLoad, IsBornByAStoneOfTheSetThatIsNamed) {
   p.blocks = "course 3";
   const auto load = wall.made(p);
   TEST_ASSERT(load->warnings().empty());
-  std::vector<double> force(2 * wall.s().nodes(), 0.0), prescribed(force.size(), 0.0);
+  BlockForces force(wall.s());
+  std::vector<double> prescribed(force.of_nodes.size(), 0.0);
   load->add({{0, 1}}, force, prescribed);
   double borne = 0;
   for (int i = 0; i < wall.s().owned_nodes(); ++i) {
     const BlockId stone = wall.s().blocks()[wall.s().block_of_node()[i]].mesh.id;
-    if (stone >= 13) borne += force[2 * i + 1];  // blocks 13 to 17
+    if (stone >= 13) borne += force.of_nodes[2 * i + 1];  // blocks 13 to 17
   }
   TEST_EQUALITY(sum_over_ranks(*everyone(), borne), -500.0);
   p.blocks = "course 2";

@@ -291,8 +291,10 @@ TEUCHOS_UNIT_TEST(Temperature, ForcesAreTheStiffnessTimesTheFreeExpansion) {
     p.change = 30;
     p.expansion = 1e-5;
     const auto load = wall.made(p);
-    std::vector<double> force(2 * wall.s().nodes(), 0.0), none = force, strain(wall.s().blocks().size(), 0.0), answer;
-    load->add({{0, 0.5}}, force, none);
+    BlockForces all(wall.s());
+    const auto& force = all.of_nodes;
+    std::vector<double> none(force.size(), 0.0), strain(wall.s().blocks().size(), 0.0), answer;
+    load->add({{0, 0.5}}, all, none);
     load->add_free_strain(0.5, strain);
     std::vector<double> u(force.size());
     for (int i = 0; i < wall.s().nodes(); ++i)

@@ -51,9 +51,10 @@ class LoadCase {
 
   template <class Parameters>
   Resultant resultant(const Parameters& p, double factor = 1.0, double time = 0.0) const {
-    std::vector<double> force(2 * structure_.nodes(), 0.0), prescribed(force.size(), 0.0);
+    BlockForces force(structure_);
+    std::vector<double> prescribed(force.of_nodes.size(), 0.0);
     made(p)->add({{time, factor}}, force, prescribed);
-    return test::resultant(structure_, force);
+    return test::resultant(structure_, force.of_nodes);
   }
 
  private:

@@ -26,8 +26,6 @@ int set_number(const BlockSource<2>& source, const std::string& name) {
   return static_cast<int>(std::find(sets.begin(), sets.end(), name) - sets.begin());
 }
 
-std::vector<double> nothing(const Structure<2>& s) { return std::vector<double>(2 * s.nodes(), 0.0); }
-
 TractionParameters traction(double tx, double ty, double pressure) {
   TractionParameters t;
   t.tx = tx;
@@ -43,12 +41,12 @@ constexpr double round_off = 1e-13;
 TEUCHOS_UNIT_TEST(SelfWeight, IsTheWeightOfTheWallAtItsCentre) {
   const auto source = wall();
   const auto s = thin(*source);
-  auto force = nothing(s);
+  BlockForces force(s);
   SelfWeightParameters load;
   load.gravity = 9.5;
   add_self_weight(s, load, 0.5, force);
   const double half_weight = 0.5 * density * 9.5 * 2 * 1 * thickness;
-  const auto r = resultant(s, force);
+  const auto r = resultant(s, force.of_nodes);
   TEST_FLOATING_EQUALITY(r.y, -half_weight, round_off);
   TEST_EQUALITY(r.x, 0.0);
   TEST_FLOATING_EQUALITY(r.moment, -half_weight * 1.0, round_off);  // the middle is at x = 1 m
@@ -57,11 +55,11 @@ TEUCHOS_UNIT_TEST(SelfWeight, IsTheWeightOfTheWallAtItsCentre) {
 TEUCHOS_UNIT_TEST(InertiaForce, IsMassTimesAccelerationAndIsAdded) {
   const auto source = wall();
   const auto s = thin(*source);
-  auto force = nothing(s);
+  BlockForces force(s);
   add_inertia_force<2>(s, {1.5, 0}, 1.0, force);
   add_inertia_force<2>(s, {0, 2.5}, -2.0, force);
   const double mass = density * 2 * 1 * thickness;
-  const auto r = resultant(s, force);
+  const auto r = resultant(s, force.of_nodes);
   TEST_FLOATING_EQUALITY(r.x, 1.5 * mass, round_off);
   TEST_FLOATING_EQUALITY(r.y, -5.0 * mass, round_off);
 }
@@ -74,23 +72,23 @@ TEUCHOS_UNIT_TEST(InertiaForce, KnowsTheDensityOfEachBlock) {
         return Material{1e9, 0.2, b.id < 4 ? 3000.0 : 1000.0};
       },
       everyone());
-  auto force = nothing(s);
+  BlockForces force(s);
   add_inertia_force<2>(s, {1, 0}, 1.0, force);
   // The lowest of four courses is heavy.
-  TEST_FLOATING_EQUALITY(resultant(s, force).x, (3000 * 0.25 + 1000 * 0.75) * 2 * thickness, round_off);
+  TEST_FLOATING_EQUALITY(resultant(s, force.of_nodes).x, (3000 * 0.25 + 1000 * 0.75) * 2 * thickness, round_off);
 }
 
 TEUCHOS_UNIT_TEST(Traction, IsTheTractionTimesTheAreaOfTheFacets) {
   const auto source = wall();
   const auto s = thin(*source);
-  auto force = nothing(s);
+  BlockForces force(s);
   add_traction(s, traction(300, -700, 0), set_number(*source, "top"), 2.0, force);
-  const auto r = resultant(s, force);
+  const auto r = resultant(s, force.of_nodes);
   TEST_FLOATING_EQUALITY(r.x, 2 * 300 * 2 * thickness, round_off);
   TEST_FLOATING_EQUALITY(r.y, -2 * 700 * 2 * thickness, round_off);
   TEST_FLOATING_EQUALITY(r.moment, r.y * 1.0 - r.x * 1.0, round_off);  // at (1, 1)
   for (int i = 0; i < s.nodes(); ++i)
-    if (s.position()[i][1] < 1) TEST_EQUALITY(force[2 * i + 1], 0.0);
+    if (s.position()[i][1] < 1) TEST_EQUALITY(force.of_nodes[2 * i + 1], 0.0);
 }
 
 TEUCHOS_UNIT_TEST(Traction, PressurePushesAgainstTheOutwardNormalOfEverySide) {
@@ -103,9 +101,9 @@ TEUCHOS_UNIT_TEST(Traction, PressurePushesAgainstTheOutwardNormalOfEverySide) {
   };
   for (const auto& [name, length, inwards] :
        {Side{"left", 1, {1, 0}}, Side{"right", 1, {-1, 0}}, Side{"top", 2, {0, -1}}, Side{"base", 2, {0, 1}}}) {
-    auto force = nothing(s);
+    BlockForces force(s);
     add_traction(s, traction(0, 0, 1000), set_number(*source, name), 1.0, force);
-    const auto r = resultant(s, force);
+    const auto r = resultant(s, force.of_nodes);
     const double total = 1000 * length * thickness;
     TEST_COMPARE(std::abs(r.x - total * inwards[0]), <=, round_off * total);
     TEST_COMPARE(std::abs(r.y - total * inwards[1]), <=, round_off * total);
@@ -127,9 +125,9 @@ TEUCHOS_UNIT_TEST(Traction, PressureDoesNotCareInWhichOrderAFacetNamesItsNodes) 
   block.facets = {down, up};
   const auto source = make_source<2>(list);
   const auto s = thin(*source);
-  auto force = nothing(s);
+  BlockForces force(s);
   add_traction(s, traction(0, 0, 1000), 0, 1.0, force);
-  const auto r = resultant(s, force);
+  const auto r = resultant(s, force.of_nodes);
   TEST_FLOATING_EQUALITY(r.x, 1000 * thickness, round_off);
   TEST_FLOATING_EQUALITY(r.moment, -500 * thickness, round_off);  // at half the height
 }
@@ -139,9 +137,9 @@ TEUCHOS_UNIT_TEST(Traction, PressureOnTheExtradosOfAnArchIsPressureTimesSpan) {
   arch.voussoirs = 7;
   const auto source = make_arch(arch);
   const auto s = thin(*source);
-  auto force = nothing(s);
+  BlockForces force(s);
   add_traction(s, traction(0, 0, 1000), set_number(*source, "extrados"), 1.0, force);
-  const auto r = resultant(s, force);
+  const auto r = resultant(s, force.of_nodes);
   const double total = 1000 * 11 * thickness;  // whatever the line between its ends: 2 x 5.5 m apart
   TEST_FLOATING_EQUALITY(r.y, -total, round_off);
   TEST_COMPARE(std::abs(r.x), <=, round_off * total);
@@ -158,11 +156,11 @@ TEUCHOS_UNIT_TEST(Settlement, MovesAndTurnsTheHeldComponentsOnceAtEveryNode) {
   load.turn.about[0] = 0.5;
   load.turn.about[1] = -0.25;
   for (const std::string components : {"x", "y", "xy"}) {
-    auto u = nothing(s);
+    std::vector<double> u(2 * s.nodes(), 0.0);
     const std::vector<std::pair<std::string, SupportParameters>> supports{{"ground", {"base", components}}};
     LoadParameters settlement;
     settlement.kind = load;
-    auto force = nothing(s);  // added: three quarters in all
+    BlockForces force(s);  // added: three quarters in all
     make_load(settlement, LoadSite<2>{s, *source, supports, "scene > loads > tested"})
         ->add({{0, 0.25}, {0, 0.5}}, force, u);
     for (int i = 0; i < s.nodes(); ++i) {

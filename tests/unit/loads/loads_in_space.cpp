@@ -50,9 +50,11 @@ struct Wall {
   Resultant of(const Parameters& parameters, double factor = 1) const {
     LoadParameters load;
     load.kind = parameters;
-    std::vector<double> force(3 * structure.nodes(), 0.0), prescribed(force.size(), 0.0);
+    BlockForces all(structure);
+    std::vector<double> prescribed(all.of_nodes.size(), 0.0);
     make_load(load, LoadSite<3>{structure, *source, {}, "scene > loads > tested"})
-        ->add({{0.0, factor}}, force, prescribed);
+        ->add({{0.0, factor}}, all, prescribed);
+    const auto& force = all.of_nodes;
     Resultant r;
     for (int i = 0; i < structure.owned_nodes(); ++i) {
       const Vector<3> f{force[3 * i], force[3 * i + 1], force[3 * i + 2]};
@@ -225,9 +227,11 @@ TEUCHOS_UNIT_TEST(TemperatureInSpace, HoldsItselfAndBalancesTheFreeStrain) {
   heat.change = 20;
   heat.expansion = 1e-5;
   load.kind = heat;
-  std::vector<double> force(3 * wall.structure.nodes(), 0.0), prescribed(force.size(), 0.0), strain(20, 0.0);
+  BlockForces all(wall.structure);
+  std::vector<double> prescribed(all.of_nodes.size(), 0.0);
   const auto made = make_load(load, LoadSite<3>{wall.structure, *wall.source, {}, "scene > loads > tested"});
-  made->add({{0.0, 1.0}}, force, prescribed);
+  made->add({{0.0, 1.0}}, all, prescribed);
+  const auto& force = all.of_nodes;
   double largest = 0;
   for (const double f : force) largest = std::max(largest, std::abs(f));
   TEST_COMPARE(largest, >, 0);
@@ -255,7 +259,8 @@ TEUCHOS_UNIT_TEST(SettlementInSpace, TurnsAboutAnyAxis) {
   const auto moved = [&](const SettlementParameters& p) {
     LoadParameters load;
     load.kind = p;
-    std::vector<double> force(3 * wall.structure.nodes(), 0.0), prescribed(force.size(), 0.0);
+    BlockForces force(wall.structure);
+    std::vector<double> prescribed(force.of_nodes.size(), 0.0);
     make_load(load, LoadSite<3>{wall.structure, *wall.source, supports, "scene > loads > tested"})
         ->add({{0.0, 0.5}}, force, prescribed);
     return prescribed;

@@ -155,7 +155,7 @@ TEUCHOS_UNIT_TEST(Effects, OfTimeAreAbsentFromLoadStepsAndHoldNothing) {
 
 /// Largest stress that differs from (xx, yy, 0) [Pa].
 double stress_error(Experiment& e, double xx, double yy) {
-  const auto inner = e.model().loads_at_work().inner_loads({{"heat", 1.0}}, 0.0);
+  const auto inner = e.model().loads_at_work().inner_loads({{"heat", 1.0}}, 0.0, e.model().structure());
   const auto stress = cell_stresses(e.model().structure(), e.state().displacement, inner);
   double wrong = 0;
   for (std::size_t i = 0; i < stress.size(); i += 3)
