@@ -28,8 +28,7 @@ std::unique_ptr<Load<dim>> make_load(const LoadParameters& load, const LoadSite<
   return std::visit([&](const auto& kind) { return make_load_of<dim>(kind, site); }, load.kind);
 }
 
-template <int dim>
-PatternLoad<dim>::PatternLoad(const std::vector<double>& unit, Of of) : of_(of) {
+NodalPattern::NodalPattern(const std::vector<double>& unit) {
   const auto count =
       static_cast<std::size_t>(std::count_if(unit.begin(), unit.end(), [](double value) { return value != 0; }));
   index_.reserve(count);
@@ -44,22 +43,22 @@ PatternLoad<dim>::PatternLoad(const std::vector<double>& unit, Of of) : of_(of) 
 template <int dim>
 void PatternLoad<dim>::add(const std::vector<LoadMoment>& moments, std::vector<double>& force,
                            std::vector<double>& prescribed) const {
-  const double factor = sum_of_factors(moments);
-  auto& to = of_ == Of::forces ? force : prescribed;
-  for (std::size_t k = 0; k < index_.size(); ++k) to[index_[k]] += factor * value_[k];
-}
-
-template <int dim>
-std::size_t PatternLoad<dim>::bytes() const {
-  return sizeof(*this) + index_.capacity() * sizeof(int) + value_.capacity() * sizeof(double);
+  pattern_.add(sum_of_factors(moments), of_ == Of::forces ? force : prescribed);
 }
 
 template <int dim>
 BodyForce<dim>::BodyForce(const Structure<dim>& s, const std::vector<double>& unit, std::vector<double> per_volume)
     : PatternLoad<dim>(unit) {
   const auto& blocks = s.blocks();
-  if (std::any_of(blocks.begin(), blocks.end(), [](const auto& b) { return b.edges != nullptr; }))
-    per_volume_ = std::move(per_volume);
+  if (std::none_of(blocks.begin(), blocks.end(), [](const auto& b) { return b.edges != nullptr; })) return;
+  std::vector<double> handed_over(unit.size(), 0.0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    Vector<dim> force;
+    std::copy_n(per_volume.begin() + static_cast<long>(dim * b), dim, force.begin());
+    hand_over_edges<dim>(blocks[b], force, handed_over);
+  }
+  of_edges_ = NodalPattern(handed_over);
+  per_volume_ = std::move(per_volume);
 }
 
 template <int dim>

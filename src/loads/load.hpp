@@ -55,6 +55,10 @@ class LoadOnNodes {
   /// Adds factor times the force on all of a block [N/m3, dim x local block]; of blocks whose edges bend.
   virtual void add_body_force(double, std::vector<double>&) const {}
   virtual bool has_body_force() const { return false; }
+  /// Adds the part of the forces that turns with its stone, in balance on each by itself, as what heat does or what
+  /// edges that bend hand over: it has no moment however the stone turns. All else keeps its direction.
+  virtual void add_turning(const std::vector<LoadMoment>&, std::vector<double>&) const {}
+  virtual bool has_turning() const { return false; }
   /// [s] A time step that sees how the load varies; infinite when it does not vary by itself. The same on every rank.
   virtual double resolution() const { return std::numeric_limits<double>::infinity(); }
   /// [s] The same for steps between two times.
@@ -81,20 +85,38 @@ std::unique_ptr<Load<dim>> make_load(const LoadParameters&, const LoadSite<dim>&
 template <int dim, class Parameters>
 std::unique_ptr<Load<dim>> make_load_of(const Parameters&, const LoadSite<dim>&);
 
-/// Forces that keep their pattern: the factor times what they are for factor 1. Zeros are not held.
+/// Numbers of components of nodes of which those that are zero are not held.
+class NodalPattern {
+ public:
+  NodalPattern() = default;
+  explicit NodalPattern(const std::vector<double>& unit);
+  void add(double factor, std::vector<double>& to) const {
+    for (std::size_t k = 0; k < index_.size(); ++k) to[index_[k]] += factor * value_[k];
+  }
+  bool empty() const { return index_.empty(); }
+  std::size_t bytes() const { return index_.capacity() * sizeof(int) + value_.capacity() * sizeof(double); }
+
+ private:
+  std::vector<int> index_;
+  std::vector<double> value_;
+};
+
+/// Forces that keep their pattern: the factor times what they are for factor 1.
 template <int dim>
 class PatternLoad : public Load<dim> {
  public:
   enum class Of { forces, displacements };
   /// @param unit  [N or m, dim x local node copies] for factor 1
-  explicit PatternLoad(const std::vector<double>& unit, Of = Of::forces);
+  explicit PatternLoad(const std::vector<double>& unit, Of of = Of::forces) : of_(of), pattern_(unit) {}
   void add(const std::vector<LoadMoment>&, std::vector<double>& force, std::vector<double>& prescribed) const override;
-  std::size_t bytes() const override;
+  std::size_t bytes() const override { return sizeof(*this) + pattern_.bytes(); }
+
+ protected:
+  const NodalPattern& pattern() const { return pattern_; }
 
  private:
   Of of_;
-  std::vector<int> index_;
-  std::vector<double> value_;
+  NodalPattern pattern_;
 };
 
 /// The same of forces on all of a block, which bend edges within: stresses are told of them.
@@ -105,13 +127,19 @@ class BodyForce final : public PatternLoad<dim> {
   BodyForce(const Structure<dim>&, const std::vector<double>& unit, std::vector<double> per_volume);
   void add_body_force(double factor, std::vector<double>& force) const override;
   bool has_body_force() const override { return !per_volume_.empty(); }
+  void add_turning(const std::vector<LoadMoment>& moments, std::vector<double>& force) const override {
+    of_edges_.add(sum_of_factors(moments), force);
+  }
+  bool has_turning() const override { return !of_edges_.empty(); }
   bool of_stones() const override { return true; }
   std::size_t bytes() const override {
-    return PatternLoad<dim>::bytes() + sizeof(per_volume_) + per_volume_.capacity() * sizeof(double);
+    return PatternLoad<dim>::bytes() + sizeof(per_volume_) + per_volume_.capacity() * sizeof(double) +
+           sizeof(of_edges_) + of_edges_.bytes();
   }
 
  private:
   std::vector<double> per_volume_;  ///< empty where no edge bends
+  NodalPattern of_edges_;           ///< [N] of the pattern what such edges hand over
 };
 
 /// A pattern load from a function that adds forces for factor 1: add(unit).

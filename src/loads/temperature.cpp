@@ -22,6 +22,10 @@ class Temperature final : public PatternLoad<dim> {
     for (std::size_t b = 0; b < strain_.size(); ++b) strain[b] += factor * strain_[b];
   }
   bool strains() const override { return true; }
+  void add_turning(const std::vector<LoadMoment>& moments, std::vector<double>& force) const override {
+    this->pattern().add(sum_of_factors(moments), force);
+  }
+  bool has_turning() const override { return true; }
   std::size_t bytes() const override {
     return PatternLoad<dim>::bytes() + sizeof(strain_) + strain_.capacity() * sizeof(double);
   }

@@ -115,6 +115,21 @@ void LoadsAtWork::add_mean(const StepInTime& step, std::vector<double>& force) c
   }
 }
 
+std::vector<double> LoadsAtWork::turning(const StepInTime& step, std::size_t size) const {
+  VOUSSOIR_EXPECT(step.from <= step.to && "times of a step: ascending");
+  std::vector<double> force;
+  for (const auto& n : loads_) {
+    const double begin = factor_of(step.begin, n.name), end = factor_of(step.end, n.name);
+    if (!n.load->has_turning() || (begin == 0 && end == 0)) continue;
+    force.resize(size, 0.0);
+    if (step.from < step.to)
+      n.load->add_turning(moments_of(n, begin, end, step.from, step.to), force);
+    else
+      n.load->add_turning({{step.to, end * n.time_function(step.to)}}, force);
+  }
+  return force;
+}
+
 InnerLoads LoadsAtWork::inner_loads(const std::map<std::string, double>& factors, double time) const {
   InnerLoads inner;
   for (const auto& n : loads_) {

@@ -38,6 +38,9 @@ class LoadsAtWork {
            std::vector<double>& prescribed) const;
   /// Mean nodal forces [N] over a step of time, written over: their impulse is exact however long the step is.
   void add_mean(const StepInTime&, std::vector<double>& force) const;
+  /// Of the mean forces over a step of time, or of those at a time where it begins and ends, what turns with the stones
+  /// (LoadOnNodes::add_turning) [N]; empty where no load that acts has any.
+  std::vector<double> turning(const StepInTime&, std::size_t size) const;
   /// Each load that acts, by itself and in the order of the scene; the same loads on every rank.
   template <class Visit>
   void each_acting(const std::map<std::string, double>& factors, double time, std::size_t size,
