@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
-#include "base/error.hpp"
-#include "base/text.hpp"
 #include "stones/cut_edges.hpp"
 #include "stones/drawing.hpp"
 #include "stones/welded_points.hpp"
@@ -350,34 +348,6 @@ std::vector<StoneJoint> welded_joints(Imprint& imprint, const std::vector<Facete
     cell.joint = other.joint = first + at->second;
   }
   return joints;
-}
-
-void refuse_faults(const Imprint& imprint, const std::vector<FacetedStone>& stones, double tolerance, double weld) {
-  const auto& faults = imprint.faults;
-  if (faults.none()) return;
-  std::string message = "mesh > stones: with joint tolerance = " + number_text(tolerance) +
-                        " [m] and weld = " + number_text(weld) + " [m] the stones do not fit together:";
-  const auto add = [&](std::size_t number, const std::string& what, int stone, const Vector<3>& place) {
-    message += "\n    " + std::to_string(number) + " " + what + ", first of " + in_words(*stones[stone].surface) +
-               " at " + place_in_words(place);
-  };
-  const auto add_cells = [&](const std::vector<int>& cells, const std::string& what) {
-    if (cells.empty()) return;
-    const auto& cell = imprint.cells[cells[0]];
-    add(cells.size(), what, cell.stone, imprint.points[cell.outer[0]]);
-  };
-  if (!faults.open_stones.empty())
-    add(faults.open_stones.size(), "stones whose cut facets are not closed", faults.open_stones[0][0],
-        imprint.points[faults.open_stones[0][1]]);
-  add_cells(faults.lonely, "joint faces that the other stone has not");
-  add_cells(faults.crowded, "faces that more than two stones have");
-  if (!faults.crossings.empty()) {
-    const auto [stone, facet] = faults.crossings[0];
-    add(faults.crossings.size(), "joints that cross on a face", stone, stones[stone].facets[facet].centre);
-  }
-  throw InputError(message +
-                   "\n  Raise joint tolerance above the largest gap in a joint and weld to two to ten times of it, or "
-                   "lower\n  both below the thinnest part of a stone and the narrowest gap that is meant to be open.");
 }
 
 }  // namespace voussoir

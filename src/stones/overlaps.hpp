@@ -11,6 +11,9 @@ struct StoneOverlap {
   std::array<int, 2> stone{};
   double depth = 0;   ///< [m] of the deepest place found; at most the true depth
   Vector<3> place{};  ///< [m]
+  /// [m] what chords of round faces at the place may lie in each other by: the heights of the arcs over those of both
+  /// stones. Zero where faces there turn from one to the next as round ones do not.
+  double of_chords = 0;
 };
 
 /// Pairs of closed stones, faces outward, that overlap by more than a depth, in the order of stones. Looked at are

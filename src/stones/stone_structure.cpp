@@ -271,13 +271,20 @@ void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) 
   std::string message = "mesh > stones: " + counted(found.size(), "pair of stones lies", "pairs of stones lie") +
                         " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
   for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
-    const auto& [pair, depth, place] = found[k];
+    const auto& [pair, depth, place, of_chords] = found[k];
     message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +
-               " or more at (" + six_digits(place[0]) + ", " + six_digits(place[1]) + ", " + six_digits(place[2]) + ")";
+               " or more at " + place_in_words(place);
+    if (depth <= of_chords) message += ", as chords of round faces do that have other corners on either side";
   }
-  throw InputError(message +
-                   "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise "
-                   "joint tolerance above the overlap.");
+  message +=
+      "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise joint tolerance "
+      "above "
+      "the overlap.";
+  if (std::any_of(found.begin(), found.end(), [](const auto& o) { return o.depth <= o.of_chords; }))
+    message +=
+        "\n  Draw round faces that touch with the same chords, corner on corner; a larger joint tolerance finds only "
+        "those chords of both that face each other within 5 degrees.";
+  throw InputError(message);
 }
 
 double tolerance_of(const std::vector<StoneSurface>& stones, const StonesParameters& p) {
