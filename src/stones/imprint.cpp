@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -102,15 +103,15 @@ class Imprinting {
         welded_(weld),
         number_(numbers_of_points()),
         pieces_(numbers_of_pieces()),
-        points_(with_corners_as_one()),
-        cut_(points_, weld) {}
+        cut_(std::make_unique<CutEdges<3>>(welded_.points(), weld)) {
+    make_corners_one();
+  }
 
   Imprint run() {
     std::map<std::array<int, 2>, std::vector<int>> joints_of_facet;
     for (int j = 0; j < static_cast<int>(joints_.joints.size()); ++j)
       for (int side = 0; side < 2; ++side)
         joints_of_facet[{joints_.joints[j].stone[side], joints_.joints[j].facet[side]}].push_back(j);
-    imprint_.points = points_;
     imprint_.number = number_;
     for (int s = 0; s < static_cast<int>(stones_.size()); ++s)
       for (int f = 0; f < static_cast<int>(stones_[s].facets.size()); ++f) cut_facet(s, f, joints_of_facet[{s, f}]);
@@ -165,24 +166,25 @@ class Imprinting {
   }
 
   /// A point that lies on both edges of a corner is that corner, though it is a little farther from it than points that
-  /// are one: both edges would go to it and back. Returns the points that are left, in their order.
-  Places with_corners_as_one() {
+  /// are one: both edges would go to it and back. Leaves the points of the imprint, in their order.
+  void make_corners_one() {
     const auto& x = welded_.points();
     DisjointSets same(x.size());
-    CutEdges<3> edges(x, weld_);
     for (std::size_t s = 0; s < stones_.size(); ++s)
       for (const auto& facet : stones_[s].facets) {
         std::multimap<int, int> after;
         for (const auto& e : facet.edges) after.emplace(number_[s][e[0]], number_[s][e[1]]);
         for (const auto& [before, corner] : after)
           for (auto [at, end] = after.equal_range(corner); at != end; ++at)
-            for (const int point : between(edges, before, corner, at->second))
+            for (const int point : between(*cut_, before, corner, at->second))
               if (norm(x[point] - x[corner]) <= farthest_corner * weld_) same.unite(point, corner);
       }
     std::map<int, int> number;  // of those that stand for others
     Places left;
     for (int k = 0; k < static_cast<int>(x.size()); ++k)
       if (number.emplace(same.root(k), static_cast<int>(left.size())).second) left.push_back(x[k]);
+    imprint_.points = std::move(left);
+    if (imprint_.points.size() == x.size()) return;  // edges are cut as they are here
     const auto renumber = [&](Loop& loop) {
       for (int& point : loop)
         if (point >= 0) point = number.at(same.root(point));
@@ -190,7 +192,7 @@ class Imprinting {
     for (auto& loop : number_) renumber(loop);
     for (auto& pieces : pieces_)
       for (auto& loop : pieces) renumber(loop);
-    return left;
+    cut_ = std::make_unique<CutEdges<3>>(imprint_.points, weld_);
   }
 
   /// Points on the way from a to b that are on the way from b to c too.
@@ -213,7 +215,7 @@ class Imprinting {
     for (const auto& e : facet.edges) {
       const int a = number_[s][e[0]], b = number_[s][e[1]];
       if (a == b) continue;
-      const Loop way = cut_.way(a, b);
+      const Loop way = cut_->way(a, b);
       for (std::size_t k = 0; k + 1 < way.size(); ++k) {
         drawing.add_edge(way[k], way[k + 1]);
         border.push_back({drawing.local(way[k]), drawing.local(way[k + 1])});
@@ -225,7 +227,7 @@ class Imprinting {
       Outline outline;
       for (Loop corners : pieces_[j]) {
         if (joints_.joints[j].stone[0] != s) std::reverse(corners.begin(), corners.end());
-        const Loop loop = cut_.around(corners);
+        const Loop loop = cut_->around(corners);
         if (loop.empty()) continue;
         on_facet.back().pieces.push_back(drawing.polygon(loop));
         outline.add(loop);
@@ -250,8 +252,7 @@ class Imprinting {
   WeldedPoints<3> welded_;
   std::vector<Loop> number_;               ///< per stone and point
   std::vector<std::vector<Loop>> pieces_;  ///< per joint and piece
-  const Places points_;
-  CutEdges<3> cut_;
+  std::unique_ptr<CutEdges<3>> cut_;
   Imprint imprint_;
 };
 

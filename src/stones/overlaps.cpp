@@ -133,16 +133,6 @@ double arc_over_chord(const FacetedStone& stone, const Vector<3>& place, double 
 
 }  // namespace
 
-double distance_between(const StoneSurface& one, const StoneSurface& other) {
-  return Solid(one).distance(Solid(other), std::numeric_limits<double>::infinity());
-}
-
-double depth_inside(const StoneSurface& stone, const Vector<3>& place) {
-  const Solid solid(stone);
-  const double distance = solid.distance(place, std::numeric_limits<double>::infinity());
-  return solid.holds(place, nearby * distance) ? distance : -distance;
-}
-
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>& stones, double depth) {
   std::vector<Solid> solids;
   std::vector<Box<3>> boxes;

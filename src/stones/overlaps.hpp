@@ -20,10 +20,4 @@ struct StoneOverlap {
 /// corners of both, and lines along all axes through what their boxes have in common: how long each is in both.
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>&, double depth);
 
-/// [m] between the surfaces of two stones.
-double distance_between(const StoneSurface&, const StoneSurface&);
-
-/// [m] how deep a place lies inside of a stone, negative outside: the distance to its surface.
-double depth_inside(const StoneSurface&, const Vector<3>& place);
-
 }  // namespace voussoir

@@ -1,4 +1,5 @@
 // From drawn stones to all that is known before they are meshed, and what a user is told.
+#include "stones/solid.hpp"
 #include "stones/stone_structure.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -26,12 +27,12 @@ bool tells(const StoneStructure& s, const std::string& part) {
 
 TEUCHOS_UNIT_TEST(Overlaps, DepthIsTheDistanceToTheSurface) {
   const auto cube = box("cube", {0, 0, 0}, {1, 1, 1});
-  TEST_FLOATING_EQUALITY(depth_inside(cube, {0.5, 0.5, 0.75}), 0.25, 1e-14);
-  TEST_FLOATING_EQUALITY(depth_inside(cube, {0.5, 0.5, 1.75}), -0.75, 1e-14);
-  TEST_FLOATING_EQUALITY(depth_inside(cube, {2, 2, 0.5}), -std::sqrt(2.0), 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(cube).depth({0.5, 0.5, 0.75}), 0.25, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(cube).depth({0.5, 0.5, 1.75}), -0.75, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(cube).depth({2, 2, 0.5}), -std::sqrt(2.0), 1e-14);
   const auto bent = corner()[0];
-  TEST_FLOATING_EQUALITY(depth_inside(bent, {0.5, 1.5, 0.5}), 0.5, 1e-14);
-  TEST_FLOATING_EQUALITY(depth_inside(bent, {1.5, 1.5, 0.5}), -0.5, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(bent).depth({0.5, 1.5, 0.5}), 0.5, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(bent).depth({1.5, 1.5, 0.5}), -0.5, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Overlaps, OfEveryKindAreFoundAndTouchingStonesHaveNone) {
@@ -74,7 +75,7 @@ TEUCHOS_UNIT_TEST(Structure, DistancesAreThoseOfCrossingEdgesToo) {
   // Roofs of two prisms, one along x with its ridge up, one along y with its ridge down.
   const auto low = prism("low", {{-0.5, -1}, {0.5, -1}, {0, 0}}, -3, 3, 1, 2);
   const auto high = prism("high", {{0, 0.005}, {0.5, 1}, {-0.5, 1}}, -3, 3, 0, 2);
-  TEST_FLOATING_EQUALITY(distance_between(low, high), 0.005, 1e-12);
+  TEST_FLOATING_EQUALITY(Solid(low).distance(Solid(high), 1.0), 0.005, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(Structure, OverlappingStonesAreRefusedByNameAndPlace) {
