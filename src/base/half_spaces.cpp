@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/dense.hpp"
+#include "base/product.hpp"
 
 namespace voussoir {
 namespace {
@@ -19,12 +20,6 @@ constexpr double kept = 1e-11;
 // [-] What is left of e where half spaces miss each other, which exact numbers would make nothing. Where they meet it
 // is about 1 / |y|^2 for numbers of size one.
 constexpr double nothing_left = 1e-11;
-
-double product(const Column& a, const Column& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// min |E u - e| over u >= 0, where e is the last unit vector and the columns of E are slopes with what is asked of y
 /// below them. What is left of it, r, is -(y, 1) times the last number of r with its sign turned.

@@ -169,6 +169,21 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
   return pieces;
 }
 
+LineEnd end_of_line(const std::string& text, std::size_t from) {
+  const std::size_t end = std::min(text.find_first_of("\r\n", from), text.size());
+  return {end, std::min(end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1), text.size())};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < text.size();) {
+    const auto [end, next] = end_of_line(text, from);
+    lines.push_back(text.substr(from, end - from));
+    from = next;
+  }
+  return lines;
+}
+
 namespace {
 
 /// Bytes of UTF-8 that follow a first one beyond ASCII; 0 where nothing begins so.

@@ -56,6 +56,13 @@ std::string list_of(const std::vector<std::string>& words, std::size_t most = 20
 std::string sentence(std::string);
 std::string trimmed(const std::string&);
 std::vector<std::string> split(const std::string&, const std::string& separator);
+/// Where a line of a text ends that begins at a place, and where the next one begins: at "\n", "\r\n", or "\r" alone.
+struct LineEnd {
+  std::size_t end, next;
+};
+LineEnd end_of_line(const std::string&, std::size_t from);
+/// All lines of a text.
+std::vector<std::string> lines_of(const std::string&);
 
 /// Valid UTF-8 without control characters, so that every program that reads our files can show it.
 bool is_plain_text(const std::string&);

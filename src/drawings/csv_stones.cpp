@@ -12,12 +12,6 @@
 namespace voussoir {
 namespace {
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 std::string unquoted(const std::string& text) {
   const std::string t = trimmed(text);
   return t.size() >= 2 && t.front() == '"' && t.back() == '"' ? trimmed(t.substr(1, t.size() - 2)) : t;
@@ -43,9 +37,9 @@ class CsvStones {
   bool next(std::vector<std::string>& words) {
     words.clear();
     while (words.empty() && at_ < contents_.size()) {
-      const std::size_t end = std::min(contents_.find('\n', at_), contents_.size());
+      const auto [end, following] = end_of_line(contents_, at_);
       const std::string text = trimmed(contents_.substr(at_, end - at_));
-      at_ = end + 1;
+      at_ = following;
       ++line_;
       if (text.empty() || text[0] == '#') continue;
       if (separator_.empty())

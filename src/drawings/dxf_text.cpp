@@ -13,7 +13,7 @@ DxfText::DxfText(const std::string& file, const std::string& contents) : file_(f
   if (contents.compare(0, 18, "AutoCAD Binary DXF") == 0)
     refuse_stones(file_, "is a binary DXF", "Save it as an ASCII DXF");
   std::vector<std::string> lines;
-  for (auto& text : split(contents, "\n")) lines.push_back(trimmed(text));
+  for (const auto& text : lines_of(contents)) lines.push_back(trimmed(text));
   while (!lines.empty() && lines.back().empty()) lines.pop_back();
   for (std::size_t k = 0; k + 1 < lines.size(); k += 2) {
     const auto code = whole_number_in(lines[k]);

@@ -9,6 +9,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/half_spaces.hpp"
 #include "base/orthogonal.hpp"
+#include "base/product.hpp"
 
 namespace voussoir {
 namespace {
@@ -23,12 +24,6 @@ constexpr double within = 1e-6;
 // Half planes in the place of discs are cut in the direction of what they leave outside. Of it a cut leaves the square
 // of its angle, so a few are enough where there is any answer.
 constexpr int most_cuts = 30;
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// Vectors that span all z with rows z = 0, by elimination with full pivots.
 Rows null_space(Rows rows, int unknowns) {

@@ -18,7 +18,7 @@ struct MultigridLevel {
 /// MueLu's parameters of a smoother: Gauss-Seidel forwards down and backwards up.
 void smooth_by_gauss_seidel(Teuchos::ParameterList&, int sweeps);
 
-/// One V-cycle of smoothed aggregation.
+/// One V-cycle of smoothed aggregation, in space of prolongators of least energy.
 class AmgPreconditioner : public Preconditioner {
  public:
   /// @param a            symmetric positive definite; rows dim * node + component, nodes contiguous on a rank

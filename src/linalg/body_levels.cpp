@@ -14,9 +14,6 @@ namespace {
 
 /// Levels of MueLu, below the finest, which is smoothed here.
 constexpr int last_level = 9;
-/// Of the Jacobi step that smooths prolongators in space, over the largest eigenvalue; 4/3 in MueLu and in the plane
-/// (body_levels.md).
-constexpr double damping_in_space = 1.7;
 /// Share of the energy of the error below which the rest is round-off.
 constexpr double solved = 1e-20;
 
@@ -39,7 +36,6 @@ Teuchos::ParameterList groups_of(const BodyMotions& bodies, const BodyLevelsPara
   list.set("aggregation: drop tol", numbers.coupled);
   list.set("smoother: pre or post", "none");
   list.set("multigrid algorithm", "sa");  // levels are built anew with every change of status
-  if (bodies.coordinates->getNumVectors() == 3) list.set("sa: damping factor", damping_in_space);
   if (many_ranks) list.set("repartition: min rows per proc", numbers.least_of_a_rank);
   for (int l = 1; l <= last_level; ++l) {
     auto& level = list.sublist("level " + std::to_string(l));

@@ -1,6 +1,7 @@
 #include "loads/deck.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -9,6 +10,9 @@
 
 namespace voussoir {
 namespace {
+
+// Corners as near to the line as places are rounded lie on it: to 1e-16 of coordinates, and 1e-9 as text.
+constexpr double on_the_line = 1e-9;  // of the size of the structure
 
 /// A place below the line of wheels, by the shares of the corners of an edge or triangle.
 struct Place {
@@ -41,17 +45,19 @@ std::vector<DeckPiece> owned_pieces(const Structure<2>& s, const FacetSet& set, 
 /// one side, so that of two triangles that share a side along the line one bears the wheel.
 void add_crossing(const Structure<3>& s, const LoadedFace& face, const std::array<int, 3>& corner, double y, bool upper,
                   std::vector<DeckPiece>& pieces) {
-  const auto beyond = [&](int k) {
-    const double at = face.x[corner[k]][1];
-    return upper ? at >= y : at > y;
+  const double near = on_the_line * s.size();
+  const auto away = [&](int k) {
+    const double at = face.x[corner[k]][1] - y;
+    return std::abs(at) <= near ? 0.0 : at;
   };
+  const auto beyond = [&](int k) { return upper ? away(k) >= 0 : away(k) > 0; };
   std::vector<Place> ends;
   for (int k = 0; k < 3; ++k) {
     const int l = (k + 1) % 3;
     if (beyond(k) == beyond(l)) continue;
     const auto &a = face.x[corner[k]], &b = face.x[corner[l]];
-    const double t = (y - a[1]) / (b[1] - a[1]);
-    Place end{a[0] + t * (b[0] - a[0]), {}};
+    const double t = away(k) / (away(k) - away(l));
+    Place end{t == 1 ? b[0] : a[0] + t * (b[0] - a[0]), {}};
     end.share[k] = 1 - t;
     end.share[l] = t;
     ends.push_back(end);
@@ -75,15 +81,16 @@ std::vector<DeckPiece> owned_pieces(const Structure<3>& s, const FacetSet& set, 
 }  // namespace
 
 template <int dim>
-std::vector<DeckPiece> pieces_of_deck(const Structure<dim>& s, const FacetSet& set, double across) {
+Deck pieces_of_deck(const Structure<dim>& s, const FacetSet& set, double across) {
   const WhyWhole line{"pieces of a line of facets"};
-  auto pieces = all_gather(owned_pieces(s, set, across, false), *s.comm(), line);
+  Deck deck{all_gather(owned_pieces(s, set, across, false), *s.comm(), line), {}};
+  auto& pieces = deck.pieces;
   // Where the line is the far side of the deck, all along or for a part, it lies on the other hand.
   std::vector<DeckPiece> beside;
   for (const auto& piece : all_gather(owned_pieces(s, set, across, true), *s.comm(), line)) {
     const double middle = (piece.x[0] + piece.x[1]) / 2;
     const auto covers = [&](const DeckPiece& p) { return p.x[0] <= middle && middle <= p.x[1]; };
-    if (std::none_of(pieces.begin(), pieces.end(), covers)) beside.push_back(piece);
+    (std::none_of(pieces.begin(), pieces.end(), covers) ? beside : deck.other_hand).push_back(piece);
   }
   pieces.insert(pieces.end(), beside.begin(), beside.end());
   std::sort(pieces.begin(), pieces.end(), [](const DeckPiece& a, const DeckPiece& b) {
@@ -97,10 +104,10 @@ std::vector<DeckPiece> pieces_of_deck(const Structure<dim>& s, const FacetSet& s
       if (const auto it = local.find(piece.id[i]); it != local.end()) node[i] = it->second;
     piece.local = bearers_of(s, node);
   }
-  return pieces;
+  return deck;
 }
 
-template std::vector<DeckPiece> pieces_of_deck<2>(const Structure<2>&, const FacetSet&, double);
-template std::vector<DeckPiece> pieces_of_deck<3>(const Structure<3>&, const FacetSet&, double);
+template Deck pieces_of_deck<2>(const Structure<2>&, const FacetSet&, double);
+template Deck pieces_of_deck<3>(const Structure<3>&, const FacetSet&, double);
 
 }  // namespace voussoir

@@ -20,12 +20,18 @@ struct DeckPiece {
   BlockId stone;
 };
 
-/// The pieces of a set of facets, by their beginning: all of it, on every rank. Collective.
+/// All of a deck below a line of wheels.
+struct Deck {
+  std::vector<DeckPiece> pieces;      ///< that bear wheels, by their beginning
+  std::vector<DeckPiece> other_hand;  ///< that could bear them as well where the line runs along facets
+};
+
+/// The pieces of a set of facets, on every rank. Collective.
 /// @param across  [m] y of the line of wheels in space; of no meaning in the plane
 template <int dim>
-std::vector<DeckPiece> pieces_of_deck(const Structure<dim>&, const FacetSet&, double across);
+Deck pieces_of_deck(const Structure<dim>&, const FacetSet&, double across);
 
-extern template std::vector<DeckPiece> pieces_of_deck<2>(const Structure<2>&, const FacetSet&, double);
-extern template std::vector<DeckPiece> pieces_of_deck<3>(const Structure<3>&, const FacetSet&, double);
+extern template Deck pieces_of_deck<2>(const Structure<2>&, const FacetSet&, double);
+extern template Deck pieces_of_deck<3>(const Structure<3>&, const FacetSet&, double);
 
 }  // namespace voussoir

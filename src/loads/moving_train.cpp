@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/parameter_section.hpp"
@@ -29,7 +30,8 @@ class LineOfWheels {
   /// @param load  [N] of each axle on this line
   LineOfWheels(const MovingTrainParameters& p, const LoadSite<dim>& site, double across, std::vector<double> load)
       : position_(p.position), speed_(p.speed), load_(std::move(load)), behind_(p.behind) {
-    deck_ = pieces_of_deck(site.structure, site.facet_set(p.on, p.blocks), across);
+    auto deck = pieces_of_deck(site.structure, site.facet_set(p.on, p.blocks), across);
+    deck_ = std::move(deck.pieces);
     std::map<BlockId, std::pair<double, double>> reach;  // of each stone along the deck [m]
     for (const auto& piece : deck_) {
       ends_.insert(ends_.end(), piece.x.begin(), piece.x.end());
@@ -39,7 +41,7 @@ class LineOfWheels {
     std::sort(ends_.begin(), ends_.end());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     for (const auto& [stone, x] : reach) shortest_stone_ = std::min(shortest_stone_, x.second - x.first);
-    look_for_several_stones(site);
+    look_for_several_stones(site, deck.other_hand);
   }
 
   void add(const std::vector<LoadMoment>& moments, BlockForces& force) const {
@@ -95,9 +97,10 @@ class LineOfWheels {
     return static_cast<int>(after - deck_.begin()) - 1;
   }
 
-  /// Axles that stand on the joint of two stones, or pieces above each other: which stone bears them is chosen, not
-  /// said. Those that move pass joints in no time.
-  void look_for_several_stones(const LoadSite<dim>& site) {
+  /// Axles that stand on the joint of two stones or go along it, or pieces above each other: which stone bears them is
+  /// chosen, not said. Those that move pass joints across their way in no time.
+  /// @param other_hand  pieces beside those of the deck where the line runs along facets
+  void look_for_several_stones(const LoadSite<dim>& site, const std::vector<DeckPiece>& other_hand) {
     const auto warn = [&](const std::string& place, const std::vector<BlockId>& stones, BlockId bearer) {
       if (warnings_.empty()) warnings_ = warning_of_bearer(site, "load_on_several_stones", place, stones, bearer);
     };
@@ -112,15 +115,23 @@ class LineOfWheels {
         last = k;
       }
     }
+    for (const auto& beside : other_hand) {
+      const double middle = (beside.x[0] + beside.x[1]) / 2;
+      const int along = piece_below(middle);
+      if (speed_ != 0 && along >= 0 && deck_[along].stone != beside.stone)
+        warn("the way of a wheel at x = " + number_text(middle) + " m", {deck_[along].stone, beside.stone},
+             deck_[along].stone);
+    }
     for (std::size_t k = 0; speed_ == 0 && k < behind_.size(); ++k) {
       const double x = position_ - behind_[k];
       const int below = piece_below(x);
       if (below < 0) continue;
       std::vector<BlockId> stones;
-      for (const auto& piece : deck_) {
-        const double beyond = meeting * (piece.x[1] - piece.x[0]);
-        if (x >= piece.x[0] - beyond && x <= piece.x[1] + beyond) stones.push_back(piece.stone);
-      }
+      for (const auto* pieces : {&std::as_const(deck_), &other_hand})
+        for (const auto& piece : *pieces) {
+          const double beyond = meeting * (piece.x[1] - piece.x[0]);
+          if (x >= piece.x[0] - beyond && x <= piece.x[1] + beyond) stones.push_back(piece.stone);
+        }
       warn("the deck below axle " + std::to_string(k + 1) + " at x = " + number_text(x) + " m", stones,
            deck_[below].stone);
     }
@@ -169,7 +180,11 @@ class MovingTrain final : public Load<dim> {
     for (const auto& line : wheels_) bytes += line.bytes();
     return bytes;
   }
-  Warnings warnings() const override { return wheels_.front().warnings(); }
+  Warnings warnings() const override {
+    Warnings all;
+    for (const auto& line : wheels_) all.insert(all.end(), line.warnings().begin(), line.warnings().end());
+    return all;
+  }
 
  private:
   bool moves_;

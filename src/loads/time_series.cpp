@@ -106,23 +106,8 @@ class Reading {
   }
 
   TimeSeries all() {
-    bool heading = true;
-    for (std::string text; std::getline(in_, text);) {
-      ++number_;
-      for (char& c : text)
-        if (c == '\t' || c == '\r') c = ' ';
-      line_ = trimmed(text);
-      if (number_ == 1 && line_.rfind("\xEF\xBB\xBF", 0) == 0) line_ = trimmed(line_.substr(3));  // mark of UTF-8
-      if (line_.empty()) continue;
-      if (heading && is_heading()) {
-        if (series_.heading.size() < longest_heading) series_.heading.push_back(line_);
-        continue;
-      }
-      if (line_[0] == '#') continue;
-      heading = false;
-      take();
-      if (series_.value.size() > most_rows) refuse("has more than ten million rows", "Resample it");
-    }
+    for (std::string text; std::getline(in_, text);)  // one of several lines where they end in "\r" alone
+      for (const auto& line : text.empty() ? std::vector<std::string>{text} : lines_of(text)) read(line);
     if (p_.layout == RecordLayout::peer_at2 && !at2_) refuse_heading();
     if (series_.value.empty()) refuse("holds no rows of numbers", "Write rows like \"0.01, -0.23\"");
     finish();
@@ -130,6 +115,22 @@ class Reading {
   }
 
  private:
+  void read(std::string text) {
+    ++number_;
+    std::replace(text.begin(), text.end(), '\t', ' ');
+    line_ = trimmed(text);
+    if (number_ == 1 && line_.rfind("\xEF\xBB\xBF", 0) == 0) line_ = trimmed(line_.substr(3));  // mark of UTF-8
+    if (line_.empty()) return;
+    if (heading_ && is_heading()) {
+      if (series_.heading.size() < longest_heading) series_.heading.push_back(line_);
+      return;
+    }
+    if (line_[0] == '#') return;
+    heading_ = false;
+    take();
+    if (series_.value.size() > most_rows) refuse("has more than ten million rows", "Resample it");
+  }
+
   [[noreturn]] void refuse(const std::string& why, const std::string& advice) const {
     throw InputError(where_ + " = " + in_quotes(file_) + "\n  " + why + ".\n  " + advice + ".");
   }
@@ -251,6 +252,7 @@ class Reading {
   const ValueColumn& column_;
   std::ifstream in_;
   long number_ = 0;  ///< of the line
+  bool heading_ = true;
   std::string line_;
   std::size_t width_ = 0;  ///< numbers in a row
   std::optional<AtTwo> at2_;

@@ -111,6 +111,30 @@ void LoadsAtWork::add_mean(const StepInTime& step, BlockForces& force) const {
   }
 }
 
+std::vector<double> LoadsAtWork::turning(const StepInTime& step, const BlockSystem& s) const {
+  VOUSSOIR_EXPECT(step.from <= step.to && "times of a step: ascending");
+  const auto acts = [&](const Named& n) {
+    return factor_of(step.begin, n.name) != 0 || factor_of(step.end, n.name) != 0;
+  };
+  const auto turns = [&](const Named& n) { return acts(n) && (n.load->strains() || s.edges() > 0); };
+  if (std::none_of(loads_.begin(), loads_.end(), turns)) return {};
+  BlockForces within(s);
+  std::vector<double> unused(within.of_nodes.size(), 0.0);
+  for (const auto& n : loads_) {
+    if (!turns(n)) continue;
+    BlockForces force(s);
+    const double begin = factor_of(step.begin, n.name), end = factor_of(step.end, n.name);
+    if (step.from < step.to)
+      n.load->add(moments_of(n, begin, end, step.from, step.to), force, unused);
+    else
+      n.load->add({{step.to, end * n.time_function(step.to)}}, force, unused);
+    for (std::size_t i = 0; n.load->strains() && i < force.of_nodes.size(); ++i)
+      within.of_nodes[i] += force.of_nodes[i];
+    for (std::size_t i = 0; i < force.of_edges.size(); ++i) within.of_edges[i] += force.of_edges[i];
+  }
+  return handed_over(s, std::move(within));
+}
+
 InnerLoads LoadsAtWork::inner_loads(const std::map<std::string, double>& factors, double time,
                                     const BlockSystem& s) const {
   InnerLoads inner;

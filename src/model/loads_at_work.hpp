@@ -39,6 +39,10 @@ class LoadsAtWork {
            std::vector<double>& prescribed) const;
   /// Adds mean forces over a step of time: their impulse is exact however long the step is.
   void add_mean(const StepInTime&, BlockForces& force) const;
+  /// Of the mean forces over a step of time, or of those at a time where it begins and ends, what turns with the stones
+  /// [N, of nodes]: forces within them, in balance on each by itself, as what strains them freely and what edges that
+  /// bend hand over. All else keeps its direction. Empty where there is none.
+  std::vector<double> turning(const StepInTime&, const BlockSystem&) const;
   /// Each load that acts, by itself and in the order of the scene; the same loads on every rank.
   template <class Visit>
   void each_acting(const std::map<std::string, double>& factors, double time, const BlockSystem& s,

@@ -12,4 +12,9 @@ struct StepInTime {
   std::map<std::string, double> begin, end;  ///< factors by name
 };
 
+/// Of a load step, in which no time passes: it begins and ends with the same loads.
+inline StepInTime at_rest(double time, const std::map<std::string, double>& factors) {
+  return {time, time, factors, factors};
+}
+
 }  // namespace voussoir

@@ -72,7 +72,7 @@ struct ReactionSummary {
 struct StaticsSummary {
   struct Place {
     int block_i = -1, block_j = -1;
-    std::array<double, 3> place{};  ///< [m] where the resultant crosses the joint
+    std::array<double, 3> place{};  ///< [m] of a hinge its edge, of what slides the middle of the side
     double opening = 0;             ///< [m]
   };
   int hinges = 0, sliding_joints = 0;

@@ -14,6 +14,7 @@
 #include "base/warning.hpp"
 #include "model/contact_state.hpp"
 #include "model/model.hpp"
+#include "model/step_in_time.hpp"
 
 namespace voussoir {
 
@@ -23,6 +24,7 @@ struct StepEnd {
   const std::vector<double>& load;  ///< [N] on node copies
   const std::vector<char>& absent;  ///< per local block; empty when all are there
   std::string when;                 ///< stage and load factor or time, for the reader
+  StepInTime loads{};               ///< the loads by name; of a load step from its time to the same
   bool in_time = false;
   bool outlines = true;  ///< whether outlines of stones are compared too
 };

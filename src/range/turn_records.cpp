@@ -8,6 +8,7 @@
 #include "blocks/assembly.hpp"
 #include "blocks/rigid_motion.hpp"
 #include "model/joint_strength.hpp"
+#include "model/loads_at_work.hpp"
 #include "range/stone_names.hpp"
 
 namespace voussoir {
@@ -79,6 +80,7 @@ Vector<3> turn_of(const Structure<3>& s, int b, const std::vector<double>& u) {
 template <int dim>
 std::vector<StoneRecord> stones_here(const ModelOfBlocks<dim>& model, const StepEnd& end) {
   const auto& s = model.structure();
+  const auto turning = model.loads_at_work().turning(end.loads, s);
   std::vector<StoneRecord> stones;
   for (int b = 0; b < s.owned_blocks(); ++b) {
     if (!end.absent.empty() && end.absent[b]) continue;
@@ -89,7 +91,7 @@ std::vector<StoneRecord> stones_here(const ModelOfBlocks<dim>& model, const Step
       const auto f = field_at<dim>(end.load, n), arm = in_space(s.drawn_position()[n]) - r.centre;
       r.load = r.load + f;
       r.load_moment = r.load_moment + cross(arm, f);
-      add_virial(arm, f, r.virial);
+      add_virial(arm, turning.empty() ? f : f - field_at<dim>(turning, n), r.virial);
     }
     stones.push_back(r);
   }

@@ -23,7 +23,7 @@ struct StoneRecord {
   bool held;
   Vector<3> centre, turn;       ///< [m] of mass as drawn; [rad]
   Vector<3> load, load_moment;  ///< [N], [N m] about the centre
-  Virial virial;                ///< [N m] of the loads about the centre
+  Virial virial;                ///< [N m] about the centre, of the loads that do not turn with the stone
 };
 
 struct JointRecord {

@@ -129,9 +129,10 @@ StaticsSummary write_statics(const ModelOfBlocks<dim>& model, const AdaptiveStep
     sum.sliding_joints += row.slides;
     sum.least_edge_margin = std::fmin(sum.least_edge_margin, row.edge_margin);  // the number, where one is none
     sum.least_friction_margin = std::fmin(sum.least_friction_margin, row.friction_margin);
-    const StaticsSummary::Place place{row.block_i, row.block_j, row.through, row.opening};
-    if (row.hinge) sum.widest_hinges.push_back(place);
-    if (row.slides && sum.first_sliding.size() < longest_list) sum.first_sliding.push_back(place);
+    // Resultants of points that pull and press may cross the plane of their joint anywhere; a motion is at the joint.
+    if (row.hinge) sum.widest_hinges.push_back({row.block_i, row.block_j, row.edge, row.opening});
+    if (row.slides && sum.first_sliding.size() < longest_list)
+      sum.first_sliding.push_back({row.block_i, row.block_j, row.least_shear, row.opening});
   }
   std::stable_sort(sum.widest_hinges.begin(), sum.widest_hinges.end(),
                    [](const auto& a, const auto& b) { return a.opening > b.opening; });

@@ -160,7 +160,7 @@ void LoadFactorAnalysis::attempt(const Attempting& run) {
   const int solves = report.newton.newton_iterations + report.estimate_solves + found.solves;
   const bool stands = report.newton.outcome == NewtonOutcome::converged;
   run.recorder.spend(found.counts);
-  const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor)};
+  const StepEnd end{run.state, next_load, run.construction.absent(), at_factor(stage, factor), at_rest(time, factors)};
   const auto beyond = stands ? run.range.beyond(end) : "";
   if (stands && !beyond.empty()) {  // neither an equilibrium nor a mechanism: it cannot be told
     run.narrator.say("  Out of range at load factor " + six_digits(factor) + ": " + beyond + ".");

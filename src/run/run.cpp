@@ -205,7 +205,8 @@ bool Run::load_step(const ContactState& before) {
     return true;
   }
   const double seconds = clock.totalElapsedTime(true);
-  if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target)}, before)) return false;
+  const auto loads = at_rest(steps_.time(), steps_.factors());
+  if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target), loads}, before)) return false;
   for (const auto& w : warnings_of(report, model_.settings(), at_factor(stage, target))) warn(w);
   for (const auto& w : dropped) warn(w);
   failure_.reset();
@@ -279,7 +280,8 @@ bool Run::time_step(const ContactState& before) {
     return fail({failed, report.step, dynamics_->mechanism(), steps_.target(), false}, steps_.target());
   }
   const bool compares = target == 1 || writes();  // outlines of stones
-  if (!in_range({state_, load, construction_.absent(), at_time(stage, time), true, compares}, before)) return false;
+  const StepEnd end{state_, load, construction_.absent(), at_time(stage, time), next_in_time(steps_), true, compares};
+  if (!in_range(end, before)) return false;
   for (const auto& w : warnings_of(report.step, model_.settings(), at_time(stage, time))) warn(w);
   recorder_->set_loads(steps_.factors(target), time);
   const double duration = steps_.stage_parameters().duration;

@@ -1,6 +1,7 @@
 // JSON of COMPAS: whatever holds meshes. A mesh is an object with "vertex" and "face"; it is a stone unless it
 // belongs to what two stones share (interfaces and contacts on the edges of a graph). Boxes and polyhedra are as
-// simple; any other shape that could be a stone is refused, since a structure without it would be another one.
+// simple, and of a network of cells each is a stone; any other shape that could be a stone is refused, since a
+// structure without it would be another one.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -33,6 +34,9 @@ constexpr std::size_t letters_of_guid = 36;
 bool is_mesh_data(const CompasJson& value) {
   return value.is_object() && value.contains("vertex") && value.contains("face");
 }
+
+/// The data of a CellNetwork: vertices and faces that cells share, which name theirs.
+bool is_cell_network(const CompasJson& value) { return is_mesh_data(value) && value.contains("cell"); }
 
 /// Where an element of a model, of any version, keeps its geometry; nothing for what is no element, such as meshes that
 /// a user has called so.
@@ -89,7 +93,9 @@ class CompasReader {
     if (!value.is_object()) return;
     take_name(value, around);
     const std::string shape = compas_class(value);
-    if (is_mesh_data(value))
+    if (is_cell_network(value))
+      add_cells(value, around);
+    else if (is_mesh_data(value))
       add_mesh(value, around);
     else if (shape == "Box")
       add_box(inside_of(value), around);
@@ -165,7 +171,7 @@ class CompasReader {
     refuse_stones(file_,
                   "at " + (around.path.empty() ? "the top" : around.path) + " is " +
                       (type.empty() ? std::string("what holds no mesh") : "a shape of type " + type) +
-                      ", and of shapes only meshes, boxes and polyhedra are read",
+                      ", and of shapes only meshes, boxes, polyhedra and cells of a CellNetwork are read",
                   "Make it a mesh by its to_mesh, or take it out, and save the file anew by compas.json_dump");
   }
 
@@ -213,6 +219,46 @@ class CompasReader {
     add_surface(mesh["vertex"], mesh["face"], "vertex", default_place, around);
   }
 
+  /// Faces of no cell bound nothing and are no stones.
+  void add_cells(const CompasJson& network, const Around& around) {
+    const std::string path = around.path.empty() ? "the top" : around.path;
+    if (!network["cell"].is_structured() || network["cell"].empty())
+      refuse_stones(file_, "at " + path + " is a CellNetwork without cells",
+                    "Give it cells, each a stone, or save its faces as meshes");
+    const auto vertices = members_of(network["vertex"]), faces = members_of(network["face"]);
+    for_each(network["cell"], [&](const std::string& key, const CompasJson& cell) {
+      CompasJson mesh{{"vertex", CompasJson::object()}, {"face", CompasJson::object()}};
+      if (network.contains("default_vertex_attributes"))
+        mesh["default_vertex_attributes"] = network["default_vertex_attributes"];
+      for (const auto& face : cell) {
+        const auto found = faces.find(key_of(face));
+        if (found == faces.end())
+          refuse_stones(
+              file_,
+              "at " + path + " cell " + key + " names the face " + in_quotes(key_of(face)) + ", which is not there",
+              "Save the file anew by compas.json_dump");
+        mesh["face"][found->first] = *found->second;
+        for (const auto& corner : *found->second)
+          if (const auto at = vertices.find(key_of(corner)); at != vertices.end())
+            mesh["vertex"][at->first] = *at->second;
+      }
+      Around of_cell = around;
+      of_cell.path += (around.path.empty() ? "" : " > ") + std::string("cell > ") + key;
+      of_cell.name += (around.name.empty() ? "" : " ") + std::string("cell ") + key;
+      of_cell.numbered = false;
+      add_mesh(mesh, of_cell);
+    });
+  }
+
+  /// Of a member, as another one names it: by a number or a text.
+  static std::string key_of(const CompasJson& name) { return name.is_string() ? name.get<std::string>() : name.dump(); }
+
+  static std::map<std::string, const CompasJson*> members_of(const CompasJson& object) {
+    std::map<std::string, const CompasJson*> members;
+    for_each(object, [&](const std::string& key, const CompasJson& member) { members.emplace(key, &member); });
+    return members;
+  }
+
   void add_polyhedron(const CompasJson& shape, const Around& around) {
     if (!shape.is_object() || !shape.contains("vertices") || !shape.contains("faces"))
       refuse_stones(file_, "at " + around.path + " a polyhedron has no vertices and faces",
@@ -253,7 +299,7 @@ class CompasReader {
     for_each(faces, [&](const std::string& key, const CompasJson& points) {
       std::vector<int> face;
       for (const auto& point : points) {
-        const std::string name = point.is_string() ? point.get<std::string>() : point.dump();
+        const std::string name = key_of(point);
         const auto found = number.find(name);
         if (found == number.end())
           refuse_stones(

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
-#include "base/error.hpp"
-#include "base/text.hpp"
 #include "stones/cut_edges.hpp"
 #include "stones/drawing.hpp"
 #include "stones/welded_points.hpp"
@@ -104,15 +103,15 @@ class Imprinting {
         welded_(weld),
         number_(numbers_of_points()),
         pieces_(numbers_of_pieces()),
-        points_(with_corners_as_one()),
-        cut_(points_, weld) {}
+        cut_(std::make_unique<CutEdges<3>>(welded_.points(), weld)) {
+    make_corners_one();
+  }
 
   Imprint run() {
     std::map<std::array<int, 2>, std::vector<int>> joints_of_facet;
     for (int j = 0; j < static_cast<int>(joints_.joints.size()); ++j)
       for (int side = 0; side < 2; ++side)
         joints_of_facet[{joints_.joints[j].stone[side], joints_.joints[j].facet[side]}].push_back(j);
-    imprint_.points = points_;
     imprint_.number = number_;
     for (int s = 0; s < static_cast<int>(stones_.size()); ++s)
       for (int f = 0; f < static_cast<int>(stones_[s].facets.size()); ++f) cut_facet(s, f, joints_of_facet[{s, f}]);
@@ -167,24 +166,25 @@ class Imprinting {
   }
 
   /// A point that lies on both edges of a corner is that corner, though it is a little farther from it than points that
-  /// are one: both edges would go to it and back. Returns the points that are left, in their order.
-  Places with_corners_as_one() {
+  /// are one: both edges would go to it and back. Leaves the points of the imprint, in their order.
+  void make_corners_one() {
     const auto& x = welded_.points();
     DisjointSets same(x.size());
-    CutEdges<3> edges(x, weld_);
     for (std::size_t s = 0; s < stones_.size(); ++s)
       for (const auto& facet : stones_[s].facets) {
         std::multimap<int, int> after;
         for (const auto& e : facet.edges) after.emplace(number_[s][e[0]], number_[s][e[1]]);
         for (const auto& [before, corner] : after)
           for (auto [at, end] = after.equal_range(corner); at != end; ++at)
-            for (const int point : between(edges, before, corner, at->second))
+            for (const int point : between(*cut_, before, corner, at->second))
               if (norm(x[point] - x[corner]) <= farthest_corner * weld_) same.unite(point, corner);
       }
     std::map<int, int> number;  // of those that stand for others
     Places left;
     for (int k = 0; k < static_cast<int>(x.size()); ++k)
       if (number.emplace(same.root(k), static_cast<int>(left.size())).second) left.push_back(x[k]);
+    imprint_.points = std::move(left);
+    if (imprint_.points.size() == x.size()) return;  // edges are cut as they are here
     const auto renumber = [&](Loop& loop) {
       for (int& point : loop)
         if (point >= 0) point = number.at(same.root(point));
@@ -192,7 +192,7 @@ class Imprinting {
     for (auto& loop : number_) renumber(loop);
     for (auto& pieces : pieces_)
       for (auto& loop : pieces) renumber(loop);
-    return left;
+    cut_ = std::make_unique<CutEdges<3>>(imprint_.points, weld_);
   }
 
   /// Points on the way from a to b that are on the way from b to c too.
@@ -215,7 +215,7 @@ class Imprinting {
     for (const auto& e : facet.edges) {
       const int a = number_[s][e[0]], b = number_[s][e[1]];
       if (a == b) continue;
-      const Loop way = cut_.way(a, b);
+      const Loop way = cut_->way(a, b);
       for (std::size_t k = 0; k + 1 < way.size(); ++k) {
         drawing.add_edge(way[k], way[k + 1]);
         border.push_back({drawing.local(way[k]), drawing.local(way[k + 1])});
@@ -227,7 +227,7 @@ class Imprinting {
       Outline outline;
       for (Loop corners : pieces_[j]) {
         if (joints_.joints[j].stone[0] != s) std::reverse(corners.begin(), corners.end());
-        const Loop loop = cut_.around(corners);
+        const Loop loop = cut_->around(corners);
         if (loop.empty()) continue;
         on_facet.back().pieces.push_back(drawing.polygon(loop));
         outline.add(loop);
@@ -252,8 +252,7 @@ class Imprinting {
   WeldedPoints<3> welded_;
   std::vector<Loop> number_;               ///< per stone and point
   std::vector<std::vector<Loop>> pieces_;  ///< per joint and piece
-  const Places points_;
-  CutEdges<3> cut_;
+  std::unique_ptr<CutEdges<3>> cut_;
   Imprint imprint_;
 };
 
@@ -350,34 +349,6 @@ std::vector<StoneJoint> welded_joints(Imprint& imprint, const std::vector<Facete
     cell.joint = other.joint = first + at->second;
   }
   return joints;
-}
-
-void refuse_faults(const Imprint& imprint, const std::vector<FacetedStone>& stones, double tolerance, double weld) {
-  const auto& faults = imprint.faults;
-  if (faults.none()) return;
-  std::string message = "mesh > stones: with joint tolerance = " + number_text(tolerance) +
-                        " [m] and weld = " + number_text(weld) + " [m] the stones do not fit together:";
-  const auto add = [&](std::size_t number, const std::string& what, int stone, const Vector<3>& place) {
-    message += "\n    " + std::to_string(number) + " " + what + ", first of " + in_words(*stones[stone].surface) +
-               " at " + place_in_words(place);
-  };
-  const auto add_cells = [&](const std::vector<int>& cells, const std::string& what) {
-    if (cells.empty()) return;
-    const auto& cell = imprint.cells[cells[0]];
-    add(cells.size(), what, cell.stone, imprint.points[cell.outer[0]]);
-  };
-  if (!faults.open_stones.empty())
-    add(faults.open_stones.size(), "stones whose cut facets are not closed", faults.open_stones[0][0],
-        imprint.points[faults.open_stones[0][1]]);
-  add_cells(faults.lonely, "joint faces that the other stone has not");
-  add_cells(faults.crowded, "faces that more than two stones have");
-  if (!faults.crossings.empty()) {
-    const auto [stone, facet] = faults.crossings[0];
-    add(faults.crossings.size(), "joints that cross on a face", stone, stones[stone].facets[facet].centre);
-  }
-  throw InputError(message +
-                   "\n  Raise joint tolerance above the largest gap in a joint and weld to two to ten times of it, or "
-                   "lower\n  both below the thinnest part of a stone and the narrowest gap that is meant to be open.");
 }
 
 }  // namespace voussoir

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
+#include "stones/facets.hpp"
 #include "stones/solid.hpp"
 
 namespace voussoir {
@@ -95,17 +98,40 @@ class TwoSolids {
   Vector<3> place_{};
 };
 
+// Chords of what is round are those of an eighth of a turn at most: what has fewer sides is a prism.
+constexpr double cosine_of_chords = 0.7071;
+
+/// [m] the highest arc over a plane facet at a place, where it is one of a row that turns one way, as chords do.
+double arc_over_chord(const FacetedStone& stone, const Vector<3>& place, double near) {
+  std::map<std::array<int, 2>, int> facet_left_of;
+  for (std::size_t f = 0; f < stone.facets.size(); ++f)
+    for (const auto& e : stone.facets[f].edges) facet_left_of[e] = static_cast<int>(f);
+  const auto& x = stone.surface->points;
+  double highest = 0;
+  for (const auto& facet : stone.facets) {
+    if (!widened(facet.box, near).overlaps({place, place})) continue;
+    std::array<std::set<int>, 2> turns_to;  // facets to which it turns outward and inward
+    std::array<double, 2> height{};
+    for (const auto& e : facet.edges) {
+      const auto found = facet_left_of.find({e[1], e[0]});
+      const auto& next = found == facet_left_of.end() ? facet : stone.facets[found->second];
+      const double cosine = dot(facet.normal, next.normal);
+      if (&next == &facet || cosine < cosine_of_chords) continue;
+      const auto along = x[e[1]] - x[e[0]], across = (1 / norm(along)) * cross(facet.normal, along);
+      const auto turn = cross(facet.normal, next.normal);
+      double width = 0;
+      for (const auto& other : facet.edges) width = std::max(width, dot(x[other[0]] - x[e[0]], across));
+      const int way = dot(turn, along) > 0 ? 0 : 1;
+      turns_to[way].insert(found->second);
+      height[way] = std::max(height[way], width / 2 * std::tan(std::atan2(norm(turn), cosine) / 4));
+    }
+    for (int way = 0; way < 2; ++way)
+      if (turns_to[way].size() > 1) highest = std::max(highest, height[way]);
+  }
+  return highest;
+}
+
 }  // namespace
-
-double distance_between(const StoneSurface& one, const StoneSurface& other) {
-  return Solid(one).distance(Solid(other), std::numeric_limits<double>::infinity());
-}
-
-double depth_inside(const StoneSurface& stone, const Vector<3>& place) {
-  const Solid solid(stone);
-  const double distance = solid.distance(place, std::numeric_limits<double>::infinity());
-  return solid.holds(place, nearby * distance) ? distance : -distance;
-}
 
 std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>& stones, double depth) {
   std::vector<Solid> solids;
@@ -128,7 +154,11 @@ std::vector<StoneOverlap> overlaps(const std::vector<StoneSurface>& stones, doub
       TwoSolids pair(solids[a], solids[b], depth);
       pair.look_at_corners();
       for (int axis = 0; axis < 3; ++axis) pair.look_along(axis);
-      if (pair.deepest() > depth) found.push_back({{a, b}, pair.deepest(), pair.place()});
+      if (!(pair.deepest() > depth)) continue;
+      StoneOverlap overlap{{a, b}, pair.deepest(), pair.place(), 0};
+      for (const int stone : {a, b})
+        overlap.of_chords += arc_over_chord(facets_of(stones[stone], depth), overlap.place, overlap.depth);
+      found.push_back(overlap);
     }
   }
   return found;

@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "stones/facets.hpp"
-#include "stones/overlaps.hpp"
+#include "stones/solid.hpp"
 #include "stones/welded_points.hpp"
 
 namespace voussoir {
@@ -52,13 +52,14 @@ std::vector<int> shell_of_face(const StoneSurface& stone) {
 std::string cavity_of(const StoneSurface& stone, const std::vector<StoneSurface>& shells) {
   std::vector<Box<3>> boxes;
   for (const auto& shell : shells) boxes.push_back(box_of(shell.points));
+  const Solids solids(shells);
   for (std::size_t outer = 0; outer < shells.size(); ++outer)
     for (std::size_t inner = 0; inner < shells.size(); ++inner) {
       bool within = inner != outer;
       for (int i = 0; i < 3; ++i)
         within = within && boxes[outer].low[i] < boxes[inner].low[i] && boxes[inner].high[i] < boxes[outer].high[i];
       const auto& place = shells[inner].points[0];
-      if (within && depth_inside(shells[outer], place) > same_point * extent(stone.points))
+      if (within && solids[outer].depth(place) > same_point * extent(stone.points))
         return "has a closed surface within another, at " + place_in_words(place) +
                ": of a cavity, or of a stone in a stone. A hollow stone has to be cut into parts without cavity, or "
                "given as a volume of gmsh";

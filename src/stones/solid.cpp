@@ -19,6 +19,9 @@ constexpr std::array<std::array<double, 2>, 4> moved_aside{
 // it.
 constexpr double grazes = 1e-12;
 
+// [-] of the distance of a place from the surface: that far aside of it inside is told from outside without doubt.
+constexpr double nearby_place = 0.5;
+
 double distance_to_segment(const Vector<3>& a, const Vector<3>& b, const Vector<3>& place) {
   const auto along = b - a;
   const double squared = dot(along, along);
@@ -156,6 +159,11 @@ double Solid::distance(const Vector<3>& place, double most) const {
                          [&](int number) { least = std::min(least, distance_to_triangle(triangles_[number], place)); });
     if (least <= reach || reach >= most) return least;
   }
+}
+
+double Solid::depth(const Vector<3>& place) const {
+  const double away = distance(place, std::numeric_limits<double>::infinity());
+  return holds(place, nearby_place * away) ? away : -away;
 }
 
 double Solid::distance(const Solid& other, double most) const {

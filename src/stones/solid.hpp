@@ -2,6 +2,7 @@
 // line is in it. Triangles are found by a tree, so that a stone that was scanned costs little more than a box.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,8 @@ class Solid {
   bool holds(const Vector<3>& place, double near) const;
   /// [m] from a place to the surface, if it is less than `most`; else `most`.
   double distance(const Vector<3>& place, double most) const;
+  /// [m] how deep a place lies inside, negative outside: the distance to the surface.
+  double depth(const Vector<3>& place) const;
   /// [m] between two surfaces, if it is less than `most`; else `most`.
   double distance(const Solid& other, double most) const;
   /// Where a line along an axis is inside: from and to [m] along the axis, ascending. Lines that graze edges are
@@ -40,6 +43,24 @@ class Solid {
   std::vector<TriangleOfPlaces> triangles_;
   std::vector<Edge> edges_;
   BoxTree<3> tree_, edge_tree_;
+};
+
+/// Stones as bodies, each made when it is asked of first.
+class Solids {
+ public:
+  /// @param stones  kept by their addresses
+  explicit Solids(std::vector<const StoneSurface*> stones) : stones_(std::move(stones)), made_(stones_.size()) {}
+  explicit Solids(const std::vector<StoneSurface>& stones) : made_(stones.size()) {
+    for (const auto& stone : stones) stones_.push_back(&stone);
+  }
+  const Solid& operator[](std::size_t stone) const {
+    if (!made_[stone]) made_[stone] = std::make_unique<Solid>(*stones_[stone]);
+    return *made_[stone];
+  }
+
+ private:
+  std::vector<const StoneSurface*> stones_;
+  mutable std::vector<std::unique_ptr<const Solid>> made_;
 };
 
 }  // namespace voussoir

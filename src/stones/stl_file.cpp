@@ -75,7 +75,7 @@ std::vector<StoneSurface> read_ascii(const std::string& file, const std::string&
   StoneLines lines(file, contents);
   std::vector<Vector<3>> corners;
   while (lines.next()) {
-    const std::string& word = lines.words()[0];
+    const std::string word = lower(lines.words()[0]);  // some programs write capitals
     if (word == "solid") {
       stones.emplace_back();
       const std::string name = lines.text_from(1);

@@ -15,7 +15,8 @@ namespace voussoir {
 ///           one name go on with the same stone
 /// STL       ascii (every solid is a stone) or binary (the file is one)
 /// PLY       ascii or binary; the file is a stone
-/// JSON      of COMPAS: meshes, boxes, polyhedra, lists of them, an Assembly or a BlockModel; each is a stone
+/// JSON      of COMPAS: meshes, boxes, polyhedra, cells of a CellNetwork, lists of them, an Assembly or a
+///           BlockModel; each is a stone
 /// STEP      every solid is a stone; the file says its unit, so that lengths are metres times `unit`
 ///
 /// Names of stones differ: one that comes in several files of a folder is that of the file instead, and what comes

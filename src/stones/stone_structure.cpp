@@ -12,6 +12,7 @@
 #include "base/words.hpp"
 #include "stones/overlaps.hpp"
 #include "stones/repair.hpp"
+#include "stones/solid.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/stone_text.hpp"
 
@@ -46,7 +47,7 @@ double median_size(const std::vector<StoneSurface>& stones) {
 /// Tells what was found, in lines for the one who looks and in warnings for what may be wrong.
 class Teller {
  public:
-  explicit Teller(StoneStructure& s) : s_(s) {}
+  explicit Teller(StoneStructure& s) : s_(s), solids_(s.stones) {}
 
   void of_stones(const std::vector<Repair>& repairs) {
     Repair sum;
@@ -166,7 +167,7 @@ class Teller {
     const auto middle = mean(corners);
     for (int k = 0; k < static_cast<int>(s_.stones.size()); ++k)
       if (k != joint.stone[0] && k != joint.stone[1] && s_.faceted[k].box.overlaps({middle, middle}) &&
-          depth_inside(s_.stones[k], middle) > -s_.tolerance)
+          solids_[static_cast<std::size_t>(k)].depth(middle) > -s_.tolerance)
         return true;
     return false;
   }
@@ -244,12 +245,13 @@ class Teller {
 
   /// [m] from a stone to the nearest of those whose boxes may be nearer than the nearest so far.
   double distance_to_others(int stone) const {
-    double least = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (int k = 0; k < static_cast<int>(s_.stones.size()); ++k) {
       const auto &a = s_.faceted[stone].box, &b = s_.faceted[k].box;
       Vector<3> apart{};
       for (int i = 0; i < 3; ++i) apart[i] = std::max({0.0, a.low[i] - b.high[i], b.low[i] - a.high[i]});
-      if (k != stone && norm(apart) < least) least = std::min(least, distance_between(s_.stones[stone], s_.stones[k]));
+      if (k != stone && norm(apart) < least) least = std::min(least, solids_[stone].distance(solids_[k], infinity));
     }
     return least;
   }
@@ -260,6 +262,7 @@ class Teller {
   }
 
   StoneStructure& s_;
+  Solids solids_;
 };
 
 }  // namespace
@@ -271,13 +274,20 @@ void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) 
   std::string message = "mesh > stones: " + counted(found.size(), "pair of stones lies", "pairs of stones lie") +
                         " in each other by more than the joint tolerance of " + metres(tolerance) + ":";
   for (std::size_t k = 0; k < std::min<std::size_t>(found.size(), 5); ++k) {
-    const auto& [pair, depth, place] = found[k];
+    const auto& [pair, depth, place, of_chords] = found[k];
     message += "\n    " + in_words(stones[pair[0]]) + " and " + in_words(stones[pair[1]]) + " by " + metres(depth) +
-               " or more at (" + six_digits(place[0]) + ", " + six_digits(place[1]) + ", " + six_digits(place[2]) + ")";
+               " or more at " + place_in_words(place);
+    if (depth <= of_chords) message += ", as chords of round faces do that have other corners on either side";
   }
-  throw InputError(message +
-                   "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise "
-                   "joint tolerance above the overlap.");
+  message +=
+      "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise joint tolerance "
+      "above "
+      "the overlap.";
+  if (std::any_of(found.begin(), found.end(), [](const auto& o) { return o.depth <= o.of_chords; }))
+    message +=
+        "\n  Draw round faces that touch with the same chords, corner on corner; a larger joint tolerance finds only "
+        "those chords of both that face each other within 5 degrees.";
+  throw InputError(message);
 }
 
 double tolerance_of(const std::vector<StoneSurface>& stones, const StonesParameters& p) {

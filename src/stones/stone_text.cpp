@@ -45,10 +45,12 @@ bool StoneLines::next() {
   words_.clear();
   bool more = false;
   while ((words_.empty() || more) && at_ < contents_.size()) {
-    const std::size_t begin = at_, end = std::min(contents_.find('\n', at_), contents_.size());
+    const std::size_t begin = at_;
+    const auto [end, next] = end_of_line(contents_, begin);
     ++read_;
     if (words_.empty()) line_ = read_;
     add_words(end);
+    at_ = returns_alone_ ? end + 1 : next;
     more = goes_on(begin, end);
     if (!more) drop_comment();
   }
@@ -56,19 +58,18 @@ bool StoneLines::next() {
   return !words_.empty();
 }
 
-/// Of the text up to an end of line; goes behind it.
+/// Of the text up to an end of line.
 void StoneLines::add_words(std::size_t end) {
   std::string word;
   for (std::size_t k = at_; k <= end; ++k) {
     const char c = k < end ? contents_[k] : ' ';
-    if (c != ' ' && c != '\t' && c != '\r') {
+    if (c != ' ' && c != '\t') {
       word += c;
     } else if (!word.empty()) {
       words_.push_back(std::move(word));
       word.clear();
     }
   }
-  at_ = end + 1;
 }
 
 /// Whether the line ends in the sign that it goes on, which is taken off. In a comment it is no sign: many name a
@@ -141,6 +142,12 @@ void StoneBytes::require(std::size_t bytes) const {
                   "ends at byte " + std::to_string(contents_.size()) + ", where " + std::to_string(bytes - left()) +
                       " more are wanted",
                   "It was cut when it was copied, or is damaged: export it anew");
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
 }
 
 std::string stem(const std::string& file) { return std::filesystem::path(file).stem().string(); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/tensor.hpp"
+#include "base/text.hpp"
 
 namespace voussoir {
 
@@ -28,7 +29,10 @@ enum class LineRules { plain, obj };
 class StoneLines {
  public:
   StoneLines(std::string file, const std::string& contents, LineRules rules = LineRules::plain)
-      : file_(std::move(file)), contents_(contents), rules_(rules), at_(begin_of_text(file_, contents)) {}
+      : file_(std::move(file)), contents_(contents), rules_(rules), at_(begin_of_text(file_, contents)) {
+    const auto [end, next] = end_of_line(contents_, at_);
+    returns_alone_ = end + 1 == next && contents_[end] == '\r';
+  }
   /// Goes to the next line with words; false at the end.
   bool next();
   const std::vector<std::string>& words() const { return words_; }
@@ -53,6 +57,7 @@ class StoneLines {
   const std::string& contents_;
   LineRules rules_;
   std::size_t at_;
+  bool returns_alone_ = false;  ///< lines end in "\r": a "\n" behind the last one is a byte of what follows the text
   int line_ = 0, read_ = 0;
   std::vector<std::string> words_;
 };
@@ -87,6 +92,9 @@ class StoneBytes {
   std::size_t at_;
   bool swap_;
 };
+
+/// Without capitals of plain letters.
+std::string lower(std::string);
 
 /// The file name without folders and without ending.
 std::string stem(const std::string& file);

@@ -41,13 +41,13 @@ struct SystemRow {
   /// Of levels of block motions, which several ranks may have in their place: one construction, and one cycle.
   double levels_build_seconds = 0, levels_cycle_seconds = 0;
   PartitionQuality partition;
-  double points_imbalance = 1;                        ///< [-] selected points
-  std::vector<MultigridLevel> levels, motion_levels;  ///< of the continuum, and of block motions where they have some
-  std::array<Traffic, traffic_kinds> total, largest;  ///< over ranks, of this solve
+  double points_imbalance = 1;                          ///< [-] selected points
+  std::vector<MultigridLevel> levels, motion_levels;    ///< of the continuum, and of block motions where they have some
+  std::array<Traffic, traffic_kinds> total, largest;    ///< over ranks, of this solve
   std::array<long long, traffic_kinds> largest_sent{};  ///< [bytes] one message or collective, over ranks
-  long long motions_bytes = 0;                        ///< of the rank with most
-  double bare_memory_MB = 0;                          ///< of the process before its first system, likewise
-  double peak_memory_MB = 0;                          ///< of the process up to the end of the solve, likewise
+  long long motions_bytes = 0;                          ///< of the rank with most
+  double bare_memory_MB = 0;                            ///< of the process before its first system, likewise
+  double peak_memory_MB = 0;                            ///< of the process up to the end of the solve, likewise
 };
 
 class SystemStudy {

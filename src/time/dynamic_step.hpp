@@ -94,6 +94,9 @@ class DynamicStep {
   std::unique_ptr<AdaptiveStep> step_;
 };
 
+/// The next step of a stage with a duration, for its loads.
+StepInTime next_in_time(const LoadSteps&);
+
 /// What a time step takes, for the next step of a stage with a duration: the mean of the loads, whose impulse is theirs
 /// however long the step is.
 void loads_of_time_step(const Model&, const LoadSteps&, std::vector<double>& load, std::vector<double>& prescribed);

@@ -32,13 +32,18 @@ double DynamicStep::begin(ContactState& state, bool initial) {
   return given;
 }
 
-void loads_of_time_step(const Model& model, const LoadSteps& steps, std::vector<double>& load,
-                        std::vector<double>& prescribed) {
+StepInTime next_in_time(const LoadSteps& steps) {
   VOUSSOIR_EXPECT(!steps.finished() && steps.dynamic() && "the next step is one of time");
   const double begin = steps.reached(), end = steps.target();
+  return {steps.time(begin), steps.time(end), steps.factors(begin), steps.factors(end)};
+}
+
+void loads_of_time_step(const Model& model, const LoadSteps& steps, std::vector<double>& load,
+                        std::vector<double>& prescribed) {
+  const auto next = next_in_time(steps);
   std::vector<double> unused;
-  model.mean_loads({steps.time(begin), steps.time(end), steps.factors(begin), steps.factors(end)}, load);
-  model.loads(steps.factors(end), steps.time(end), unused, prescribed);
+  model.mean_loads(next, load);
+  model.loads(next.end, next.to, unused, prescribed);
 }
 
 void untie_what_moved(const Model& model, ContactState& state) {

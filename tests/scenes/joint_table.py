@@ -112,6 +112,19 @@ class JointTable(unittest.TestCase):
         dry, _ = run("dry", "incline", "mesh/gmsh/geometry/slope=0.3")
         self.assertEqual([joint["damage"] for joint in dry.values()], [0])
 
+    def test_places_of_what_slides_and_turns_lie_in_its_joint(self):
+        # Joints of a continuum pull as well: their resultants may cross their planes anywhere.
+        outside = 0
+        for mode, push, kind in (("bonded", 9.0, "first_sliding"), ("adaptive", 1.4715, "first_sliding"), ("all", 1.4715, "widest_hinges")):
+            joints, statics = run(f"places {mode} {push}", "wall", f"selection/mode={mode}", f"loads/sideways/ax={push}")
+            self.assertTrue(statics[kind])
+            for place in statics["first_sliding"] + statics["widest_hinges"]:
+                joint = joints[tuple(place["blocks"])]
+                self.near(math.dist((place["x_m"], place["y_m"]), (joint["x_m"], joint["y_m"])), 0, joint["length_m"] / 2 + 1e-9)
+                through = math.dist((joint["through_x_m"], joint["through_y_m"]), (joint["x_m"], joint["y_m"]))
+                outside += through > 1.001 * joint["length_m"] / 2
+        self.assertGreater(outside, 0)
+
     def test_runs_that_end_in_time_have_no_table(self):
         with self.assertRaises(FileNotFoundError):
             run("time", "sliding-block")

@@ -120,6 +120,7 @@ class JointTableInSpace(program.SceneTest):
                 "cells along": 2, "cells up": 1, "cells across": 2}
         push = (0.1, 0.02)
         text = scene({"type": "wall in space", "wall in space": wall}, {"ground": {"on": "base"}}, push, 0.6)
+        self.in_their_joints(wall)
         tables = {}
         for ranks in (1, 2):
             run = self.run_scene(text, out=f"ranks {ranks}", ranks=ranks)
@@ -140,6 +141,20 @@ class JointTableInSpace(program.SceneTest):
             for column in ("force_x_N", "force_y_N", "force_z_N"):
                 self.near(joint[column], tables[1][pair][column], 1e-5 * stone * blocks)
         self.report(run.folder)
+
+    def in_their_joints(self, wall):
+        """Joints of a continuum pull as well: their resultants may cross their planes anywhere, what slides may not."""
+        text = scene({"type": "wall in space", "wall in space": wall}, {"ground": {"on": "base"}}, (0.9, 0.1), 0.6,
+                     selection={"mode": "bonded"})
+        run = self.run_scene(text, out="bonded")
+        joints, sides, outside = self.joints(run), (0.4, 0.2, 0.2), 0
+        self.assertTrue(run.result["statics"]["first_sliding"])
+        for place in run.result["statics"]["first_sliding"]:
+            joint = joints[tuple(place["blocks"])]
+            for c, side in zip("xyz", sides):
+                self.near(place[c + "_m"], joint[c + "_m"], side / 2 + 1e-9)
+                outside += abs(joint[f"through_{c}_m"] - joint[c + "_m"]) > 1.001 * side / 2
+        self.assertGreater(outside, 0)
 
     def report(self, folder):
         done = subprocess.run([sys.executable, REPORT, folder], capture_output=True, text=True, check=False)

@@ -180,13 +180,16 @@ class Slips(unittest.TestCase):
 class Turns(unittest.TestCase):
     """Piers that turn with their ground: the weight passes b / h of the way when they have turned by half of b / h."""
 
-    def pier(self, name, turn, stones):
+    def pier(self, name, turn, stones, heat=0.0, **sections):
         outlines = {"ground": rectangle(0, -0.25, 0.5, 0)}
         for k, (low, high) in enumerate(zip(stones, stones[1:])):
             outlines[f"stone {k}"] = rectangle(0, low, 0.5, high)
         loads = {"turn": {"type": "settlement", "support": "foot", "rotation": turn, "about x": 0.25, "about y": 0.0}}
         stages = {"own weight": OWN_WEIGHT, "turn": {"increments": 5, "loads": {"turn": 1.0}}}
-        return Run(name, pose(name, outlines, 0.25, {"foot": ("ground", 0)}, loads, stages, 5.0))
+        if heat:
+            loads["heat"] = {"type": "temperature", "change": heat}
+            stages["own weight"] = {"loads": {**OWN_WEIGHT["loads"], "heat": 1.0}}
+        return Run(name, pose(name, outlines, 0.25, {"foot": ("ground", 0)}, loads, stages, 5.0, **sections))
 
     def test_a_turn_is_told_as_a_share_of_the_angle_at_which_the_pier_topples(self):
         # 0.5 m wide and 2 m high it topples at 0.25 rad; in one piece or many. Elastic stones: 1e-4 of it.
@@ -198,6 +201,13 @@ class Turns(unittest.TestCase):
             self.assertIn("ground", turn["where"])
             self.assertIn("WARNING", run.last)
             self.assertAlmostEqual(run.first_told(), 0.4, delta=1e-6)  # 16 %; 0.02 rad, 8 %, is not told of
+
+    def test_what_heat_does_within_stones_turns_with_them(self):
+        # The nodal forces of heat are a hundred times the weight; about the centre of their stone they have no moment.
+        warm = self.pier("warm", 0.1, (0, 0.5, 2), heat=20.0)
+        self.assertEqual(warm.outcome, "equilibrium")
+        self.assertAlmostEqual(warm.warnings("turn_beyond_first_order")[0]["how_much"], 0.4, delta=4e-3)
+        self.assertAlmostEqual(warm.first_told(), 0.4, delta=1e-6)
 
     def test_past_its_point_of_balance_a_pier_is_not_in_equilibrium(self):
         run = self.pier("fallen in three", -0.26, (0, 0.5, 1, 2))

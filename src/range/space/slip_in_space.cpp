@@ -57,18 +57,42 @@ struct Footing {
   double on_others = 0;  ///< [-] share that is not uncovered because further stones are there
 };
 
-/// @param others  stones round about
+/// Stones round about.
+class StonesAbout {
+ public:
+  /// @param placed  kept by their addresses
+  explicit StonesAbout(const std::vector<PlacedSurface>& placed) : placed_(placed), solids_(surfaces_of(placed)) {}
+
+  /// Whether a place lies in one that is no stone of a joint, or no farther outside of one.
+  bool hold(const Vector<3>& x, double within, BlockId block_i, BlockId block_j) const {
+    for (std::size_t k = 0; k < placed_.size(); ++k) {
+      const auto& stone = placed_[k];
+      if (stone.block == block_i || stone.block == block_j || !widened(stone.box, within).overlaps({x, x})) continue;
+      if (distance_outside(solids_[k], x) <= within) return true;
+    }
+    return false;
+  }
+
+ private:
+  static std::vector<const StoneSurface*> surfaces_of(const std::vector<PlacedSurface>& placed) {
+    std::vector<const StoneSurface*> surfaces;
+    for (const auto& stone : placed) surfaces.push_back(&stone.surface);
+    return surfaces;
+  }
+
+  const std::vector<PlacedSurface>& placed_;
+  Solids solids_;
+};
+
 Footing footing_of(const SpaceModel& model, const StepEnd& end, const OwnSlip& slip, Side carries,
-                   const std::vector<PlacedSurface>& others) {
+                   const StonesAbout& others) {
   const auto& s = model.structure();
   const auto& u = end.state.displacement;
   const auto& joint = model.points().joint_of(slip.first);
   const int other = carries == Side::i ? joint.local_j : joint.local_i;
-  const auto stone = surface_now(s, u, other);
+  const Solid stone(surface_now(s, u, other));
   const auto is_on_another = [&](const Vector<3>& x, double within) {
-    return std::any_of(others.begin(), others.end(), [&](const PlacedSurface& o) {
-      return o.block != joint.block_i && o.block != joint.block_j && distance_outside(o.surface, x) <= within;
-    });
+    return others.hold(x, within, joint.block_i, joint.block_j);
   };
   Footing footing;
   Vector<3> now{}, drawn{};
@@ -91,8 +115,8 @@ Footing footing_of(const SpaceModel& model, const StepEnd& end, const OwnSlip& s
   const double half = RangeParameters::share_of_a_cell * cell / force;
   const std::vector<double> still(u.size(), 0.0);
   // Where a joint is not plane the resultant passes beside its faces as it is drawn.
-  const double away =
-      distance_outside(stone, (1 / force) * now) - distance_outside(surface_now(s, still, other), (1 / force) * drawn);
+  const double away = distance_outside(stone, (1 / force) * now) -
+                      distance_outside(Solid(surface_now(s, still, other)), (1 / force) * drawn);
   if (away > half && !is_on_another((1 / force) * now, half)) footing.outside = away;
   return footing;
 }
@@ -113,8 +137,7 @@ bool only_weighs_on(const SpaceModel& model, const StepEnd& end, const OwnSlip& 
 
 /// As in the plane: a stone that a support holds bears a force wherever it acts, and one that bears a stone which has
 /// gone on to others bears what is theirs.
-void look_at_stones(const SpaceModel& model, const StepEnd& end, OwnSlip& slip,
-                    const std::vector<PlacedSurface>& others) {
+void look_at_stones(const SpaceModel& model, const StepEnd& end, OwnSlip& slip, const StonesAbout& others) {
   const auto& joint = model.points().joint_of(slip.first);
   const auto i = footing_of(model, end, slip, Side::i, others), j = footing_of(model, end, slip, Side::j, others);
   const auto bears_all = [&](int block, const Footing& of_the_other) {
@@ -145,6 +168,7 @@ std::vector<OwnSlip> long_slips(const SpaceModel& model, const StepEnd& end) {
   const auto gap = model.gaps(end.state.displacement, end.state.lambda);
   const auto slip = [&](int k) { return std::hypot(gap[3 * k + 1], gap[3 * k + 2]); };
   const auto presses = [&](int k) { return least > 0 && end.state.lambda[3 * k] > least; };
+  const std::vector<PlacedSurface> none;
   std::vector<OwnSlip> found;
   for (int first = 0, last = 0; first < points.owned(); first = last) {
     const int joint = points.points()[first].joint;
@@ -164,7 +188,7 @@ std::vector<OwnSlip> long_slips(const SpaceModel& model, const StepEnd& end) {
     }
     if (told.points == 0) continue;
     told.around = box_around(model, end, own);
-    look_at_stones(model, end, own, {});
+    look_at_stones(model, end, own, StonesAbout(none));
     found.push_back(std::move(own));
   }
   return found;
@@ -185,7 +209,8 @@ std::vector<LongSlip> slips_of_all(const SpaceModel& model, const StepEnd& end) 
     auto around = empty_box<3>();
     for (const auto& slip : mine)
       if (slip.told.past_an_end()) around.add(slip.told.around);
-    const auto others = surfaces_in(around, surfaces_here(model, end), *model.structure().comm());
+    const auto placed = surfaces_in(around, surfaces_here(model, end), *model.structure().comm());
+    const StonesAbout others(placed);
     for (auto& slip : mine)
       if (slip.told.past_an_end()) look_at_stones(model, end, slip, others);
     slips = gathered();

@@ -11,7 +11,6 @@
 #include "mesh/bytes.hpp"
 #include "range/boxes_of_ranks.hpp"
 #include "range/turn_records.hpp"
-#include "stones/overlaps.hpp"
 
 namespace voussoir {
 namespace {
@@ -49,10 +48,6 @@ StoneSurface surface_now(const Structure<3>& s, const std::vector<double>& u, in
     if (face.node[3] == face.node[2]) surface.faces.back().pop_back();
   }
   return surface;
-}
-
-double distance_outside(const StoneSurface& surface, const Vector<3>& place) {
-  return std::max(0.0, -depth_inside(surface, place));
 }
 
 std::vector<PlacedSurface> surfaces_here(const SpaceModel& model, const StepEnd& end) {

@@ -1,12 +1,13 @@
 // Surfaces of stones in space where a displacement has moved them.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "mesh/box_tree.hpp"
 #include "model/space/space_model.hpp"
 #include "range/range_check.hpp"
-#include "stones/surface.hpp"
+#include "stones/solid.hpp"
 
 namespace voussoir {
 
@@ -39,7 +40,9 @@ std::vector<PlacedSurface> surfaces_in(const Box<3>& mine, const std::vector<Pla
 /// Border of a local block, its faces outward.
 StoneSurface surface_now(const Structure<3>&, const std::vector<double>& u, int block);
 
-/// [m] How far a place is outside of a surface, 0 in it.
-double distance_outside(const StoneSurface&, const Vector<3>& place);
+/// [m] How far a place is outside of a stone, 0 in it.
+inline double distance_outside(const Solid& stone, const Vector<3>& place) {
+  return std::max(0.0, -stone.depth(place));
+}
 
 }  // namespace voussoir

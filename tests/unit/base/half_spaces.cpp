@@ -1,5 +1,6 @@
 // The shortest vector within half spaces: by hand, and by what marks it among all that lie within.
 #include "base/half_spaces.hpp"
+#include "base/product.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
@@ -11,12 +12,6 @@ namespace {
 using namespace voussoir;
 
 constexpr double round_off = 1e-10;  // of vectors of size one: ten times what bounds are kept to
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 TEUCHOS_UNIT_TEST(HalfSpaces, NothingAskedIsNoVector) {
   TEST_COMPARE_ARRAYS(shortest_within({}, 2), (std::vector<double>{0, 0}));

@@ -1,5 +1,6 @@
 // Drawings hold what they say, and what is wrong in them is told by line and place.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "drawings/curves.hpp"
@@ -25,6 +26,16 @@ TEUCHOS_UNIT_TEST(Csv, RowsOfAStoneAreItsCornersAndColumnsAreFoundByName) {
   TEST_ASSERT(drawn.stones[0].loops[0].corners == (Polygon{{0, 0}, {1, 0}, {1, 1}}));
   TEST_ASSERT(drawn.stones[1].sets.empty());
   TEST_ASSERT(drawn.stones[1].loops[0].corners == (Polygon{{1, 0}, {2, 0}, {2, 1}}));
+}
+
+TEUCHOS_UNIT_TEST(Csv, LinesEndInAnyWay) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto drawn =
+        read_csv_stones("a.csv", "stone,x,y" + end + end + "a,0,0" + end + "a,1,0" + end + "a,1,1" + end);
+    TEST_EQUALITY(drawn.stones.size(), 1u);
+    TEST_EQUALITY(drawn.stones[0].origin, "a.csv, line 3");
+    TEST_EQUALITY(drawn.stones[0].loops[0].corners.size(), 3u);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Csv, AHoleIsRowsWithANumberOfTheirOwn) {
@@ -82,6 +93,12 @@ TEUCHOS_UNIT_TEST(Dxf, ClosedPolylinesAreStonesAndTheirLayerIsASet) {
   TEST_ASSERT(drawn.stones[1].loops[0].corners == (Polygon{{5, 0}, {6, 0}, {6, 7}}));
   TEST_EQUALITY(drawn.unused.size(), 2u);
   TEST_EQUALITY(drawn.unused[0], "1 LINE");
+}
+
+TEUCHOS_UNIT_TEST(Dxf, LinesEndInAnyWay) {
+  auto text = dxf(polyline({{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}}}));
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  TEST_EQUALITY(read_dxf_stones("a.dxf", text).stones.size(), 1u);
 }
 
 TEUCHOS_UNIT_TEST(Dxf, ABulgeIsAnArcInChordsOfFiveDegrees) {

@@ -1,6 +1,10 @@
 // Loads that are placed at a point where stones meet say which stone bears them, and take another by its set.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <array>
+#include <memory>
 
+#include "mesh/block_list.hpp"
+#include "mesh/partition.hpp"
 #include "unit/loads/load_cases.hpp"
 
 namespace {
@@ -68,6 +72,67 @@ TEUCHOS_UNIT_TEST(MovingTrain, ThatStandsOnAJointSaysWhichStoneBearsIt) {
   p.position = 1.05;
   p.speed = 10;  // passes joints in no time
   TEST_ASSERT(wall.made(p)->warnings().empty());
+}
+
+/// Two stones of 1.2 x 0.4 x 0.3 m side by side along x, a cube each, their tops a set; their joint is at y = 0.4 m.
+struct SideBySide {
+  std::unique_ptr<BlockSource<3>> source;
+  Structure<3> structure;
+
+  SideBySide()
+      : source(make_source(blocks())),
+        structure(
+            *source, share_out(*source, *everyone()), {},
+            [](const Block<3>&) {
+              return Material{1e9, 0.2, density};
+            },
+            everyone()) {}
+  static BlockList<3> blocks() {
+    BlockList<3> list;
+    list.facet_sets = {"top"};
+    for (int b = 0; b < 2; ++b) {
+      Block<3> block;
+      block.id = b;
+      block.name = b == 0 ? "south" : "north";
+      for (int k = 0; k < 8; ++k) {
+        const std::array<int, 3> at{k % 4 == 1 || k % 4 == 2, b + (k % 4 > 1), k / 4};
+        block.position.push_back({1.2 * at[0], 0.4 * at[1], 0.3 * at[2]});
+        block.vertex.push_back(at[0] + 2 * at[1] + 6 * at[2]);
+      }
+      block.cells = {{{0, 1, 2, 3, 4, 5, 6, 7}, 8}};
+      block.facets = {{{4, 5, 6, 7}, 4, 0}};
+      list.blocks.push_back(block);
+    }
+    return list;
+  }
+  Warnings warnings(const MovingTrainParameters& p) const {
+    LoadParameters load;
+    load.kind = p;
+    return make_load(load, LoadSite<3>{structure, *source, {}, "scene > loads > tested"})->warnings();
+  }
+};
+
+// Wheels along the joint of two stones stand on both all along, so that it matters in motion too; places are rounded.
+TEUCHOS_UNIT_TEST(MovingTrain, AlongAJointSaysWhichStoneBearsItsWheels) {
+  const SideBySide deck;
+  MovingTrainParameters p;
+  p.on = "top";
+  p.axle_load = {1e3};
+  p.behind = {0};
+  p.position = 0.5;
+  for (const double y : {0.4, 0.1 + 0.3 + 1e-16, 0.4 - 1e-10, 0.4 + 1e-10})
+    for (const double speed : {0.0, 10.0}) {
+      p.y = y;
+      p.speed = speed;
+      TEST_ASSERT(says(deck.warnings(p), "is on 2 stones, south, north; north bears the load"));
+    }
+  for (const double y : {0.0, 0.39, 0.41, 0.8}) {
+    p.y = y;
+    TEST_ASSERT(deck.warnings(p).empty());
+  }
+  p.gauge = 0.2;  // of two lines of wheels the second is along the joint
+  p.y = 0.3;
+  TEST_ASSERT(says(deck.warnings(p), "is on 2 stones"));
 }
 
 TEUCHOS_UNIT_TEST(Traction, ActsOnTheStonesOfTheSetThatIsNamed) {

@@ -1,9 +1,12 @@
 // Loads on edges, of water, of axles and of heat against computations by hand, on any number of ranks.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
 #include "loads/ground_motion.hpp"
+#include "mesh/curved_edges.hpp"
 #include "unit/loads/load_cases.hpp"
 
 namespace {
@@ -310,6 +313,71 @@ TEUCHOS_UNIT_TEST(Temperature, ForcesAreTheStiffnessTimesTheFreeExpansion) {
     TEST_FLOATING_EQUALITY(*std::max_element(strain.begin(), strain.end()), free, 1e-15);
     TEST_EQUALITY(*std::min_element(strain.begin(), strain.end()), 0.0);  // the other courses stay cold
   }
+}
+
+/// Of forces on the stones of a structure: what they add up to at most, their moment and their sum of arms times forces
+/// about the centre of mass, which a turn of the stone makes a moment of.
+struct OnStones {
+  double force = 0, moment = 0, virial = 0, size = 0;
+
+  OnStones(const Structure<2>& s, const std::vector<double>& nodal) {
+    const auto volume = s.nodal_volumes();
+    for (int b = 0; b < s.owned_blocks(); ++b) {
+      const auto& block = s.blocks()[b];
+      Vector<2> centre{}, sum{};
+      double all = 0, turns = 0;
+      std::array<Vector<2>, 2> arms{};
+      for (int n = block.first_local; n < block.first_local + block.nodes; ++n) {
+        centre = centre + volume[n] * s.position()[n];
+        all += volume[n];
+      }
+      for (int n = block.first_local; n < block.first_local + block.nodes; ++n) {
+        const Vector<2> f{nodal[2 * n], nodal[2 * n + 1]}, arm = s.position()[n] - (1 / all) * centre;
+        sum = sum + f;
+        turns += cross(arm, f);
+        for (int a = 0; a < 2; ++a) arms[a] = arms[a] + arm[a] * f;
+        size = std::max(size, norm(f));
+      }
+      force = std::max(force, norm(sum));
+      moment = std::max(moment, std::abs(turns));
+      virial = std::max({virial, norm(arms[0]), norm(arms[1])});
+    }
+  }
+};
+
+// Weight acts in the centres of stones: no turn of a stone makes a moment of it. What edges that bend hand over of it
+// is in balance on each stone, as the forces of heat are.
+TEUCHOS_UNIT_TEST(TurningLoads, AreInBalanceOnEachStoneAndLeaveWhatKeepsItsDirection) {
+  WallParameters p;
+  p.courses = p.blocks_per_course = 2;
+  p.cells = CellType::quadratic_triangle;
+  const LoadCase wall(with_curved_edges(make_wall(p)));
+  TemperatureParameters heat;
+  heat.change = 20;
+  BuoyancyParameters water;
+  water.level = 0.6;
+  const std::map<std::string, double> factors{{"tested", 0.75}};
+  const auto of = [&](const auto& parameters, bool all) {
+    const auto loads = wall.at_work(parameters);
+    const auto turning = loads.turning({0, 0, factors, factors}, wall.s());
+    TEST_ASSERT(!turning.empty());
+    BlockForces on_blocks(wall.s());
+    std::vector<double> none(turning.size(), 0.0);
+    loads.add(factors, 0, on_blocks, none);
+    auto force = handed_over(wall.s(), on_blocks);
+    const OnStones inner(wall.s(), turning);
+    TEST_COMPARE(inner.size, >, 0);
+    TEST_COMPARE(inner.force, <=, 1e-10 * inner.size);  // of solves with the stiffness of edges
+    TEST_COMPARE(inner.moment, <=, 1e-10 * inner.size);
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] -= turning[i];
+    const OnStones rest(wall.s(), force);
+    if (all) TEST_COMPARE(rest.virial, <=, 1e-10 * std::max(inner.size, rest.size));
+  };
+  of(heat, true);
+  of(SelfWeightParameters(), true);
+  of(water, false);  // what is cut by the level is lifted beside its centre
+  LoadCase linear;
+  TEST_ASSERT(linear.at_work(SelfWeightParameters()).turning({0, 0, factors, factors}, linear.s()).empty());
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "loads/load.hpp"
+#include "model/loads_at_work.hpp"
+#include "scene/scene.hpp"
 #include "unit/blocks/lattice_block.hpp"
 #include "unit/linalg/systems.hpp"
 
@@ -47,6 +49,16 @@ class LoadCase {
     LoadParameters load;
     load.kind = p;
     return make_load(load, LoadSite<2>{structure_, *source_, {}, "scene > loads > tested"});
+  }
+
+  template <class Parameters>
+  LoadsAtWork at_work(const Parameters& p) const {
+    Scene scene;
+    LoadParameters load;
+    load.name = "tested";
+    load.kind = p;
+    scene.loads = {load};
+    return LoadsAtWork(scene, *source_, structure_);
   }
 
   template <class Parameters>

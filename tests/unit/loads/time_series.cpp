@@ -128,6 +128,14 @@ TEUCHOS_UNIT_TEST(TimeSeries, HasNoLineThatIsLeftOutUnseen) {
   TEST_EQUALITY(read("\xEF\xBB\xBF\"time\",\"a\"\n% made by hand\n0, 1\n# in between\n1, 2\n").value.size(), 2u);
 }
 
+TEUCHOS_UNIT_TEST(TimeSeries, LinesEndInAnyWay) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto series = read("t, a" + end + end + "0, 1" + end + "1, 2" + end);
+    TEST_COMPARE_ARRAYS(series.value, (std::vector<double>{1, 2}));
+    TEST_ASSERT(names(said("0 1" + end + end + "1 b" + end), {"line 3"}));
+  }
+}
+
 TEUCHOS_UNIT_TEST(TimeSeries, UnitsAreReadWhereHeadingsNameThem) {
   const auto named = [](const std::string& line) { return unit_named_in({"a station (north)", line}); };
   for (const std::string text :

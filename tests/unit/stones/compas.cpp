@@ -1,6 +1,7 @@
 // Files of COMPAS: every shape that could be a stone is one where its element lies, or is refused by its path.
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include "stones/repair.hpp"
 #include "stones/stone_files.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
@@ -47,6 +48,30 @@ TEUCHOS_UNIT_TEST(Compas, MeshesOfListsAssembliesAndModelsAreStonesAndThoseOfInt
   TEST_EQUALITY(model[0].name, "0");
   TEST_ASSERT(model[0].support);
   TEST_ASSERT(model[0].points[1] == (Vector<3>{5, 1, 0}));
+}
+
+/// Two tetrahedra on either side of one face, and a face that is of neither.
+std::string network(const std::string& cells) {
+  return R"({"dtype": "compas.datastructures/CellNetwork", "data": {"vertex": {"0": {}, "7": {"x": 1.0},
+    "12": {"y": 1.0}, "3": {"z": 1.0}, "4": {"z": -2.0}, "9": {"x": 5.0}},
+    "face": {"0": [0, 12, 7], "1": [0, 7, 3], "2": [7, 12, 3],
+    "5": [0, 3, 12], "6": [0, 7, 4], "8": [7, 12, 4], "10": [0, 4, 12], "11": [0, 7, 9]}, "edge": {}, "cell": )" +
+         cells + "}}";
+}
+
+TEUCHOS_UNIT_TEST(Compas, CellsOfANetworkAreStonesThatShareFaces) {
+  const auto mended = closed(read_compas("n.json", network(R"({"0": [0, 1, 2, 5], "3": ["0", 6, 8, 10]})")), 0);
+  TEST_EQUALITY(mended.stones.size(), 2u);
+  TEST_EQUALITY(mended.stones[0].name, "cell 0");
+  TEST_EQUALITY(mended.stones[1].name, "cell 3");
+  TEST_EQUALITY(mended.stones[1].points.size(), 4u);
+  TEST_FLOATING_EQUALITY(volume(mended.stones[0]), 1.0 / 6, 1e-15);
+  TEST_FLOATING_EQUALITY(volume(mended.stones[1]), 1.0 / 3, 1e-15);
+  const auto error = [](const std::string& cells) {
+    return input_error([&] { read_compas("n.json", network(cells)); });
+  };
+  TEST_ASSERT(holds(error("{}"), "is a CellNetwork without cells"));
+  TEST_ASSERT(holds(error(R"({"0": [0, 1, 2, 99]})"), "cell 0 names the face \"99\", which is not there"));
 }
 
 TEUCHOS_UNIT_TEST(Compas, WhatIsWrongIsToldByPath) {

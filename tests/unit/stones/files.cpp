@@ -1,5 +1,6 @@
 // Files of stones hold what they say, and what is wrong in them is told by line, byte or path.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -45,6 +46,43 @@ TEUCHOS_UNIT_TEST(Obj, ObjectsAndGroupsAreStonesWithThePointsTheyUse) {
   TEST_EQUALITY(stones[1].name, "east");
   TEST_ASSERT(stones[1].points[0] == (Vector<3>{9, 9, 9}));
   TEST_ASSERT(stones[1].points[1] == (Vector<3>{0, 0, 0}));
+}
+
+std::string with_ends(std::string text, const std::string& end) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size()) text.replace(at, 1, end);
+  return text;
+}
+
+// Lines end in "\n", "\r\n" or "\r", and are counted alike.
+TEUCHOS_UNIT_TEST(StoneFiles, AreReadWithAnyEndsOfLines) {
+  const std::string obj = tetrahedron_obj + "\no a # first\nf 1 3 2\nf 1 2 \\\n4\nf 2 3 4\nf 3 1 4\n";
+  const std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+      "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  // The first byte of the data is that of "\n", which is no end of a line there.
+  const std::string data = "\n" + std::string(71, '\0') + "\3" + bytes(0) + bytes(1) + bytes(2);
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto stones = read_obj("a.obj", with_ends(obj, end));
+    TEST_EQUALITY(stones.size(), 1u);
+    TEST_EQUALITY(stones[0].origin, "a.obj, line 7");
+    TEST_EQUALITY(stones[0].faces.size(), 4u);
+    TEST_FLOATING_EQUALITY(volume(stones[0]), 1.0 / 6, 1e-15);
+    TEST_ASSERT(
+        holds(input_error([&] { read_obj("a.obj", with_ends(obj + "f 1 2 9\n", end)); }), "Line 12 names the point"));
+    TEST_EQUALITY(stl("a.stl", with_ends("solid a\n" + facet + "endsolid\n", end))[0].points.size(), 3u);
+    const auto surface = read_ply("a.ply", with_ends(ply, end) + data);
+    TEST_EQUALITY(surface[0].points.size(), 3u);
+    TEST_COMPARE(surface[0].points[0][0], >, 0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Stl, WordsMayBeInCapitals) {
+  std::string capitals;
+  for (const char c : facet) capitals += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const auto stones = stl("a.stl", "SOLID West\n" + capitals + "ENDSOLID West\n");
+  TEST_EQUALITY(stones.size(), 1u);
+  TEST_EQUALITY(stones[0].name, "West");
+  TEST_EQUALITY(stones[0].faces.size(), 1u);
 }
 
 TEUCHOS_UNIT_TEST(Obj, WhatIsWrongIsToldByLine) {

@@ -1,4 +1,5 @@
 // From drawn stones to all that is known before they are meshed, and what a user is told.
+#include "stones/solid.hpp"
 #include "stones/stone_structure.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -26,12 +27,12 @@ bool tells(const StoneStructure& s, const std::string& part) {
 
 TEUCHOS_UNIT_TEST(Overlaps, DepthIsTheDistanceToTheSurface) {
   const auto cube = box("cube", {0, 0, 0}, {1, 1, 1});
-  TEST_FLOATING_EQUALITY(depth_inside(cube, {0.5, 0.5, 0.75}), 0.25, 1e-14);
-  TEST_FLOATING_EQUALITY(depth_inside(cube, {0.5, 0.5, 1.75}), -0.75, 1e-14);
-  TEST_FLOATING_EQUALITY(depth_inside(cube, {2, 2, 0.5}), -std::sqrt(2.0), 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(cube).depth({0.5, 0.5, 0.75}), 0.25, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(cube).depth({0.5, 0.5, 1.75}), -0.75, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(cube).depth({2, 2, 0.5}), -std::sqrt(2.0), 1e-14);
   const auto bent = corner()[0];
-  TEST_FLOATING_EQUALITY(depth_inside(bent, {0.5, 1.5, 0.5}), 0.5, 1e-14);
-  TEST_FLOATING_EQUALITY(depth_inside(bent, {1.5, 1.5, 0.5}), -0.5, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(bent).depth({0.5, 1.5, 0.5}), 0.5, 1e-14);
+  TEST_FLOATING_EQUALITY(Solid(bent).depth({1.5, 1.5, 0.5}), -0.5, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Overlaps, OfEveryKindAreFoundAndTouchingStonesHaveNone) {
@@ -74,7 +75,7 @@ TEUCHOS_UNIT_TEST(Structure, DistancesAreThoseOfCrossingEdgesToo) {
   // Roofs of two prisms, one along x with its ridge up, one along y with its ridge down.
   const auto low = prism("low", {{-0.5, -1}, {0.5, -1}, {0, 0}}, -3, 3, 1, 2);
   const auto high = prism("high", {{0, 0.005}, {0.5, 1}, {-0.5, 1}}, -3, 3, 0, 2);
-  TEST_FLOATING_EQUALITY(distance_between(low, high), 0.005, 1e-12);
+  TEST_FLOATING_EQUALITY(Solid(low).distance(Solid(high), 1.0), 0.005, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(Structure, OverlappingStonesAreRefusedByNameAndPlace) {
@@ -180,6 +181,72 @@ TEUCHOS_UNIT_TEST(Structure, JointsThatWeldingClosesAreJointsAndAreTold) {
       TEST_ASSERT(touching == told);
     }
   }
+}
+
+/// A ring of chords and a peg in it; corners of the peg are turned by a share of its chord.
+std::vector<StoneSurface> peg_in_ring(int chords_of_ring, int chords_of_peg, double turned) {
+  const auto round = [](int chords, double radius, double by) {
+    std::vector<Vector<2>> corners;
+    for (int k = 0; k < chords; ++k) {
+      const double angle = 2 * std::acos(-1.0) * (k + by) / chords;
+      corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return corners;
+  };
+  auto ring = prism("ring", round(chords_of_ring, 0.6, 0), 0, 0.3);
+  const auto hole = prism("hole", round(chords_of_ring, 0.3, 0), 0, 0.3);
+  const int n = chords_of_ring, first = 2 * n;
+  ring.points.insert(ring.points.end(), hole.points.begin(), hole.points.end());
+  ring.faces.resize(static_cast<std::size_t>(n));  // without its two ends, which have the hole
+  for (int k = 0; k < n; ++k) {
+    const int next = (k + 1) % n;
+    ring.faces.push_back({first + k, first + n + k, first + n + next, first + next});
+    ring.faces.push_back({k, first + k, first + next, next});
+    ring.faces.push_back({n + k, n + next, first + n + next, first + n + k});
+  }
+  return {ring, prism("peg", round(chords_of_peg, 0.3, turned), 0, 0.3)};
+}
+
+double area_of_joints(const StoneStructure& s) {
+  double area = 0;
+  for (const auto& joint : s.joints.joints) area += joint.area;
+  return area;
+}
+
+// Chords with corners of their own lie in each other by the height of the arc over one. What is advised helps, and what
+// helps against other overlaps does not.
+TEUCHOS_UNIT_TEST(Structure, ChordsOfRoundFacesThatDifferAreRefusedAsSuch) {
+  const std::string of_chords = "as chords of round faces do", advice = "with the same chords, corner on corner";
+  for (const auto& [chords, turned] : {std::pair(24, 0.0), std::pair(16, 0.5), std::pair(12, 0.3)}) {
+    const auto error = input_error([&, n = chords, by = turned] { structure_of(peg_in_ring(16, n, by), {}); });
+    TEST_ASSERT(holds(error, of_chords) && holds(error, advice));
+  }
+  const auto alike = structure_of(peg_in_ring(16, 16, 0), {});
+  const double all = 16 * 0.3 * 2 * 0.3 * std::sin(std::acos(-1.0) / 16);
+  TEST_FLOATING_EQUALITY(area_of_joints(alike), all, 1e-9);
+  StonesParameters wide;
+  wide.joint_tolerance = 0.012;
+  TEST_COMPARE(area_of_joints(structure_of(peg_in_ring(16, 24, 0), wide)), <, 0.9 * all);
+  TEST_COMPARE(area_of_joints(structure_of(peg_in_ring(16, 16, 0.5), wide)), <, 0.1 * all);
+  // Deeper than chords are, and stones that are not round.
+  auto sunk = peg_in_ring(16, 16, 0);
+  for (auto& x : sunk[1].points) x[0] += 0.05;
+  for (const auto& stones : {sunk, {box("a", {0, 0, 0}, {1, 1, 1}), box("b", {0, 0, 0.99}, {1, 1, 2})}}) {
+    const auto error = input_error([&] { structure_of(stones, {}); });
+    TEST_ASSERT(holds(error, "in each other") && !holds(error, of_chords) && !holds(error, advice));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Structure, AStoneThinnerThanTheWeldIsRefusedAsSuch) {
+  const std::vector<StoneSurface> stones{box("low", {0, 0, 0}, {1, 1, 1}), box("slip", {0, 0, 1}, {1, 1, 1.004}),
+                                         box("high", {0, 0, 1.004}, {1, 1, 2})};
+  StonesParameters p;
+  p.joint_tolerance = 1e-3;
+  p.weld = 5e-3;
+  TEST_ASSERT(holds(input_error([&] { structure_of(stones, p); }),
+                    "stone \"slip\" (drawn) is 0.004 m thick, thinner than weld"));
+  p.weld = 3e-3;
+  TEST_EQUALITY(structure_of(stones, p).joints.joints.size(), 2u);
 }
 
 TEUCHOS_UNIT_TEST(Structure, ATolerancePlainlyBelowTheNoiseOfAFileIsTold) {
