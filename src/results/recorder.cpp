@@ -164,7 +164,7 @@ void Recorder::record(const ContactState& after, const TimeStepReport& report, c
   energy.friction = report.friction;
   energy.fracture = report.fracture;
   energy.damping = report.damping;
-  energy.work_within_steps = report.work_of_impulses;
+  energy.work_within_steps = report.work_within;
   record_.energy.advance(energy, true,
                          model_.inner_energy(factors_, time_of_loads_, after.displacement, model_.absent()));
   record_.summary.time = time;

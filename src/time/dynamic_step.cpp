@@ -97,8 +97,9 @@ void DynamicStep::bear(const std::vector<double>& impulses, TimeStepReport& repo
   add_impulses(report.reaction, at_rest_.held().held_part(impulses, at_rest_.components()), 1 / rule_.time_step);
 }
 
-/// Gives held components the velocity of their support over the step; what that takes is work of the support, and so is
-/// the momentum that comes with it: M dv, of which the mass that a node stands for is the sum.
+/// Gives held components the velocity of their support over the step; what that takes is work of the support, and what
+/// comes with it of momentum, the mass that a node stands for times dv, is borne by it. The support has that velocity
+/// in all of the step, while the one that changes is half way there: so force times way is not that work.
 void DynamicStep::move_supports(ContactState& state, const std::vector<double>& half, TimeStepReport& report) const {
   const int dim = at_rest_.components();
   bool mine = false;
@@ -112,7 +113,9 @@ void DynamicStep::move_supports(ContactState& state, const std::vector<double>& 
     impulses[i] = mass_of_node_[i / dim] * (wanted - now[i]);
   }
   if (!any_of_ranks(*mass_->comm(), mine)) return;
-  report.work_of_impulses += velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  const double work = velocities_.kinetic_energy(v) - velocities_.kinetic_energy(state.velocity);
+  report.external_work += work;
+  report.work_within += work - velocities_.work_of_supports(impulses, v);
   bear(impulses, report);
   state.velocity = v;
 }
@@ -283,9 +286,8 @@ bool DynamicStep::update_velocities(ContactState& after, const std::vector<doubl
     report.friction += jump.friction + tied.friction;
     auto impulses = jump.impulses;
     add_impulses(impulses, tied.impulses);
-    report.work_of_impulses += velocities_.work_of_supports(impulses, after.velocity);
+    report.external_work += velocities_.work_of_supports(impulses, after.velocity);
     bear(impulses, report);
-    report.external_work += report.work_of_impulses;
   } catch (const SolverFailure& failure) {  // of all ranks; a shorter step asks for less
     report.step.newton.fail(failure.what());
     return false;
