@@ -18,8 +18,8 @@ struct TimeStepReport {
   double elastic = 0, kinetic = 0;  ///< [J] at the end
   /// [J] of this step: work of loads and moved supports; losses
   double external_work = 0, friction = 0, fracture = 0, damping = 0;
-  double work_within = 0;       ///< [J] of the external work, what is not the force of supports times their way
-  double error = 0;             ///< [-] of the time step, relative, energy norm
+  double work_within = 0;  ///< [J] of the external work, what is not the force of supports times their way
+  double error = 0;        ///< [-] of the time step, relative, energy norm
   /// [N] of supports at held nodes, the mean of the step with what changes velocities at once; else zero to tolerance
   std::vector<double> reaction;
 };
