@@ -281,8 +281,7 @@ void refuse_overlaps(const std::vector<StoneSurface>& stones, double tolerance) 
   }
   message +=
       "\n  Look whether a stone is there twice or misplaced; where stones were measured so, raise joint tolerance "
-      "above "
-      "the overlap.";
+      "above the overlap.";
   if (std::any_of(found.begin(), found.end(), [](const auto& o) { return o.depth <= o.of_chords; }))
     message +=
         "\n  Draw round faces that touch with the same chords, corner on corner; a larger joint tolerance finds only "
