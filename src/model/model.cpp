@@ -232,7 +232,8 @@ double Model::inner_energy(const std::map<std::string, double>& factors, double 
                            const std::vector<char>& without) const {
   const auto& s = structure();
   const auto inner = loads_->inner_loads(factors, time, s);
-  const double mine = in_geometry([&](const auto&, const auto& blocks) {
+  const bool none = inner.free_strain.empty() && inner.edge_force.empty();
+  const double mine = none ? 0.0 : in_geometry([&](const auto&, const auto& blocks) {
     return voussoir::inner_energy(blocks, s.deformation(u), inner, without);
   });
   return total_over_ranks(*s.comm(), mine);
