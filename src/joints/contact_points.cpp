@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/rotation.hpp"
 #include "joints/joint_finder.hpp"
 #include "joints/joint_finder_in_space.hpp"
+#include "joints/point_operator.hpp"
 #include "linalg/numbering.hpp"
 #include "linalg/parcels.hpp"
 #include "linalg/reduce.hpp"
@@ -61,6 +63,50 @@ class Borders {
   const BlockSource<dim>& source_;
   std::map<BlockId, BlockWithBorder<dim>> known_;
 };
+
+/// The rotation nearest to several.
+template <int dim>
+Rotation<dim> mean_of(const std::vector<Rotation<dim>>& turns) {
+  if (turns.size() == 1) return turns[0];
+  NearestRotation<dim> nearest;
+  for (const auto& turn : turns)
+    for (int a = 0; a < dim; ++a) {
+      Vector<dim> arm{};
+      arm[a] = 1;
+      nearest.add(arm, turn(arm) - arm);
+    }
+  return nearest.found();
+}
+
+/// How far each node copy's block has turned, together with those at its vertex that have turned alike. Of copies at
+/// vertices that have an owned node.
+template <int dim>
+std::vector<Rotation<dim>> turns_at_nodes(const Structure<dim>& structure, double alike) {
+  std::vector<Rotation<dim>> turn;
+  for (const int block : structure.block_of_node()) turn.push_back(structure.turn(block));
+  const auto own = turn;
+  const auto& start = structure.copies_start();
+  for (std::size_t g = 0; g + 1 < start.size(); ++g) {
+    std::vector<int> left(structure.copy().begin() + start[g], structure.copy().begin() + start[g + 1]);
+    while (!left.empty()) {
+      std::vector<int> together{left.back()};
+      left.pop_back();
+      for (std::size_t n = 0; n < together.size(); ++n) {
+        const auto joins = [&](int node) { return own[node].apart(own[together[n]]) <= alike; };
+        const auto rest = std::stable_partition(left.begin(), left.end(), [&](int node) { return !joins(node); });
+        together.insert(together.end(), rest, left.end());
+        left.erase(rest, left.end());
+      }
+      std::sort(together.begin(), together.end(),
+                [&](int a, int b) { return structure.node_id()[a] < structure.node_id()[b]; });
+      std::vector<Rotation<dim>> turns;
+      for (const int node : together) turns.push_back(own[node]);
+      const auto mean = mean_of(turns);
+      for (const int node : together) turn[node] = mean;
+    }
+  }
+  return turn;
+}
 
 }  // namespace
 
@@ -175,14 +221,27 @@ std::vector<char> ContactPoints::untieable() const {
 }
 
 template <int dim>
-void ContactPoints::turn_axes(const Structure<dim>& structure) {
+void ContactPoints::turn_axes(const Structure<dim>& structure, double alike) {
   if (drawn_axes_.empty())
     for (const auto& p : points_) drawn_axes_.push_back(p.axis);
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    const auto& joint = joints_[points_[k].joint];
-    const auto turn = structure.turn(joint.local_i).halfway_to(structure.turn(joint.local_j));
-    for (int a = 0; a < dim; ++a) points_[k].axis[a] = in_space(turn(in_dimension<dim>(drawn_axes_[k][a])));
+  const auto turn_at = turns_at_nodes(structure, alike);
+  std::vector<double> axes;  // by row
+  for (int k = 0; k < size(); ++k) {
+    const auto& point = points_[k];
+    const auto turn_of = [&](Side side, int block) {
+      return point.coincident && k < owned_ ? turn_at[at(k).main_node(side)] : structure.turn(block);
+    };
+    const auto& joint = joints_[point.joint];
+    const auto turn = turn_of(Side::i, joint.local_i).halfway_to(turn_of(Side::j, joint.local_j));
+    for (int a = 0; a < dim; ++a) {
+      const auto axis = turn(in_dimension<dim>(drawn_axes_[k][a]));
+      axes.insert(axes.end(), axis.begin(), axis.end());
+    }
   }
+  exchange_->update(axes, dim * dim);  // a rank may not have all blocks at the vertex of a ghost
+  for (int k = 0; k < size(); ++k)
+    for (int a = 0; a < dim; ++a)
+      std::copy_n(axes.begin() + (static_cast<long>(k) * dim + a) * dim, dim, points_[k].axis[a].begin());
 }
 
 void relative_motions(const ContactPoints& points, const std::vector<double>& u, std::vector<double>& motions) {
@@ -194,8 +253,8 @@ void relative_motions(const ContactPoints& points, const std::vector<double>& u,
   }
 }
 
-template void ContactPoints::turn_axes(const Structure<2>&);
-template void ContactPoints::turn_axes(const Structure<3>&);
+template void ContactPoints::turn_axes(const Structure<2>&, double);
+template void ContactPoints::turn_axes(const Structure<3>&, double);
 template std::vector<FoundPoint> coincident_points<2>(const BlockWithBorder<2>&, const BlockWithBorder<2>&);
 template std::vector<FoundPoint> coincident_points<3>(const BlockWithBorder<3>&, const BlockWithBorder<3>&);
 template ContactPoints::ContactPoints(const BlockSource<2>&, const Structure<2>&, const PointFinder<2>&);

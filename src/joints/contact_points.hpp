@@ -67,9 +67,12 @@ class ContactPoints {
   const Exchange& exchange() const { return *exchange_; }
   /// 1 for points that are no pair of coincident nodes, which nothing can tie; empty where all are.
   std::vector<char> untieable() const;
-  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean.
+  /// Turns the axes of every point as far as its two blocks have turned from their drawing in the mean. Blocks that
+  /// meet at a vertex and have turned alike count as turned by their mean: then points of faces that were one plane as
+  /// drawn are in one, where three of them could not be closed at once if each had a plane of its own. Collective.
+  /// @param alike  [rad] by which blocks that have turned alike differ at most
   template <int dim>
-  void turn_axes(const Structure<dim>&);
+  void turn_axes(const Structure<dim>&, double alike);
 
  private:
   template <int dim>

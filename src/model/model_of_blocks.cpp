@@ -109,7 +109,7 @@ double ModelOfBlocks<dim>::move_geometry(const std::vector<double>& displacement
   Phase phase("blocks");
   ++arrangement_;
   const double turned = structure_->move_to(displacement);
-  points_->turn_axes(*structure_);
+  points_->turn_axes(*structure_, settings_.internals.step.negligible_turn);
   return turned;
 }
 

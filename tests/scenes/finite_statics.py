@@ -4,7 +4,9 @@
 
 The static theorem is asked first, of the stones as drawn. A stone on a slope that is too steep for its friction falls
 at once, not five times under less and less of its weight. A slender column of dry stones under a load off its middle
-falls by its own deflection, and no attempt beyond that goes on without end.
+falls by its own deflection, and no attempt beyond that goes on without end. A brick that is pushed over two others takes what
+its friction asks for, whatever the way: where three stones meet their faces stay one plane, though each has turned a little
+by what presses it, or forces that run round between the three would be as large as the way.
 """
 
 import math
@@ -96,6 +98,31 @@ class FiniteStatics(program.SceneTest):
         self.assertEqual(run.outcome, "collapse", run.said)
         # Friction of 0.6 bears half of it: what was reached is the last row.
         self.assertGreaterEqual(run.history[-1]["load_factor"], 0.4)
+
+    def pushed_over_two(self, way, gap=0.0):
+        """Shear of the beds [N] below two bricks, once a third has been pushed over both of them."""
+        drawn = {"g": [(0, -0.2), (0.8, -0.2), (0.8, 0), (0.4, 0), (0, 0)], "a": [(0, 0), (0.4, 0), (0.4, 0.2), (0.2, 0.2), (0, 0.2)],
+                 "b": [(0.4, 0), (0.8, 0), (0.8, 0.2), (0.6, 0.2), (0.4, 0.2)],
+                 "c": [(0.2, 0.2), (0.4, 0.2), (0.6, 0.2), (0.6, 0.4), (0.2, 0.4)],
+                 "d": [(0.2, 0.4), (0.6, 0.4), (0.6, 0.9), (0.2, 0.9)]}
+        drawing = stones.geo({name: stones.polygon(corners) for name, corners in drawn.items()}, 0.1,
+                             {"ground": ("g", 0), "side": ("c", 4)})
+        scene = stones.scene("stones.geo", {"ground": {"on": "ground"}, "side": {"on": "side", "components": "x"}},
+                             {"push": {"type": "settlement", "support": "side", "ux": way}},
+                             {"rest": stones.OWN_WEIGHT, "pushed": {"increments": 5, "loads": {"weight": 1.0, "push": 1.0}}},
+                             joints={"top": {"between": "c", "and": "all", "friction coefficient": 0.4, "initial gap": gap}},
+                             materials={"stone": {"Young modulus": 1e9, "Poisson ratio": 0.2, "density": 2000.0}},
+                             selection={"mode": "all"}, **FINITE)
+        run = self.run_scene(scene, drawing=drawing)
+        self.assertEqual(run.outcome, "equilibrium", run.said)
+        return [joint["shear_N"] for joint in run.table("joints.csv")][:2]
+
+    def test_a_brick_on_two_takes_its_friction_whatever_the_way(self):
+        first, second = self.pushed_over_two(0.005)
+        self.assertLess(abs(first + second - 0.4 * 560 * 9.81), 1)  # of all that the pushed one carries
+        for way, gap in (0.01, 0.0), (0.02, 0.0), (0.02, 1e-6):
+            left, right = self.pushed_over_two(way, gap)
+            self.assertLess(max(abs(left - first), abs(right - second)), 0.01 * first)
 
     def test_a_slender_column_falls_by_its_deflection(self):
         scene, drawing = column(0.125, 24)

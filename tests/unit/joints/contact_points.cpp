@@ -134,6 +134,41 @@ TEUCHOS_UNIT_TEST(ContactPoints, AreasSumToTheJointsAndAxesAreRightHanded) {
   TEST_FLOATING_EQUALITY(sum_over_ranks(*everyone(), area), 0.3 * (3 * 2.0 + 14 * 0.25), 1e-14);
 }
 
+/// Turns every block about the first corner of the drawing, each by as much more than the one before it [rad].
+std::vector<double> turned_one_by_one(const Structure<2>& s, double more) {
+  std::vector<double> u;
+  for (int n = 0; n < s.nodes(); ++n) {
+    const double angle = more * static_cast<double>(s.nodes_of(s.block_of_node()[n]).id);
+    const auto x = s.position()[n];
+    const auto moved = Rotation<2>(angle)(x) - x;
+    u.insert(u.end(), moved.begin(), moved.end());
+  }
+  return u;
+}
+
+// The plane of a bed below two blocks is one plane where they have turned alike, and two where they have not.
+TEUCHOS_UNIT_TEST(ContactPoints, APlaneStaysOneWhereBlocksHaveTurnedAlike) {
+  for (const double more : {1e-6, 1e-2}) {
+    const auto source = wall();
+    auto s = structure_of(*source, everyone()), serial = structure_of(*source, alone());
+    ContactPoints points(*source, s), one(*source, serial);
+    s.move_to(turned_one_by_one(s, more));
+    serial.move_to(turned_one_by_one(serial, more));
+    points.turn_axes(s, 1e-4);
+    one.turn_axes(serial, 1e-4);
+    for (const auto& p : points.points()) TEST_COMPARE(norm(p.axis[0] - one.points()[p.id].axis[0]), <=, 1e-15);
+    double apart = 0;  // of normals across beds at one node
+    for (const auto& p : one.points())
+      for (const auto& q : one.points())
+        if (p.shares_i.first() == q.shares_i.first() && p.id < q.id && std::abs(dot(p.axis[0], q.axis[0])) > 0.5)
+          apart = std::max(apart, norm(p.axis[0] - q.axis[0]));
+    if (more < 1e-4)
+      TEST_COMPARE(apart, <=, 1e-15)
+    else
+      TEST_FLOATING_EQUALITY(apart, more / 2, 1e-3);
+  }
+}
+
 TEUCHOS_UNIT_TEST(ContactPoints, HaloPointsTakeTheValuesOfTheirOwners) {
   const auto source = wall();
   const auto s = structure_of(*source, everyone());
