@@ -22,12 +22,11 @@ ContactState AdaptiveStep::initial_state() const {
   state.selected.assign(points, 0);
   // Open joints cannot begin bonded.
   const auto& gap = model_.initial_gap();
-  // Nor can those that nothing ties. Where some points are selected, mode all begins with all of them.
+  for (std::size_t k = 0; k < gap.size(); ++k) state.selected[k] = gap[k] > 0;
+  // Nor can those that nothing ties.
   const auto& apart = model_.never_tied();
-  const bool all = model_.settings().selection.mode == SelectionMode::all;
-  for (std::size_t k = 0; k < gap.size(); ++k) state.selected[k] = gap[k] > 0 || all;
   for (std::size_t k = 0; k < apart.size(); ++k)
-    if (apart[k] || all) state.selected[k] = 1;
+    if (apart[k]) state.selected[k] = 1;
   if (model_.settings().builds) {
     state.initial_gap = gap;
     state.initial_gap.resize(points, 0.0);
