@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "joints/crack_work.hpp"
+
 namespace voussoir {
 namespace {
 
@@ -61,6 +63,12 @@ PointDamage give_back(const SofteningPoint& point, const PointDamage& damage) {
 double lost(const SofteningPoint& point, const PointDamage& damage) {
   const auto& rate = point.rate;
   return rate.damage(rate.kappa(damage.opened, point.before.slipped + damage.way));
+}
+
+double energy_taken(const SofteningPoint& point, const PointDamage& damage, double gap, double normal) {
+  const JointWear after{std::max(point.before.opened, damage.opened), point.before.slipped + damage.way};
+  const auto work = crack_work(point.whole, point.rate, {point.before, 0, 0}, {after, gap + point.gap_before, normal});
+  return work.pull + work.cohesion;
 }
 
 Damage SofteningPoints::at_start() const {

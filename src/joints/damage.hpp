@@ -73,6 +73,10 @@ PointDamage give_back(const SofteningPoint&, const PointDamage&);
 /// Share of its strength that a point has lost [-].
 double lost(const SofteningPoint&, const PointDamage&);
 
+/// Energy [J] that the law of a point has taken, or holds, beyond that of the point when it was closed with the wear of
+/// the start of the step: where it has come to some gap [m] and normal force [N] with some damage (crack_work.hpp).
+double energy_taken(const SofteningPoint&, const PointDamage&, double gap, double normal);
+
 /// The points of one step. What it is made of must outlive it.
 class SofteningPoints {
  public:

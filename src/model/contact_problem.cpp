@@ -98,21 +98,25 @@ void ContactProblem::split_shared_forces(const std::vector<PointFreedom>& freedo
 
 /// Share of the forces borne at the start of a step below which those of its end are not told apart: they come of the
 /// former by subtraction, which leaves round-off of these, and a tolerance of 1e-8 of this share is ten thousand times
-/// that.
+/// that. Likewise of the force with which supports that move would push a stone that gives way at one point alone:
+/// where nothing loads a structure and its joints part, no other force is left to measure by.
 constexpr double remembered = 1e-4;
 
 /// The largest load, the stiffest point, and what is remembered of the largest force that a point bore.
 void ContactProblem::set_scales() {
   const auto& s = parts_.structure;
-  std::array<double, 3> largest{};
-  for (int i = 0; i < dim_ * s.owned_nodes(); ++i) largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
+  std::array<double, 4> largest{};
+  for (int i = 0; i < dim_ * s.owned_nodes(); ++i) {
+    largest[0] = std::max(largest[0], std::abs(asked_->load[i]));
+    largest[3] = std::max(largest[3], std::abs(asked_->prescribed[i]));
+  }
   for (double k : parts_.local_stiffness) largest[1] = std::max(largest[1], k);
   for (std::size_t i = 0; asked_->borne && i < asked_->borne->size(); i += dim_)
     largest[2] = std::max(largest[2], std::abs((*asked_->borne)[i]));
   const auto all = largest_of_each(*s.comm(), largest);
   force_scale_ = all[0];
   stiffest_ = all[1];
-  borne_ = remembered * all[2];
+  borne_ = remembered * (force_scale_ > 0 ? all[2] : std::max(all[2], stiffest_ * all[3]));
 }
 
 /// Young's modulus [Pa] beyond which stones are next to rigid under these loads. Collective.

@@ -98,7 +98,7 @@ class ContactProblem : public NonlinearProblem {
   /// and what then deforms them is left.
   double round_off() const override;
   /// The largest load, or without loads the forces that prescribed displacements cause; next to nothing beside what was
-  /// borne counts as such a share of that.
+  /// borne, or beside what these displacements could cause, counts as such a share of that.
   double force_scale() const override { return std::max(force_scale_ > 0 ? force_scale_ : internal_scale_, borne_); }
   double length_scale() const override { return parts_.structure.size(); }
 

@@ -105,6 +105,14 @@ Warnings unstable(double excess, const std::string& stones, const std::string& w
                "take more increments, or more fracture energy if that was meant"}};
 }
 
+Warnings one_of_alike(int joints, const std::string& stones, const std::string& when) {
+  return {{"one_of_alike", "joint " + stones, when, static_cast<double>(joints),
+           "of " + std::to_string(joints) +
+               " joints that had come equally far one had to crack while others stay whole, and nothing tells which: "
+               "this one did, as the first by number; drawn in another order it may be another of them, and what "
+               "follows hangs on which"}};
+}
+
 Warnings passed_in_time(double seconds, const std::string& when) {
   return {{"passed_in_time", "the structure", when, seconds,
            "no equilibrium was found that follows from the last one in statics: let go in time, with inertia and with "

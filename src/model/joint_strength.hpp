@@ -74,6 +74,10 @@ Warnings lost_on_the_way(double damage, const std::string& when);
 /// @param excess  [-] of softening over stiffness, relative to their sum
 /// @param stones  names of those at the joint that softens fastest there
 Warnings unstable(double excess, const std::string& stones, const std::string& when);
+/// What is said of a joint that was let crack of several that were alike.
+/// @param joints  how many there were
+/// @param stones  names of those at the one
+Warnings one_of_alike(int joints, const std::string& stones, const std::string& when);
 /// What is said of a load step that nothing in statics leads through: the structure was let go in time.
 /// @param seconds  until it came to rest
 Warnings passed_in_time(double seconds, const std::string& when);

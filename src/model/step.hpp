@@ -35,6 +35,7 @@ struct StepReport {
   double tied_share = 0;  ///< [-] largest share of a loose stone's load that ties bear, where it could not be released
   int tied_block = -1;    ///< that stone; -1 where no stone is left loose
   std::array<int, 2> unstable_joint{-1, -1};      ///< stones of the joint that softens fastest where newton.unstable
+  std::array<int, 2> alike_joint{-1, -1};         ///< stones of the joint that was let crack of newton.alike
   std::array<int, 2> undetermined_joint{-1, -1};  ///< stones of the joint where newton.undetermined is told of
   long long largest_clusters = 0;                 ///< nodes that were unknowns in the last round
   SystemCost cost;
@@ -50,6 +51,7 @@ struct StepReport {
     tied_share = again.tied_share;
     tied_block = again.tied_block;
     unstable_joint = again.unstable_joint;
+    if (again.alike_joint[0] >= 0) alike_joint = again.alike_joint;
     undetermined_joint = again.undetermined_joint;
     largest_clusters = again.largest_clusters;
     cost.add(again.cost);

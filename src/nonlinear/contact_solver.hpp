@@ -69,6 +69,8 @@ class ContactSolver {
   /// Else leaves in the report how much more has been lost.
   void forget_the_way(const Iterate&, double tolerance, NewtonReport&);
   void find_stable_branch(const Iterate&, double tolerance, NewtonReport&);
+  void crack_one_by_one(const Iterate&, double tolerance, int left, NewtonReport&);
+  bool close_needless_cracks(const Iterate&, double tolerance, int left, NewtonReport&);
   bool leave_branch(const Instability&, double sign, const Iterate&, double tolerance, NewtonReport&);
   void finish(const Iterate&, const ContactRequest&, NewtonReport&);
   void split_forces(const Iterate&, const ContactRequest&, NewtonReport&);

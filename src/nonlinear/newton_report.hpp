@@ -44,6 +44,8 @@ struct NewtonReport {
   double lost_on_the_way = 0;  ///< [-] largest damage of a point beyond what the state found gives it
   double unstable = 0;         ///< [-] by how much the state gives way on its own (stability.hpp); 0 where it does not
   long long unstable_at = -1;  ///< number of the point that softens fastest there
+  int alike = 0;               ///< joints that were alike where one was let crack and others stayed; 0 where none was
+  long long alike_at = -1;     ///< number of a point of that one
   double undetermined = 0;     ///< [-] by how much forces that stones share could be others, relative to the largest
   long long undetermined_at = -1;  ///< number of the point where that is most
   std::string reason;              ///< why it stopped, when it did not converge
@@ -72,6 +74,12 @@ struct NewtonReport {
     outcome = NewtonOutcome::not_converged;
     reason = why;
   }
+  /// One joint was let crack of several that were alike.
+  void choose(int joints, long long number) {
+    if (joints < 2 || joints <= alike) return;
+    alike = joints;
+    alike_at = number;
+  }
   /// What another solve took, whatever it came to.
   void add_work(const NewtonReport& other) {
     outer_iterations += other.outer_iterations;
@@ -93,6 +101,7 @@ struct NewtonReport {
     lost_on_the_way = other.lost_on_the_way;
     unstable = other.unstable;
     unstable_at = other.unstable_at;
+    choose(other.alike, other.alike_at);
     undetermined = other.undetermined;
     undetermined_at = other.undetermined_at;
     reason = other.reason;

@@ -46,11 +46,8 @@ class Share {
       }
     return rooted(y);
   }
-  /// A field of the points that soften beside one in its joint, and 0 elsewhere.
-  PointField in_joint_of(long long number, const PointField& all) const {
-    int joint = -1;
-    for (int k = 0; k < problem_.points(); ++k)
-      if (problem_.number_of(k) == number) joint = problem_.joint_of(k);
+  /// A field of the points of a joint that soften, and 0 elsewhere.
+  PointField in_joint(int joint, const PointField& all) const {
     PointField some(all.size(), 0.0);
     for (int k = 0; k < problem_.points(); ++k)
       if (tangents_[k].softens && problem_.joint_of(k) == joint) std::copy_n(&all[at(k)], components_, &some[at(k)]);
@@ -186,9 +183,14 @@ PointField motions(const NonlinearProblem& problem, const PointField& gap, const
 /// How the structure moves when the joint that has softened furthest, the first of those that are alike as far as
 /// shares are told, runs on and all others follow. Whether it gives way along that; false where a library refused the
 /// system. Collective.
-bool run_on(const NonlinearProblem& problem, Share& share, const PointField& moved) {
-  const auto leader = leader_of(problem, share, share.rooted(moved), 1 - Numbers::share_error).first;
-  const PointField y = share.rooted(share.in_joint_of(leader, moved));
+bool run_on(const NonlinearProblem& problem, Share& share, const PointField& moved, FirstOfAlike& first) {
+  const auto softened_by = share.rooted(moved);
+  std::vector<double> size(problem.points(), 0.0);
+  for (int k = 0; k < problem.points(); ++k)
+    for (int c = 0; share.softens(k) && c < 2; ++c)
+      size[k] = std::max(size[k], std::abs(share.onward(softened_by, k, c)));
+  first = first_of_alike(problem, size);
+  const PointField y = share.rooted(share.in_joint(first.joint, moved));
   PointField image;
   if (!share.apply(y, image)) return false;
   // v = A^-1 B^T h e takes v.K v = v.A v - S, where v.A v = image.y and S = image.image.
@@ -209,8 +211,12 @@ Instability find_instability(NonlinearProblem& problem, const TpetraVector& x, c
   if (share.size() == 0) return found;
   PointField combination, image;
   found.excess = 2 * largest_share(share, combination) - 1;
-  found.any = found.excess > Numbers::neutral &&
-              (run_on(problem, share, motions(problem, gap, lambda)) || share.apply(combination, image));
+  if (!(found.excess > Numbers::neutral)) return found;
+  found.any = run_on(problem, share, motions(problem, gap, lambda), found.runs_on);
+  if (!found.any) {
+    found.runs_on = {};
+    found.any = share.apply(combination, image);
+  }
   if (!found.any) return found;
   const auto [leader, size] = leader_of(problem, share, share.gaps(), Numbers::leads);
   found.leader = leader;

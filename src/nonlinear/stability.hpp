@@ -16,6 +16,7 @@
 //          Structures (1991), chapters 10, 13 (which branch a structure takes).
 #pragma once
 
+#include "nonlinear/first_of_alike.hpp"
 #include "nonlinear/newton_report.hpp"
 #include "nonlinear/nonlinear_problem.hpp"
 #include "nonlinear/stability_parameters.hpp"
@@ -27,6 +28,7 @@ struct Instability {
   bool any = false;       ///< the state gives way on its own
   double excess = 0;      ///< [-] of softening over stiffness, relative to their sum: -1 to 1
   long long leader = -1;  ///< number of the point that softens fastest there, the lowest of those that are alike
+  FirstOfAlike runs_on;   ///< the joint that runs on there, where it is one; else -1
   Teuchos::RCP<TpetraVector> motion;  ///< [m] in which that point opens or slips on; the largest such motion is 1
   PointField gaps;                    ///< [m] of the motion
 };

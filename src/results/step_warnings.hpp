@@ -67,18 +67,18 @@ inline Warnings forces_undetermined(double apart, double asked, const std::array
 /// @param when  stage and load factor or time
 inline Warnings warnings_of(const StepReport& report, const ModelSettings& settings, const std::string& when) {
   auto all = held_by_ties(report.tied_share, report.tied_block, when);
-  if (report.newton.unstable > 0) {
-    const std::string stones =
-        std::to_string(report.unstable_joint[0]) + " - " + std::to_string(report.unstable_joint[1]);
-    for (auto& warning : unstable(report.newton.unstable, stones, when)) all.push_back(std::move(warning));
-  }
-  for (auto& warning :
-       forces_undetermined(report.newton.undetermined, settings.newton.tolerance, report.undetermined_joint, when))
-    all.push_back(std::move(warning));
-  for (auto& warning : round_off(report.newton.round_off, settings.newton.tolerance, when))
-    all.push_back(std::move(warning));
+  const auto between = [](const std::array<int, 2>& stones) {
+    return std::to_string(stones[0]) + " - " + std::to_string(stones[1]);
+  };
+  const auto say = [&](Warnings some) {
+    for (auto& warning : some) all.push_back(std::move(warning));
+  };
+  if (report.newton.unstable > 0) say(unstable(report.newton.unstable, between(report.unstable_joint), when));
+  if (report.newton.alike > 1) say(one_of_alike(report.newton.alike, between(report.alike_joint), when));
+  say(forces_undetermined(report.newton.undetermined, settings.newton.tolerance, report.undetermined_joint, when));
+  say(round_off(report.newton.round_off, settings.newton.tolerance, when));
   if (!jumped(report, settings.internals.step)) return all;
-  for (auto& warning : lost_on_the_way(report.newton.lost_on_the_way, when)) all.push_back(std::move(warning));
+  say(lost_on_the_way(report.newton.lost_on_the_way, when));
   return all;
 }
 

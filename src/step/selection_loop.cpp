@@ -202,6 +202,7 @@ bool SelectionLoop::find_equilibrium(const PointField* known_gap) {
   if (!looks) keep_damage(problem);
   const auto stones_at = [&](PointId id) { return stones_of_point(model_.points(), *model_.structure().comm(), id); };
   if (report_.newton.unstable > 0) report_.unstable_joint = stones_at(report_.newton.unstable_at);
+  if (report_.newton.alike > 0) report_.alike_joint = stones_at(report_.newton.alike_at);
   if (report_.newton.undetermined > 0) report_.undetermined_joint = stones_at(report_.newton.undetermined_at);
   ties_seen_.cluster = problem.space().cluster();
   recover_ties();

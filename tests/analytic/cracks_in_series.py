@@ -11,8 +11,9 @@ Expected  All joints may soften at once, in equilibrium, but the bar does not st
 
               F = k U up to T A,      then F = k (U - g) = T A - h g,     g = (k U - T A) / (k - h)
 
-          whatever the number of joints, increments and ranks. Where k < h the bar breaks as soon as it is pulled to T A,
-          at once: nothing is left of the force, or the run says that it did not find where the bar goes.
+          whatever the number of joints, increments and ranks, and that it is one of several alike is told. Where k < h the bar breaks as soon as it is pulled to T A,
+          at once: nothing is left of the force, or the run says that it did not find where the bar goes. Pulled by many times
+          the way that parts a joint, 2 G / T, in one step or two, it parts in one joint and has taken G A. Likewise columns.
           The beam bends and peels both of its joints at their inner edges, in equilibria that are stable; then it turns off one
           support, whose joint parts, while the other keeps nine tenths. Columns whose joints the plate opens by one way for
           all do not compete: of each the joint above or below opens, and the other does not beyond the stress at its edges.
@@ -63,6 +64,7 @@ class Bar(program.SceneTest):
                 self.assertLess(abs(end["fx_N of end"] - force), 1e-6 * force, run.said)
                 self.assertEqual(end["open_points"], 2, run.said)  # those of one joint
                 self.assertNotIn("unstable", run.warnings)
+                self.assertIn("one_of_alike", run.warnings)
 
     def test_so_does_one_of_many(self):
         length, energy, way = 3.0, 10.0, 4e-5
@@ -74,6 +76,17 @@ class Bar(program.SceneTest):
                 self.assertLess(abs(end["fx_N of end"] - force), 1e-6 * force, run.said)
                 self.assertEqual(end["open_points"], 1 + round(DEPTH / cell), run.said)
                 self.assertNotIn("unstable", run.warnings)
+
+    def test_torn_apart_in_any_number_of_steps_it_parts_in_one_joint(self):
+        length, energy = 3.0, 10.0
+        parts = 2 * energy / STRENGTH  # [m] opening at which nothing is left
+        for joints, ways, increments, ranks in (2, 2.1, 1, 1), (2, 2.1, 2, 1), (5, 40.0, 1, 1), (9, 11.0, 2, 1), (5, 7.0, 1, 2):
+            with self.subTest(joints=joints, ways=ways, increments=increments, ranks=ranks):
+                end, run = self.pulled(joints, length, energy, ways * parts, increments, ranks)
+                self.assertLess(abs(end["fx_N of end"]), 1e-6 * STRENGTH * DEPTH, run.said)
+                self.assertEqual(end["open_points"], 2, run.said)
+                taken = run.result["energy"]["fracture_J"]
+                self.assertLess(abs(taken - energy * DEPTH), 1e-6 * energy * DEPTH, run.said)
 
     def test_a_bar_too_long_for_its_joints_breaks_at_once(self):
         length, energy = 30.0, 10.0
@@ -87,11 +100,11 @@ class Bar(program.SceneTest):
 
 
 class SideBySide(program.SceneTest):
-    def lifted(self, outlines, feet, hook, way):
+    def lifted(self, outlines, feet, hook, way, increments=4):
         edges = {foot: (foot, 0) for foot in feet}
         scene = stones.scene("stones.geo", [*feet, "hook"],
                              {"lift": {"type": "settlement", "support": "hook", "uy": way}},
-                             {"lifted": {"increments": 4, "loads": {"lift": 1.0}}}, joints=glued(10.0))
+                             {"lifted": {"increments": increments, "loads": {"lift": 1.0}}}, joints=glued(10.0))
         run = self.run_scene(scene, drawing=stones.geo(outlines, 0.1, {**edges, "hook": hook}))
         self.assertEqual(run.outcome, "equilibrium", run.said)
         self.assertNotIn("unstable", run.warnings, run.said)
@@ -105,14 +118,24 @@ class SideBySide(program.SceneTest):
         self.assertEqual(damage[1], 1.0)
         self.assertLess(damage[0], 0.1)
 
-    def test_a_plate_that_cannot_turn_lifts_three_columns_alike(self):
+    def columns(self, way, increments=4):
+        """Damage of the joints of three columns below a plate, in order."""
         columns = {f"c{i}": stones.rectangle(0.4 * i, 0.2, 0.4 * i + 0.2, 1.2) for i in range(3)}
         feet = {f"f{i}": stones.rectangle(0.4 * i, 0, 0.4 * i + 0.2, 0.2) for i in range(3)}
         corners = sum(([(0.4 * i, 1.2), (0.4 * i + 0.2, 1.2)] for i in range(3)), [])
         plate = stones.polygon([*corners, (1.0, 1.4), (0, 1.4)])
-        damage = self.lifted({**feet, **columns, "plate": plate}, list(feet), ("plate", 6), 2.5e-5)
+        return self.lifted({**feet, **columns, "plate": plate}, list(feet), ("plate", 6), way, increments)
+
+    def test_a_plate_that_cannot_turn_lifts_three_columns_alike(self):
+        damage = self.columns(2.5e-5)
         self.assertGreater(damage[3], 0.05)
         self.assertLess(damage[2], 0.005)
+
+    def test_torn_off_each_column_parts_in_one_joint(self):
+        for increments in 1, 2:
+            damage = self.columns(5e-3, increments)
+            self.assertEqual(damage[3:], [1.0] * 3)
+            self.assertLess(damage[2], 0.01)
 
 
 if __name__ == "__main__":
