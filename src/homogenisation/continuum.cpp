@@ -13,8 +13,10 @@
 namespace voussoir {
 namespace {
 
-/// Rigid motions at owned clusters, 3 columns in the plane and 6 in space; 0 where held. Lengths are scaled, and turns
-/// are about the middle of the structure, so that columns are alike.
+/// Rigid motions at owned clusters, 3 columns in the plane and 6 in space. Lengths are scaled, and turns are about the
+/// middle of the structure, so that columns are alike. They are not 0 where a component is held: a group of nodes that
+/// all are held along one axis, as in a slice of a wall in plane strain, would have columns that are, which multigrid
+/// refuses. What it moves held unknowns by is left out (ContinuumCorrection), and in the matrix these stand alone.
 Teuchos::RCP<TpetraMultiVector> rigid_motions(const BlockSystem& s, const MergedSpace& space) {
   const int dim = s.components(), turns = dim * (dim - 1) / 2;
   auto modes = Teuchos::rcp(new TpetraMultiVector(space.map(), dim + turns));
@@ -30,7 +32,7 @@ Teuchos::RCP<TpetraMultiVector> rigid_motions(const BlockSystem& s, const Merged
       }
     for (int m = 0; m < dim + turns; ++m) {
       const auto own = space.held().to_own(k, Vector<3>{value[0][m], value[1][m], value[2][m]});
-      for (int c = 0; c < dim; ++c) view(dim * k + c, m) = space.held()[dim * k + c] ? 0.0 : own[c];
+      for (int c = 0; c < dim; ++c) view(dim * k + c, m) = own[c];
     }
   }
   return modes;

@@ -55,7 +55,7 @@ def upright(tree):
 
 def in_space(tree):
     tree = dict(tree)
-    tree["mesh"] = {"type": "wall in space", "wall in space": {**MESH, "thickness": THICKNESS, "cells across": 1}}
+    tree["mesh"] = {"type": "wall in space", "wall in space": {**tree["mesh"]["wall"], "thickness": THICKNESS, "cells across": 1}}
     tree["model"] = {"hexahedra": "plain"}
     sides = {side: {"on": side, "components": "y"} for side in ("front", "back")}
     held = {"x": "x", "y": "z", "all": "all"}
@@ -235,6 +235,15 @@ class Extruded(program.SceneTest):
             self.assertEqual((ours["where"], ours["when"]), (theirs["where"], theirs["when"]))
             self.assertLessEqual(abs(ours["how_much"] - theirs["how_much"]), 1e-5 * ours["how_much"])
             self.assertIn(" x 1 cells along it", theirs["text"])
+
+    def test_so_many_stones_that_multigrid_groups_their_nodes(self):
+        """Of groups in which all are held across nothing is left of motions across."""
+        tree = plane({"wind": {"type": "traction", "on": "left", "tx": 900.0}})
+        tree["mesh"] = {"type": "wall", "wall": {**MESH, "courses": 12, "blocks per course": 20}}
+        tree["observations"]["top"] = {"place": "mean", "blocks": "course 11"}
+        self.compare(tree)
+        split = self.run_scene(xml("space", in_space(tree)) + "\n", out="split", ranks=2)
+        self.assertEqual(split.outcome, "equilibrium", split.said)
 
     def test_the_factor_of_a_push(self):
         tree = plane({"push": {"type": "acceleration", "ax": GRAVITY}}, {"own weight": OWN}, load_factor={"pattern": {"push": 1.0}, "accuracy": 0.01})
