@@ -53,6 +53,37 @@ std::string axes_not_held(const Model& model, const std::string& load, const Set
   return axes;
 }
 
+/// Whether a load with a function of time does nothing at a time.
+bool is_zero_at(const Model& model, const std::string& load, double time) {
+  const auto& s = model.structure();
+  std::vector<double> force, prescribed;
+  model.loads({{load, 1.0}}, time, force, prescribed);
+  double largest = 0;
+  for (int i = 0; i < model.components() * s.owned_nodes(); ++i)
+    largest = std::max({largest, std::abs(force[i]), std::abs(prescribed[i])});
+  return largest_over_ranks(*s.comm(), largest) == 0;
+}
+
+/// Load steps are all at one time, that of the end of the stages in time before them.
+void warn_of_functions_at_rest(const Scene& scene, const Model& model, const std::string& load, Warnings& all) {
+  const auto warn = [&](const std::string& where, double time, const std::string& steps) {
+    if (!is_zero_at(model, load, time)) return;
+    all.push_back({"zero_at_rest", scene.file + ": scene > " + where + " > " + load, "", time,
+                   "is 0 in " + steps + ": load steps are all at one time, " + number_text(time) +
+                       " s, at which its time function is 0; name it in a stage with a duration, or leave its time "
+                       "function out"});
+  };
+  double time = 0;
+  for (const auto& stage : scene.stages) {
+    const auto named = stage.factors.find(load);
+    if (stage.dynamic())
+      time += stage.duration;
+    else if (named != stage.factors.end() && named->second != 0)
+      warn("steps > stages > " + stage.name + " > loads", time, "the load steps of this stage");
+  }
+  if (scene.load_factor.pattern.count(load) > 0) warn("load factor > pattern", time, "the search for a load factor");
+}
+
 bool is_used(const Scene& scene, const std::string& load) {
   return scene.load_factor.pattern.count(load) > 0 ||
          std::any_of(scene.stages.begin(), scene.stages.end(),
@@ -64,7 +95,11 @@ bool is_used(const Scene& scene, const std::string& load) {
 Warnings warnings_of_idle_loads(const Scene& scene, const Model& model) {
   Warnings all;
   for (const auto& load : scene.loads) {
-    if (load.time_function.type != TimeFunctionType::constant || !is_used(scene, load.name)) continue;
+    if (!is_used(scene, load.name)) continue;
+    if (load.time_function.type != TimeFunctionType::constant) {
+      warn_of_functions_at_rest(scene, model, load.name, all);
+      continue;
+    }
     if (const auto* const settlement = std::get_if<SettlementParameters>(&load.kind)) {
       const auto axes = axes_not_held(model, load.name, *settlement);
       if (!axes.empty())

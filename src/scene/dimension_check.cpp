@@ -31,7 +31,8 @@ void check_plane(Scene& scene, InputProblems& problems) {
                      (drawn ? "\"by shape\" or \"triangles\"" : "\"quadrilateral\" or \"triangle\"") +
                      ", or small rotations.");
   if (scene.model.hexahedra != ModelParameters{}.hexahedra)
-    scene.warnings.push_back("model > hexahedra has no effect: the mesh is plane.");
+    scene.warnings.push_back(
+        {"probably_not_meant", "scene > model > hexahedra", "", 0, "has no effect: the mesh is plane"});
 }
 
 /// What a scene in space names that is of the plane alone.

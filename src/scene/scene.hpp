@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/warning.hpp"
 #include "blocks/material_parameters.hpp"
 #include "blocks/support_parameters.hpp"
 #include "dynamics/construction_parameters.hpp"
@@ -47,7 +48,7 @@ struct Scene {
   Internals internals;  ///< how steps are solved: for studies
   std::vector<Named<ObservationParameters>> observations;
   OutputParameters output;
-  std::vector<std::string> warnings;  ///< what is legal but probably not meant
+  Warnings warnings;  ///< what is legal but probably not meant, by its place in the scene
 };
 
 }  // namespace voussoir

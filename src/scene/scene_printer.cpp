@@ -214,7 +214,6 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
     row("internals", "", path.substr(path.find(" > ") + 3) + " = " + value);
   print_effects(os, scene);
   if (internals) print_internals(os, scene);
-  for (const std::string& warning : scene.warnings) os << "  warning: " << warning << '\n';
 }
 
 void write_scene(std::ostream& os, const Scene& scene) {

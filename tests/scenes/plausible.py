@@ -64,6 +64,29 @@ class Plausible(program.SceneTest):
         self.assertEqual(run.warnings.count("unusual_value"), 4)
         self.assertNotIn("unusual_value", self.run_scene(scene()).warnings)
 
+    def test_a_load_that_is_zero_at_the_time_of_load_steps(self):
+        gust = {"type": "acceleration", "ax": 50.0, "time function": {"type": "pulse", "duration": 0.5}}
+        pushed = {"loads": {"weight": 1.0, "gust": 1.0}}
+        told = self.run_scene(scene(loads={"gust": gust}, stages={"own": stones.OWN_WEIGHT, "push": pushed}), drawing=DRAWING)
+        self.assertEqual(told.warnings, ["zero_at_rest"], told.said)
+        self.assertIn("in the load steps of this stage", told.words)
+        raised = {"load factor": {"pattern": {"gust": 1.0}, "largest factor": 2.0}}
+        told = self.run_scene(scene(loads={"gust": gust}, stages={"own": stones.OWN_WEIGHT}, **raised))
+        self.assertEqual(told.warnings, ["zero_at_rest"], told.said)
+        # In the middle of the pulse, and after stages of so long: it pushes.
+        for stages in ({"push": {**pushed, "duration": 0.01, "time step": 0.01}},
+                       {"rest": {**stones.OWN_WEIGHT, "duration": 0.25, "time step": 0.01}, "push": {"loads": {"weight": 1.0, "gust": 0.001}}}):
+            run = self.run_scene(scene(loads={"gust": gust}, stages=stages))
+            self.assertNotIn("zero_at_rest", run.warnings, run.said)
+
+    def test_what_a_scene_says_for_nothing(self):
+        thrown = {"initial velocities": {"a": {"blocks": "all", "vx": 1.0}}}
+        told = self.run_scene(scene(loads={"wind": {"type": "acceleration", "ax": 1.0}}, stages={"own": stones.OWN_WEIGHT}, **thrown),
+                              drawing=DRAWING)
+        self.assertEqual(told.warnings.count("probably_not_meant"), 2, told.said)
+        self.assertIn("initial velocities: have no effect", told.words)
+        self.assertIn("loads > wind: never acts", told.words)
+
     def test_a_load_that_supports_bear_where_it_acts(self):
         held = {"press": {"type": "traction", "on": "ground", "pressure": 1e4}}
         stages = {"own": stones.OWN_WEIGHT}

@@ -151,6 +151,17 @@ class RangeInSpace(program.SceneTest):
         for depth in depths[1:]:
             self.assertLess(abs(depth - depths[0]), 1e-6)
 
+    def test_a_gap_that_closes_is_no_overlap(self):
+        for gap, way in (0.005, 0), (0.02, 0), (0.02, 0.03):
+            stones = {"ground": ((-1, -1, -0.3), (1, 1, 0)), "stone": ((-0.2, -0.2, 0), (0.2, 0.2, 0.4))}
+            pushed = {"down": {"type": "settlement", "support": "ground", "uz": way}}
+            run = self.run_stones(stones, scene({"ground": {"on": "faces", "blocks": "ground"}}, pushed,
+                                                {"own weight": {"loads": {"weight": 1.0, "down": 1.0}}},
+                                                joints={"dry": {"friction coefficient": MU, "initial gap": gap}}))
+            self.assertEqual(run.outcome, "equilibrium", run.said)
+            self.assertLess(abs(run.history[-1]["largest_displacement_m"] - max(gap, way)), 0.5 * gap)
+            self.assertNotIn("stones_overlap", run.warnings, run.said)
+
 
 if __name__ == "__main__":
     program.main()

@@ -15,6 +15,7 @@
 #include "mesh/box_tree.hpp"
 #include "model/plane/plane_model.hpp"
 #include "range/boxes_of_ranks.hpp"
+#include "range/gaps_as_drawn.hpp"
 #include "range/plane/stone_places.hpp"
 #include "range/range_parameters.hpp"
 
@@ -159,21 +160,6 @@ std::map<BlockId, Outline> outlines_of(const PlaneModel& model, const StepEnd& e
   return outlines;
 }
 
-/// Joints of this rank that stand open where the drawing has them closed: by that much [m] their stones may lie in each
-/// other as drawn.
-std::map<std::pair<BlockId, BlockId>, double> gaps_as_drawn(const PlaneModel& model) {
-  const auto& points = model.points();
-  std::map<std::pair<BlockId, BlockId>, double> gaps;
-  for (int k = 0; k < points.owned() && !model.initial_gap().empty(); ++k) {
-    const double gap = model.initial_gap()[k];
-    const auto& joint = points.joints()[points.points()[k].joint];
-    if (!(gap > 0)) continue;
-    auto& known = gaps[{joint.block_i, joint.block_j}];
-    known = std::max(known, gap);
-  }
-  return gaps;
-}
-
 struct Overlap {
   BlockId a, b;
   double depth;  ///< [m]
@@ -192,12 +178,11 @@ RangeFindings look_at_outlines(const PlaneModel& model, const StepEnd& end, cons
   const auto stones = boxes_near(model, end, shortest_side);
   const auto pairs = suspects(stones, comm.getRank());
   const auto outlines = outlines_of(model, end, stones, pairs);
-  const auto gaps = gaps_as_drawn(model);
+  const GapsAsDrawn gaps(model);
   std::vector<Overlap> mine;
   for (const auto& [first, second] : pairs) {
     const auto &a = stones[first], &b = stones[second];
-    const auto gap = gaps.find({a.block, b.block});
-    const double as_drawn = gap == gaps.end() ? 0.0 : gap->second;
+    const double as_drawn = gaps.between(a.block, b.block);
     const double depth =
         overlap_depth(outlines.at(a.block), outlines.at(b.block), tolerance(a, b, well_inside) + as_drawn);
     if (depth > tolerance(a, b, RangeParameters::counts_as_touching) + as_drawn)

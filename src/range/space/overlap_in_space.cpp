@@ -9,6 +9,7 @@
 #include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "range/boxes_of_ranks.hpp"
+#include "range/gaps_as_drawn.hpp"
 #include "range/range_parameters.hpp"
 #include "range/space/stone_surfaces.hpp"
 #include "range/stone_names.hpp"
@@ -51,13 +52,15 @@ std::vector<Overlap> overlaps_here(const SpaceModel& model, const StepEnd& end, 
   std::vector<StoneSurface> surfaces;
   for (const auto& stone : stones) grown.push_back(growth(stone));
   for (auto& stone : stones) surfaces.push_back(std::move(stone.surface));
+  const GapsAsDrawn gaps(model);
   std::vector<Overlap> found;
   for (const auto& overlap : overlaps(surfaces, touching)) {
     const auto [one, other] = overlap.stone;
     const auto [a, b] = std::minmax(stones[one].block, stones[other].block);
     const int local = s.local_block(a);
     if (local < 0 || local >= s.owned_blocks()) continue;  // another rank's to tell
-    if (overlap.depth > touching + grown[one] + grown[other]) found.push_back({a, b, overlap.depth});
+    if (overlap.depth > touching + grown[one] + grown[other] + gaps.between(a, b))
+      found.push_back({a, b, overlap.depth});
   }
   return found;
 }
