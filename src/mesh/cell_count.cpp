@@ -84,6 +84,8 @@ double cells_of(const MeshParameters& p) {
 
 double most_cells() { return whole_memory() / bytes_per_cell; }
 
+std::string too_many_cells(double cells) { return cells > most_cells() ? why(cells) : ""; }
+
 void refuse_too_many_cells(const GmshParameters& p, const Drawing& drawing) {
   const double cells = cells_of(drawing);
   if (!(cells > most_cells())) return;

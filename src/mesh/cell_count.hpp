@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "base/tensor.hpp"
@@ -51,6 +52,9 @@ double cells_of(const MeshParameters&);
 /// The most cells that this machine could compute with. A fixed number for each cell, because the cost of a cell in
 /// memory depends little on the structure, and the whole memory, because what is free now may be more in a minute.
 double most_cells();
+
+/// Why so many cells are too many for this machine; "" where they are not.
+std::string too_many_cells(double cells);
 
 /// Throws InputError for a drawing that asks for more cells than this machine could compute with, with its size and how
 /// many: probably its unit is another.

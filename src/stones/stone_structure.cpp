@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
+#include "mesh/cell_count.hpp"
 #include "stones/overlaps.hpp"
 #include "stones/repair.hpp"
 #include "stones/solid.hpp"
@@ -298,6 +299,18 @@ void turn_up(UpAxis up, Places& places) {
   for (auto& x : places) x = {x[axes[0]], x[axes[1]], x[axes[2]]};
 }
 
+/// Before the first cell is made. Of tetrahedra of an edge there are more than of cubes of that edge.
+void refuse_too_many_cells(const StoneStructure& s, const StonesParameters& p) {
+  double whole = 0;
+  for (const auto& stone : s.stones) whole += volume(stone);
+  const auto why = too_many_cells(whole / std::pow(std::min(s.hexahedron_size, s.tetrahedron_size), 3));
+  if (why.empty()) return;
+  throw InputError("mesh > stones > element size = " + metres(p.element_size) + "\n  " + why + ": the stones have " +
+                   six_digits(whole) +
+                   " m3.\n  Give a larger element size, and mesh > stones > unit where the file is "
+                   "drawn in another than metres; 0 lets the program choose.");
+}
+
 StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const StonesParameters& p) {
   StoneStructure s;
   auto mended = closed(drawn, p.weld);
@@ -310,6 +323,7 @@ StoneStructure structure_of(const std::vector<StoneSurface>& drawn, const Stones
   s.hexahedron_size = p.element_size > 0 ? p.element_size : defaults.element_size * size;
   s.tetrahedron_size = p.element_size == 0 && quadratic ? defaults.quadratic_size * size : s.hexahedron_size;
   s.cells = p.cells;
+  refuse_too_many_cells(s, p);
   refuse_overlaps(s.stones, s.tolerance);
   s.faceted = facets_of(s.stones, s.tolerance);
   s.joints = find_joints(s.faceted, s.tolerance);

@@ -52,12 +52,19 @@ class VelocityProjection::Impulses : public TpetraOperator {
 
   void hold(std::vector<char> held) { held_ = std::move(held); }
 
-  /// -B^T lambda on node copies [N s].
-  const std::vector<double>& of_points(const TpetraVector& lambda) const {
+  /// Of all points of this rank.
+  const PointField& at_points(const TpetraVector& lambda) const {
     const int dim = points_.components();
     field_.assign(static_cast<std::size_t>(dim) * points_.size(), 0.0);
     std::copy_n(local_view(lambda), dim * points_.owned(), field_.begin());
     points_.exchange().update(field_, dim);
+    return field_;
+  }
+
+  /// -B^T lambda on node copies [N s].
+  const std::vector<double>& of_points(const TpetraVector& lambda) const {
+    const int dim = points_.components();
+    at_points(lambda);
     nodal_.assign(static_cast<std::size_t>(dim) * space_.cluster().size(), 0.0);
     add_contact_forces(points_, {}, field_, -1.0, nodal_);
     return nodal_;
@@ -136,12 +143,27 @@ double VelocityProjection::mass(int point, int axis) const {
   return (*by_mass_)[dim * point + axis];
 }
 
-std::vector<double> VelocityProjection::apply(std::vector<double>& velocity, const std::vector<char>& held) {
+VelocityProjection::Impulses& VelocityProjection::impulses() {
+  if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
+  return *impulses_;
+}
+
+/// v -= M^-1 B^T lambda. Returns M dv + B^T lambda.
+std::vector<double> VelocityProjection::add(std::vector<double>& velocity, const TpetraVector& lambda) {
+  const auto& change = impulses().change(lambda);
+  for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
+  std::vector<double> of_supports;
+  mass_.apply_stiffness(change, of_supports);
+  const auto& of_points = impulses().of_points(lambda);
+  for (std::size_t i = 0; i < of_supports.size(); ++i) of_supports[i] -= of_points[i];
+  return of_supports;
+}
+
+JumpImpulses VelocityProjection::apply(std::vector<double>& velocity, const std::vector<char>& held) {
   const int dim = model_.components();
   VOUSSOIR_EXPECT(is_of_nodes(model_, velocity) && all_finite(velocity) && "velocity: of node copies, finite");
   VOUSSOIR_EXPECT(held.size() == static_cast<std::size_t>(dim) * model_.points().size() && "held: of points");
-  if (impulses_.is_null()) impulses_ = Teuchos::rcp(new Impulses(model_, mass_));
-  impulses_->hold(held);
+  impulses().hold(held);
   const auto map = impulses_->getDomainMap();
   const auto speed = Teuchos::rcp(new TpetraVector(map)), lambda = Teuchos::rcp(new TpetraVector(map));
   impulses_->relative(velocity, *speed, 1.0);
@@ -155,13 +177,18 @@ std::vector<double> VelocityProjection::apply(std::vector<double>& velocity, con
   const double tolerance = std::max(numbers.velocity_accuracy, known / size);
   const auto solved = solver_.solve(impulses_, by_mass_, speed, lambda, tolerance);
   if (!solved.converged) throw SolverFailure("the impulses between stones are not found: " + solved.failure);
-  const auto& change = impulses_->change(*lambda);
-  for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
-  std::vector<double> of_supports;
-  mass_.apply_stiffness(change, of_supports);
-  const auto& of_points = impulses_->of_points(*lambda);
-  for (std::size_t i = 0; i < of_supports.size(); ++i) of_supports[i] -= of_points[i];
-  return of_supports;
+  JumpImpulses jump{add(velocity, *lambda), impulses_->at_points(*lambda)};
+  for (double& p : jump.at_points) p = -p;
+  return jump;
+}
+
+std::vector<double> VelocityProjection::push(std::vector<double>& velocity, const PointField& impulses_at_points) {
+  VOUSSOIR_EXPECT(is_of_nodes(model_, velocity) && "velocity: of node copies");
+  VOUSSOIR_EXPECT(is_of_points(model_, impulses_at_points) && "impulses: of points");
+  TpetraVector lambda(impulses().getDomainMap());
+  double* value = local_view_to_write(lambda);
+  for (int i = 0; i < static_cast<int>(lambda.getLocalLength()); ++i) value[i] = -impulses_at_points[i];
+  return add(velocity, lambda);
 }
 
 }  // namespace voussoir

@@ -20,6 +20,12 @@ namespace voussoir {
 /// B v: relative velocities of contact points along their axes [m/s, points x components].
 PointField relative_velocities(const ContactPoints&, const std::vector<double>& velocity);
 
+/// Impulses of a change of velocities.
+struct JumpImpulses {
+  std::vector<double> of_supports;  ///< [N s, node copies] M dv - B^T p: round-off where nothing is held
+  PointField at_points;             ///< [N s] p, along the axes of points; normal ones press where they are positive
+};
+
 class VelocityProjection {
  public:
   /// @param mass  the structure with the mass of its blocks in the place of their stiffness
@@ -32,13 +38,17 @@ class VelocityProjection {
   /// Collective; SolverFailure on all ranks where the impulses are not found.
   /// @param velocity  [m/s] on node copies, ghosts up to date; changed
   /// @param held      1 where relative velocities become zero [points x components]; ghosts as their owners
-  /// @return impulses of supports, M dv + B^T lambda [N s, node copies]: round-off where nothing is held; none where
-  ///         the velocity was right
-  std::vector<double> apply(std::vector<double>& velocity, const std::vector<char>& held);
+  /// @return none where the velocity was right
+  JumpImpulses apply(std::vector<double>& velocity, const std::vector<char>& held);
+  /// Adds what impulses at points [N s, points x components; ghosts as their owners] do to velocities. Returns the
+  /// impulses of supports [N s, node copies]. Collective.
+  std::vector<double> push(std::vector<double>& velocity, const PointField& impulses);
 
  private:
   class Impulses;
   class ByMass;
+  Impulses& impulses();
+  std::vector<double> add(std::vector<double>& velocity, const TpetraVector& lambda);
   const Model& model_;
   const BlockSystem& mass_;
   LinearSolver solver_;

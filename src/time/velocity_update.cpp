@@ -180,8 +180,8 @@ double VelocityUpdate::work_of_supports(const std::vector<double>& impulses,
   return work(impulses, moving_supports(velocity));
 }
 
-/// What is held, and all of the points where stones are one. Returns the impulses of supports.
-std::vector<double> VelocityUpdate::project(std::vector<double>& velocity, Marks held, const std::vector<char>& apart) {
+/// What is held, and all of the points where stones are one.
+JumpImpulses VelocityUpdate::project(std::vector<double>& velocity, Marks held, const std::vector<char>& apart) {
   const int dim = at_rest_.components();
   for (int i = 0; i < dim * at_rest_.points().size(); ++i)
     held[i] = (held[i] || !apart[i / dim]) && projection_.mass(i / dim, i % dim) > 0;
@@ -193,7 +193,7 @@ std::vector<double> VelocityUpdate::project(std::vector<double>& velocity, Marks
 VelocityJump VelocityUpdate::stop(std::vector<double>& velocity, const Marks& held, const std::vector<char>& apart) {
   auto taken = velocity;
   VelocityJump jump;
-  jump.impulses = project(velocity, held, apart);
+  jump.impulses = project(velocity, held, apart).of_supports;
   for (std::size_t i = 0; i < taken.size(); ++i) taken[i] -= velocity[i];
   jump.friction = kinetic_energy(taken);
   return jump;
@@ -223,14 +223,17 @@ VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& 
   at_rest_.points().exchange().update(impulse, dim);
   add_contact_forces(at_rest_.points(), {}, impulse, -1.0, way.impulses);
   for (double& p : way.impulses) p /= step.inertia();
+  for (double& p : impulse) p /= step.inertia();
+  way.at_points = std::move(impulse);
   return way;
 }
 
-/// A way without the motions of free bodies as wholes. Their momentum is no more asked of supports either, of each in
-/// the measure of the impulse it had to bear.
+/// A way without the motions of free bodies as wholes, and so without resultants of what joints press. Their momentum is
+/// no more asked of supports either, of each in the measure of the impulse it had to bear.
 VelocityUpdate::Way VelocityUpdate::within_bodies(Way way) const {
   const int dim = at_rest_.components();
   const auto momentum = spread_->bodies.remove_motion(way.velocity);
+  way.at_points.clear();
   way.impulses = at_rest_.held().held_part(way.impulses, dim);
   std::vector<double> size(mass_.owned_nodes(), 0.0);
   double mine = 0;
@@ -245,9 +248,8 @@ VelocityUpdate::Way VelocityUpdate::within_bodies(Way way) const {
 }
 
 /// Ends the approach of closed points, and gives what this and the closing took back to what is behind them.
-/// Returns the impulses of supports.
-std::vector<double> VelocityUpdate::rebound(const Model& step, ContactState& state, const Impact& impact, double lost,
-                                            double resting) {
+VelocityUpdate::Rebound VelocityUpdate::rebound(const Model& step, ContactState& state, const Impact& impact,
+                                                double lost, double resting) {
   const auto& [speed, closed, apart] = impact;
   // A selection that changed on one rank changed for all.
   if (any_of_ranks(*mass_.comm(), !spread_ || spread_->apart != apart))
@@ -256,7 +258,7 @@ std::vector<double> VelocityUpdate::rebound(const Model& step, ContactState& sta
   const auto supports = moving_supports(v);
   const double before = kinetic_energy(v);
   const auto given = v;
-  auto impulses = project(v, closed, apart);
+  auto [impulses, at_points] = project(v, closed, apart);
   const double wanted = lost + before - kinetic_energy(v) + work(impulses, supports);
   auto way = spread(step, state.lambda, speed, closed, resting);
   const double whole = kinetic_energy(way.velocity);
@@ -266,16 +268,45 @@ std::vector<double> VelocityUpdate::rebound(const Model& step, ContactState& sta
   }
   // Where closed points hold everything there is no way behind them: then they rebound.
   auto behind = within_bodies(way);
-  add_impulses(behind.impulses, project(behind.velocity, closed, apart));
+  auto ended = project(behind.velocity, closed, apart);
+  add_impulses(behind.impulses, ended.of_supports);
+  behind.at_points = std::move(ended.at_points);
   if (kinetic_energy(behind.velocity) > at_rest_.settings().internals.time_step.no_way * whole) way = std::move(behind);
   const double slope = product(v, way.velocity) - work(way.impulses, supports);
   const double change = least_change(kinetic_energy(way.velocity), slope, wanted);
   for (std::size_t i = 0; i < v.size(); ++i) v[i] += change * way.velocity[i];
   add_impulses(impulses, way.impulses, change);
-  return impulses;
+  add_impulses(at_points, way.at_points, change);
+  return {std::move(impulses), std::move(at_points)};
 }
 
-VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting) {
+VelocityJump VelocityUpdate::give_back(ContactState& state, const Impact& impact, const PointField& at_points,
+                                       double acted) {
+  const int dim = at_rest_.components();
+  PointField back(at_points.size(), 0.0);
+  bool any = false;
+  for (int k = 0; k < static_cast<int>(at_points.size()) / dim; ++k) {
+    const double pull = -at_points[dim * k];
+    if (!impact.closed[dim * k] || !impact.apart[k] || !(pull > 0)) continue;
+    const auto law = law_left(at_rest_, state, k);
+    const double pressed = std::max(0.0, acted * state.lambda[dim * k] - pull);
+    double rubbed = 0;
+    for (int c = 1; c < dim; ++c) rubbed = std::hypot(rubbed, acted * state.lambda[dim * k + c]);
+    const double beyond = rubbed - (acted * law.cohesion + (pressed > 0 ? law.friction * pressed : 0.0));
+    if (!(beyond > 0)) continue;
+    any = true;
+    for (int c = 1; c < dim; ++c) back[dim * k + c] = -beyond / rubbed * acted * state.lambda[dim * k + c];
+  }
+  if (!any_of_ranks(*mass_.comm(), any)) return {};
+  const auto supports = moving_supports(state.velocity);
+  const double before = kinetic_energy(state.velocity);
+  VelocityJump jump;
+  jump.impulses = projection_.push(state.velocity, back);
+  jump.friction = before - kinetic_energy(state.velocity) + work(jump.impulses, supports);
+  return jump;
+}
+
+VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting, double acted) {
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
   VOUSSOIR_EXPECT(std::isfinite(lost) && lost >= 0 && "energy of closing: not negative");
   VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
@@ -287,11 +318,15 @@ VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, doubl
     if (closed[i]) by_friction[i] = 0;
   auto& v = state.velocity;
   VelocityJump jump;
-  if (fastest(speed, closed) > resting || lost > 0)
-    jump.impulses = rebound(step, state, {speed, closed, apart}, lost, resting);
+  if (fastest(speed, closed) > resting || lost > 0) {
+    const Impact impact{speed, closed, apart};
+    auto [of_supports, at_points] = rebound(step, state, impact, lost, resting);
+    jump = give_back(state, impact, at_points, acted);
+    add_impulses(jump.impulses, of_supports);
+  }
   if (fastest(relative_velocities(points, v), by_friction) <= resting) return jump;
   auto stopped = stop(v, sticking, apart);
-  jump.friction = stopped.friction;
+  jump.friction += stopped.friction;
   add_impulses(jump.impulses, stopped.impulses);
   return jump;
 }

@@ -7,6 +7,10 @@
 // within bodies: resultants would be impulses of joints, which may not pull, and of which friction knows nothing.
 // Points that begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
 //
+// What ends relative velocities may pull: a point that has just closed was pushed away by up to twice what stops it. In
+// the step its friction was that of this push. So it gives back what is more than friction may take of what presses in
+// the end, and no impact is rubbed harder than it presses.
+//
 // Stones that strength holds together at a point are one there, as those that a tie holds: an impulse passes between
 // them in every direction, and they vibrate as one.
 //
@@ -30,7 +34,7 @@ double largest_force(const Model&, const ContactState&);
 
 /// What a change of velocities adds to the book of a step.
 struct VelocityJump {
-  double friction = 0;           ///< taken [J], >= 0
+  double friction = 0;  ///< [J] taken; below 0 where friction gives back more than it takes of what a step had taken
   std::vector<double> impulses;  ///< of supports [N s, node copies]; none where velocities were right
 };
 
@@ -48,7 +52,8 @@ class VelocityUpdate {
   /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
   /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
   /// @param resting  relative velocity below which a point counts as resting [m/s]
-  VelocityJump apply(const Model& step, ContactState& state, double lost, double resting);
+  /// @param acted    [s] for which these forces acted: the time step
+  VelocityJump apply(const Model& step, ContactState& state, double lost, double resting, double acted);
 
   /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
   /// may take.
@@ -71,7 +76,7 @@ class VelocityUpdate {
   using Supports = std::unique_ptr<const std::vector<double>>;  ///< [m/s] velocities there; none where none moves
   Supports moving_supports(const std::vector<double>& velocity) const;
   double work(const std::vector<double>& impulses, const Supports&) const;
-  std::vector<double> project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& apart);
+  JumpImpulses project(std::vector<double>& velocity, std::vector<char> held, const std::vector<char>& apart);
   VelocityJump stop(std::vector<double>& velocity, const std::vector<char>& held, const std::vector<char>& apart);
   double fastest(const PointField& speed, const std::vector<char>& held) const;
   /// What meets: relative velocities [m/s], what is closed, and which points are not one.
@@ -79,10 +84,17 @@ class VelocityUpdate {
     const PointField& speed;
     const std::vector<char>&closed, &apart;
   };
-  std::vector<double> rebound(const Model& step, ContactState&, const Impact&, double lost, double resting);
+  struct Rebound {
+    std::vector<double> of_supports;  ///< [N s]
+    PointField at_points;             ///< [N s] what presses, or pulls, beside the forces of the step
+  };
+  Rebound rebound(const Model& step, ContactState&, const Impact&, double lost, double resting);
+  /// Gives back what friction took beyond what it may of the pressure that is left by pulls at points.
+  VelocityJump give_back(ContactState&, const Impact&, const PointField& at_points, double acted);
   /// A change of velocities with the impulses of supports that come with it.
   struct Way {
     std::vector<double> velocity, impulses;  ///< [m/s], [N s]
+    PointField at_points;                    ///< [N s] what presses there, but for what has no resultant
   };
   Way spread(const Model& step, const PointField& lambda, const PointField& speed, const std::vector<char>& closed,
              double resting);

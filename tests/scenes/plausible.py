@@ -9,6 +9,7 @@ import time
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import program
+import solids
 import stones
 
 INPUT = 2
@@ -51,6 +52,13 @@ class Plausible(program.SceneTest):
                              "mesh/wall/blocks per course=1000000")
         self.assertEqual(run.code, INPUT, run.said)
         self.assertIn("cells, and this machine's memory", run.words)
+
+    def test_stones_in_space_with_millimetres_for_metres(self):
+        (self.folder / "stones.obj").write_text(solids.obj({"a": solids.box((0, 0, 0), (1, 1, 0.5)),
+                                                            "b": solids.box((0, 0, 0.5), (1, 1, 1))}), encoding="utf-8")
+        mesh = {"type": "stones", "stones": {"file": "stones.obj", "element size": 2e-4}}
+        text = stones.scene(mesh, {"foot": {"on": "base"}}, {}, {"own": stones.OWN_WEIGHT})
+        self.refused(["mesh > stones > element size = 0.0002 m", "asks for 1.25e+11 cells", "1 m3"], text, drawing=None)
 
     def test_values_in_another_unit(self):
         text = scene(joints={"dry": {"friction coefficient": 35.0, "cohesion": 0.1, "tension strength": 0.1,

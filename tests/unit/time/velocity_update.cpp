@@ -19,7 +19,8 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
-constexpr double resting = 1e-6;  // [m/s]
+constexpr double time_step = 1e-4;  // [s]
+constexpr double resting = 1e-6;    // [m/s]
 
 class Flight {
  public:
@@ -30,7 +31,7 @@ class Flight {
           const auto& block = at_rest_.structure().blocks()[b];
           return block_mass(block.mesh, block.material.density, 1.0, Mass::consistent);
         })),
-        step_(at_rest_.of_time_step(mass_, MidpointRule{1e-4, 0, 0}, 1e-11)),
+        step_(at_rest_.of_time_step(mass_, MidpointRule{time_step, 0, 0}, 1e-11)),
         update_(at_rest_, mass_),
         state(experiment_.state()) {
     state.velocity.assign(state.displacement.size(), 0.0);
@@ -64,7 +65,7 @@ class Flight {
     Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, static_cast<int>(mine), Teuchos::outArg(everywhere));
     return everywhere != 0;
   }
-  double apply() { return update_.apply(*step_, state, 0.0, resting).friction; }
+  double apply() { return update_.apply(*step_, state, 0.0, resting, time_step).friction; }
 
   bool bed(int k) const { return std::abs(at_rest_.points().points()[k].axis[0][1]) > 0.5; }
   /// Largest relative velocity at bed points, normal (0) or tangential (1) [m/s].
