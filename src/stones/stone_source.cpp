@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "linalg/agree.hpp"
+#include "mesh/alike_blocks.hpp"
 #include "mesh/msh_format.hpp"
 #include "stones/cell_mesh.hpp"
 #include "stones/gmsh_volumes.hpp"
@@ -19,13 +20,19 @@ namespace {
 
 std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
   std::string line = counted(q.of_hexahedra, "stone") + " of hexahedra, " +
-                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) +
-                     " of tetrahedra: " + counted(q.nodes, "node") + ", " + counted(q.cells, "cell") + ", " +
-                     six_digits(q.volume) + " m3";
+                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) + " of tetrahedra (" +
+                     counted(q.filled, "shape") + " filled): " + counted(q.nodes, "node") + ", " +
+                     counted(q.cells, "cell") + ", " + six_digits(q.volume) + " m3";
   if (q.of_hexahedra < static_cast<int>(stones))
     line += "; least angle between faces of a tetrahedron " + six_digits(q.least_dihedral) + " degrees, " +
             counted(q.flat, "cell") + " below 5";
   return line;
+}
+
+/// What is said of blocks that are alike.
+std::string of_shapes(int shapes, std::size_t stones) {
+  return counted(stones, "stone") + ", " + counted(shapes, "shape") +
+         ": those that are drawn alike and cut alike by their joints have one mesh";
 }
 
 BlockList<3> meshed_here(StoneStructure structure) {
@@ -96,6 +103,7 @@ std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, con
   on_first_rank(comm, [&] {
     list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p));
     list.quadratic = p.element == StoneElement::quadratic;
+    list.report.push_back(of_shapes(make_alike_equal(list.blocks), list.blocks.size()));
   });
   return make_source_on_first(std::move(list), comm);
 }

@@ -4,7 +4,11 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
 #include <fstream>
+#include <memory>
+#include <numeric>
+#include <set>
 
+#include "blocks/shapes.hpp"
 #include "linalg/reduce.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
@@ -48,6 +52,45 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
   }
   TEST_EQUALITY(largest_over_ranks(*comm, sum), least_over_ranks(*comm, sum));
   TEST_EQUALITY(graph_of(*read).neighbour.size(), 6u);
+}
+
+/// The different stiffnesses of blocks, which every rank finds by itself.
+std::size_t stiffnesses(const BlockSource<3>& source) {
+  StiffnessOfShapes shapes(ModelParameters{});
+  std::set<std::shared_ptr<const LocalCsr>> found;
+  for (BlockId b = 0; b < source.block_count(); ++b)
+    found.insert(shapes.of(source.block(b), Material{10e9, 0.2, 2000}).stiffness);
+  return found.size();
+}
+
+std::unique_ptr<BlockSource<3>> read_all(const std::vector<StoneSurface>& stones, const StonesParameters& p,
+                                         const Teuchos::Comm<int>& comm) {
+  if (comm.getRank() == 0) write_obj(p.file, stones);
+  auto source = read_stone_blocks(p, comm);
+  std::vector<BlockId> all(stones.size());
+  std::iota(all.begin(), all.end(), 0);
+  source->bring(all, comm);
+  return source;
+}
+
+// Joints straighten edges of quadratic cells: stones that touch others on other sides bend otherwise.
+TEUCHOS_UNIT_TEST(StoneSource, StonesThatAreAlikeHaveOneStiffness) {
+  const auto comm = Tpetra::getDefaultComm();
+  StonesParameters p;
+  p.file = "honeycomb.obj";
+  p.element = StoneElement::linear;
+  TEST_EQUALITY(stiffnesses(*read_all(honeycomb(5, 4), p, *comm)), 1u);
+  p.element = StoneElement::quadratic;
+  // Inside six neighbours; along the sides of the wall, at its corners and where columns end higher or lower there are
+  // ten other sets of them.
+  TEST_EQUALITY(stiffnesses(*read_all(honeycomb(6, 5), p, *comm)), 11u);
+  std::vector<StoneSurface> boxes;
+  for (int k = 0; k < 7; ++k)
+    boxes.push_back(box("stone " + std::to_string(k), {0.1, 0, 0.3 * k}, {0.8, 0.4, 0.3 * (k + 1)}));
+  p.file = "boxes.obj";
+  const auto column = read_all(boxes, p, *comm);
+  TEST_EQUALITY(column->block(3).cells[0].count, 8);
+  TEST_EQUALITY(stiffnesses(*column), 1u);
 }
 
 // A support on such a set would hold the stone of that name too, or that stone in the place of the set.
