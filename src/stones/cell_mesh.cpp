@@ -284,13 +284,14 @@ void add_cells(const FilledMesh& mesh, const ClosedMesh& first, const ClosedMesh
 }
 
 /// Fills all stones without cells with tetrahedra, and adds their free faces.
-void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, StoneMeshes& result) {
+void add_tetrahedra(const StoneStructure& s, const PieceMesher& mesher, VertexId vertex, const Ends& ends,
+                    StoneMeshes& result) {
   std::vector<char> wanted;
   for (const auto& block : result.list.blocks) wanted.push_back(block.cells.empty());
-  const auto skins = skins_of(s, wanted);
+  const auto skins = skins_of(s, wanted, mesher);
   const auto stones = skins_of_stones(s, skins);
   const auto surfaces = surfaces_to_fill(stones, wanted, largest_coordinate(skins.nodes));
-  auto meshes = filled(surfaces.first);
+  auto meshes = mesher.surfaces(surfaces.first);
   result.quality.filled = static_cast<int>(meshes.size());
   std::vector<StoneMeshQuality> quality(meshes.size());
   std::vector<std::string> fault, faults;
@@ -316,7 +317,7 @@ void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, 
 
 }  // namespace
 
-StoneMeshes mesh_stones(const StoneStructure& s) {
+StoneMeshes mesh_stones(const StoneStructure& s, const PieceMesher& mesher) {
   StoneMeshes result;
   result.list.facet_sets = {"base", "top", "faces"};
   result.list.warnings = s.warnings;
@@ -336,7 +337,7 @@ StoneMeshes mesh_stones(const StoneStructure& s) {
     result.quality.volume += volume_of_hexahedra(block);
     for (const auto& face : boxes.free_faces[k]) ends.add(face, static_cast<int>(k), result.list);
   }
-  add_tetrahedra(s, boxes.vertices, ends, result);
+  add_tetrahedra(s, mesher, boxes.vertices, ends, result);
   for (auto& block : result.list.blocks) add_all_faces(block);
   add_sets(s, result.list);
   return result;

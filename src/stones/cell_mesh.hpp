@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/block_list.hpp"
-#include "stones/gmsh_stones.hpp"
+#include "stones/gmsh_ranks.hpp"
 #include "stones/stone_structure.hpp"
 
 namespace voussoir {
@@ -23,7 +23,7 @@ struct Skins {
 /// alike have triangles that are.
 /// Throws InputError for a cell that cannot be meshed.
 /// @param wanted  per stone, whether its cells are meshed at all
-Skins skins_of(const StoneStructure&, const std::vector<char>& wanted);
+Skins skins_of(const StoneStructure&, const std::vector<char>& wanted, const PieceMesher&);
 
 /// How good the cells of the stones are, and how well they fill them.
 struct StoneMeshQuality {
@@ -46,6 +46,6 @@ struct StoneMeshes {
 /// up, of stones whose lowest or highest point is within a hundredth of the height of all from it; "faces": all.
 /// Stones whose surfaces are translates of each other but for round-off are filled once.
 /// Throws InputError for stones that cannot be filled, naming them.
-StoneMeshes mesh_stones(const StoneStructure&);
+StoneMeshes mesh_stones(const StoneStructure&, const PieceMesher& = {});
 
 }  // namespace voussoir

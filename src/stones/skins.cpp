@@ -182,7 +182,7 @@ std::vector<Triangle> moved(const MeshedCell& from, const std::vector<Triangle>&
 
 }  // namespace
 
-Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted) {
+Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted, const PieceMesher& mesher) {
   const auto& cells = s.imprint.cells;
   Skins skins;
   skins.nodes = s.imprint.points;
@@ -198,7 +198,7 @@ Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted) {
     const auto& cell = to_mesh.back();
     if (cell.alike.is_first) domains.push_back(domain_of(cell.border, skins.nodes, s.tetrahedron_size));
   }
-  const auto flat = meshed(domains);
+  const auto flat = mesher.polygons(domains);
   std::vector<MeshedCell> meshed_cells(flat.size());
   for (const auto& cell : to_mesh) {
     const int shape = cell.alike.shape;

@@ -3,6 +3,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <numeric>
@@ -10,6 +11,7 @@
 
 #include "blocks/shapes.hpp"
 #include "linalg/reduce.hpp"
+#include "stones/cell_mesh.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
 namespace {
@@ -91,6 +93,64 @@ TEUCHOS_UNIT_TEST(StoneSource, StonesThatAreAlikeHaveOneStiffness) {
   const auto column = read_all(boxes, p, *comm);
   TEST_EQUALITY(column->block(3).cells[0].count, 8);
   TEST_EQUALITY(stiffnesses(*column), 1u);
+}
+
+// Ranks mesh pieces that the first one puts together. Stones of an arch are each of a shape of their own.
+TEUCHOS_UNIT_TEST(StoneSource, BlocksAreTheSameWhoeverMeshesThem) {
+  const auto comm = Tpetra::getDefaultComm();
+  StonesParameters p;
+  p.cells = StoneCells::tetrahedra;
+  const auto structure = structure_of(arch(7), p);
+  const auto alone = mesh_stones(structure);
+  StoneMeshes by_all;
+  on_first_rank_meshed_by_all(*comm, [&](const PieceMesher& mesher) { by_all = mesh_stones(structure, mesher); });
+  if (comm->getRank() > 0) return;
+  TEST_EQUALITY(by_all.quality.filled, 7);
+  for (std::size_t b = 0; b < 7; ++b) {
+    const auto &one = alone.list.blocks[b], &other = by_all.list.blocks[b];
+    TEST_ASSERT(one.position == other.position && one.vertex == other.vertex);
+    TEST_ASSERT(std::equal(one.cells.begin(), one.cells.end(), other.cells.begin(), other.cells.end(),
+                           [](const Cell& x, const Cell& y) { return x.node == y.node; }));
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneSource, EveryRankIsTold) {
+  const auto comm = Tpetra::getDefaultComm();
+  const auto stone = box("", {0, 0, 0}, {1, 1, 1});
+  ClosedMesh good{stone.points, {}, 1.0};
+  for (const auto& face : stone.faces) {
+    good.triangles.push_back({face[0], face[1], face[2]});
+    good.triangles.push_back({face[0], face[2], face[3]});
+  }
+  auto crossed = good;
+  crossed.nodes[6] = {-1, -1, -1};
+  // A piece that fails on the last rank fails alone; the work goes on and may fail afterwards.
+  const auto told = input_error([&] {
+    on_first_rank_meshed_by_all(*comm, [&](const PieceMesher& mesher) {
+      const auto meshes = mesher.surfaces({good, good, good, good, crossed});
+      TEST_ASSERT(meshes[3].failure.empty() && meshes[3].cells == meshes[0].cells);
+      if (!meshes[4].failure.empty()) throw InputError("the last piece");
+    });
+  });
+  TEST_EQUALITY(told, "the last piece");
+  // So may a rank amid the work, of which the first one then sees no end.
+  PieceMesher here;
+  here.surfaces = [&](const std::vector<ClosedMesh>& surfaces) {
+    if (comm->getRank() == comm->getSize() - 1) throw InputError("the last rank");
+    return filled(surfaces);
+  };
+  bool ended = false;
+  const auto all_told = input_error([&] {
+    on_first_rank_meshed_by_all(
+        *comm,
+        [&](const PieceMesher& mesher) {
+          mesher.surfaces({good, good, good, good});
+          ended = true;
+        },
+        here);
+  });
+  TEST_EQUALITY(all_told, "the last rank");
+  TEST_ASSERT(!ended);
 }
 
 // A support on such a set would hold the stone of that name too, or that stone in the place of the set.
