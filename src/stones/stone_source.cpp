@@ -19,9 +19,9 @@ namespace {
 
 std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
   std::string line = counted(q.of_hexahedra, "stone") + " of hexahedra, " +
-                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) + " of tetrahedra (" +
-                     counted(q.filled, "shape") + " filled): " + counted(q.nodes, "node") + ", " +
-                     counted(q.cells, "cell") + ", " + six_digits(q.volume) + " m3";
+                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) + " of tetrahedra" +
+                     (q.filled > 0 ? " (" + counted(q.filled, "shape") + " filled)" : "") + ": " +
+                     counted(q.nodes, "node") + ", " + counted(q.cells, "cell") + ", " + six_digits(q.volume) + " m3";
   if (q.of_hexahedra < static_cast<int>(stones))
     line += "; least angle between faces of a tetrahedron " + six_digits(q.least_dihedral) + " degrees, " +
             counted(q.flat, "cell") + " below 5";

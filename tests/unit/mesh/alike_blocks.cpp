@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh/kept_blocks.hpp"
 #include "mesh/translates.hpp"
 
 namespace {
@@ -72,6 +73,27 @@ TEUCHOS_UNIT_TEST(AlikeBlocks, ThatDifferOtherwiseStayAsTheyAre) {
     TEST_ASSERT(blocks[b].position == drawn[b].position);
     TEST_ASSERT(blocks[b].vertex == drawn[b].vertex);
   }
+}
+
+TEUCHOS_UNIT_TEST(KeptBlocks, HaveEqualCellsOnce) {
+  auto far = body(1, {50, 0, 0});
+  far.curved = {{0, 1}, {1, 3}};
+  auto other = body(2, {0, 50, 0}, {4, 2, 0, 1, 3});
+  KeptBlocks<3> kept;
+  for (const auto& block : {body(0, {0, 0, 0}), far, other}) kept.add(block);
+  TEST_EQUALITY(kept.meshes(), 2u);
+  TEST_ASSERT(kept.has(2) && !kept.has(3));
+  for (const auto& block : {body(0, {0, 0, 0}), far, other}) {
+    const auto back = kept[block.id];
+    TEST_ASSERT(back.id == block.id && back.position == block.position && back.vertex == block.vertex);
+    TEST_ASSERT(back.curved == block.curved && back.folds == block.folds && back.sets == block.sets);
+    TEST_ASSERT(std::equal(back.cells.begin(), back.cells.end(), block.cells.begin(), block.cells.end(),
+                           [](const Cell& x, const Cell& y) { return x.node == y.node && x.count == y.count; }));
+    TEST_EQUALITY(back.facets.size(), 1u);
+    TEST_ASSERT(back.facets[0].node == block.facets[0].node);
+    TEST_ASSERT(kept.vertices(block.id) == block.vertex);
+  }
+  TEST_THROW(kept[3], std::logic_error);
 }
 
 // Places that lie beside each other but for round-off along some axis are in one order whatever that round-off is.
