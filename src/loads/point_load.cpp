@@ -42,6 +42,13 @@ std::vector<KeyOfSpace> PointLoadParameters::keys_of_space() const {
   return keys;
 }
 
+namespace {
+
+// Nodes as near as the nearest but for round-off: places are rounded to 1e-16 of coordinates and 1e-9 as text.
+constexpr double round_off = 1e-9;  // of the size of the structure
+
+}  // namespace
+
 template <int dim>
 NearestNode nearest_node(const Structure<dim>& s, const Vector<dim>& point, const std::vector<char>& among) {
   double mine = std::numeric_limits<double>::max();
@@ -50,9 +57,10 @@ NearestNode nearest_node(const Structure<dim>& s, const Vector<dim>& point, cons
   for (int i = 0; i < s.nodes(); ++i)
     if (counts(i)) mine = std::min(mine, norm(s.drawn_position()[i] - point));
   nearest.distance = least_over_ranks(*s.comm(), mine);
-  long long first = std::numeric_limits<long long>::max();  // copies of a vertex are equally near
+  // Copies of a vertex are equally near, but for the round-off of drawings (mesh/alike_blocks.hpp).
+  long long first = std::numeric_limits<long long>::max();
   for (int i = 0; i < s.nodes(); ++i)
-    if (counts(i) && norm(s.drawn_position()[i] - point) == nearest.distance)
+    if (counts(i) && norm(s.drawn_position()[i] - point) <= nearest.distance + round_off * s.size())
       first = std::min<long long>(first, s.node_id()[i]);
   const long long id = least_over_ranks(*s.comm(), first);
   const auto it = std::find(s.node_id().begin(), s.node_id().end(), static_cast<NodeId>(id));
@@ -77,9 +85,6 @@ void add_point_load(const Structure<dim>& s, const PointLoadParameters& load, do
 namespace {
 
 constexpr WhyWhole at_one_place{"stones at one place"};
-
-// Nodes as near as the nearest but for round-off: places are rounded to 1e-16 of coordinates and 1e-9 as text.
-constexpr double round_off = 1e-9;  // of the size of the structure
 
 template <int dim>
 class PointLoad final : public PatternLoad<dim> {

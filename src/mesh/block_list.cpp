@@ -8,32 +8,44 @@
 #include "base/sort_unique.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/parcels.hpp"
+#include "linalg/reduce.hpp"
 #include "linalg/shared_warnings.hpp"
 #include "mesh/block_bytes.hpp"
 #include "mesh/curved_edges.hpp"
+#include "mesh/kept_blocks.hpp"
 
 namespace voussoir {
 namespace {
 
-/// Names and words of a list, without its blocks.
+/// Names and words of a list, and those of its blocks that are here.
 template <int dim>
 class NamedBlocks : public BlockSource<dim> {
  public:
-  explicit NamedBlocks(BlockList<dim> list) : list_(std::move(list)) {
-    for (std::size_t b = 0; b < list_.blocks.size(); ++b) VOUSSOIR_CHECK(list_.blocks[b].id == static_cast<BlockId>(b));
+  explicit NamedBlocks(BlockList<dim> list) : names_(std::move(list)) {
+    in_list_ = static_cast<BlockId>(names_.blocks.size());
+    for (BlockId b = 0; b < in_list_; ++b) {
+      VOUSSOIR_CHECK(names_.blocks[b].id == b);
+      kept_.add(std::move(names_.blocks[b]));
+    }
+    names_.blocks = std::vector<Block<dim>>();
   }
-  const std::vector<std::string>& block_sets() const override { return list_.block_sets; }
-  const std::vector<std::string>& facet_sets() const override { return list_.facet_sets; }
-  Warnings warnings() const override { return list_.warnings; }
-  std::vector<std::string> report() const override { return list_.report; }
-  std::string picture() const override { return list_.picture; }
+  int node_count(BlockId b) const override { return static_cast<int>(kept_.vertices(b).size()); }
+  Block<dim> block(BlockId b) const override {
+    VOUSSOIR_EXPECT(b >= 0 && b < this->block_count());
+    return kept_[b];
+  }
+  const std::vector<std::string>& block_sets() const override { return names_.block_sets; }
+  const std::vector<std::string>& facet_sets() const override { return names_.facet_sets; }
+  Warnings warnings() const override { return names_.warnings; }
+  std::vector<std::string> report() const override { return names_.report; }
+  std::string picture() const override { return names_.picture; }
 
  protected:
   /// Of a block of the list.
   std::vector<Neighbour> neighbours_in_list(BlockId b) const {
     if (graph_.start.empty()) {
       std::vector<std::vector<VertexId>> vertices;
-      for (const Block<dim>& block : list_.blocks) vertices.push_back(block.vertex);
+      for (BlockId other = 0; other < in_list_; ++other) vertices.push_back(kept_.vertices(other));
       graph_ = graph_of_shared_vertices(vertices);
     }
     std::vector<Neighbour> all;
@@ -42,9 +54,11 @@ class NamedBlocks : public BlockSource<dim> {
     return all;
   }
 
-  BlockList<dim> list_;
+  BlockId in_list_ = 0;
+  mutable KeptBlocks<dim> kept_;  ///< those of the list, and what is brought
 
  private:
+  BlockList<dim> names_;      ///< without its blocks
   mutable BlockGraph graph_;  ///< found when first asked for
 };
 
@@ -52,12 +66,7 @@ template <int dim>
 class ListedBlocks final : public NamedBlocks<dim> {
  public:
   using NamedBlocks<dim>::NamedBlocks;
-  BlockId block_count() const override { return static_cast<BlockId>(this->list_.blocks.size()); }
-  int node_count(BlockId b) const override { return static_cast<int>(this->list_.blocks[b].position.size()); }
-  Block<dim> block(BlockId b) const override {
-    VOUSSOIR_EXPECT(b >= 0 && b < block_count());
-    return this->list_.blocks[b];
-  }
+  BlockId block_count() const override { return this->in_list_; }
   std::vector<Neighbour> neighbours(BlockId b) const override { return this->neighbours_in_list(b); }
 };
 
@@ -69,10 +78,10 @@ class BroughtBlocks final : public NamedBlocks<dim> {
       : NamedBlocks<dim>(std::move(list)), count_(count), has_list_(has_list) {}
 
   BlockId block_count() const override { return count_; }
-  int node_count(BlockId b) const override { return static_cast<int>(here(b).position.size()); }
-  Block<dim> block(BlockId b) const override { return here(b); }
   std::vector<Neighbour> neighbours(BlockId b) const override {
-    return has_list_ ? this->neighbours_in_list(b) : brought(b).neighbours;
+    if (has_list_) return this->neighbours_in_list(b);
+    VOUSSOIR_CHECK(this->kept_.has(b) && "a block that was not brought to this rank");
+    return neighbours_.at(b);
   }
   int reader_of(BlockId, int) const override { return 0; }
   BlockSpan read_by(int rank, int) const override { return {0, rank == 0 ? count_ : 0}; }
@@ -81,35 +90,38 @@ class BroughtBlocks final : public NamedBlocks<dim> {
     if (comm.getSize() == 1) return;
     std::vector<BlockId> missing;
     for (const BlockId b : wanted)
-      if (!has_list_ && !brought_.count(b)) missing.push_back(b);
+      if (!has_list_ && !this->kept_.has(b)) missing.push_back(b);
+    const auto most = static_cast<std::size_t>(std::max(1, count_ / (rounds * comm.getSize())));
+    for (std::size_t from = 0; any_of_ranks(comm, from < missing.size()); from += most) {
+      const auto first = missing.begin() + static_cast<std::ptrdiff_t>(std::min(from, missing.size()));
+      const auto behind = missing.begin() + static_cast<std::ptrdiff_t>(std::min(from + most, missing.size()));
+      bring_at_once({first, behind}, comm);
+    }
+  }
+
+ private:
+  /// Messages are copies of blocks: asked for in so many rounds, what the first rank writes to all others is that part
+  /// of the mesh at a time, where each rank asks for its share.
+  static constexpr int rounds = 16;
+
+  void bring_at_once(std::vector<BlockId> missing, const Teuchos::Comm<int>& comm) const {
     std::vector<Parcel<char>> answer;
     for (const auto& asked : exchange_parcels<BlockId>({{0, std::move(missing)}}, comm)) {
       std::vector<BlockWithNeighbours<dim>> blocks;
-      for (const BlockId b : asked.items) blocks.push_back({this->list_.blocks[b], this->neighbours_in_list(b)});
+      for (const BlockId b : asked.items) blocks.push_back({this->kept_[b], this->neighbours_in_list(b)});
       const auto bytes = bytes_of(blocks);
       answer.push_back({asked.rank, {bytes.begin(), bytes.end()}});
     }
     for (const auto& parcel : exchange_parcels(std::move(answer), comm))
       for (auto& one : blocks_of_bytes<dim>({parcel.items.begin(), parcel.items.end()})) {
-        const BlockId b = one.block.id;
-        brought_.emplace(b, std::move(one));
+        neighbours_.emplace(one.block.id, std::move(one.neighbours));
+        this->kept_.add(std::move(one.block));
       }
-  }
-
- private:
-  const BlockWithNeighbours<dim>& brought(BlockId b) const {
-    const auto found = brought_.find(b);
-    VOUSSOIR_CHECK(found != brought_.end() && "a block that was not brought to this rank");
-    return found->second;
-  }
-  const Block<dim>& here(BlockId b) const {
-    VOUSSOIR_EXPECT(b >= 0 && b < count_);
-    return has_list_ ? this->list_.blocks[b] : brought(b).block;
   }
 
   BlockId count_;
   bool has_list_;
-  mutable std::map<BlockId, BlockWithNeighbours<dim>> brought_;
+  mutable std::map<BlockId, std::vector<Neighbour>> neighbours_;  ///< of what was brought
 };
 
 }  // namespace

@@ -45,17 +45,36 @@ struct PlacedEdge {
   }
 };
 
+/// The vertices that two blocks or more have, ascending.
+template <int dim>
+std::vector<VertexId> shared_vertices(const std::vector<Block<dim>>& blocks) {
+  std::vector<VertexId> all, shared;
+  for (const auto& block : blocks) all.insert(all.end(), block.vertex.begin(), block.vertex.end());
+  std::sort(all.begin(), all.end());
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (all[k] == all[k - 1] && (shared.empty() || shared.back() != all[k])) shared.push_back(all[k]);
+  return shared;
+}
+
 }  // namespace
 
 template <int dim>
 void find_curved_edges(std::vector<Block<dim>>& blocks) {
-  std::vector<PlacedEdge> edges;
+  const auto common = shared_vertices(blocks);
+  std::vector<PlacedEdge>
+      edges;  // those that another block may have: of all edges they would be larger than the blocks
   for (auto& block : blocks) {
     const auto of_others = pairs_of(block, 1 << dim);
     block.curved = without(pairs_of(block, dim + 1), of_others);
-    auto all = of_others;
-    all.insert(all.end(), block.curved.begin(), block.curved.end());
-    for (const auto& e : all) edges.push_back({ascending(block.vertex[e[0]], block.vertex[e[1]]), block.id, e});
+    std::vector<char> is_common;
+    for (const VertexId v : block.vertex) is_common.push_back(std::binary_search(common.begin(), common.end(), v));
+    const auto add = [&](const std::vector<Edge>& some) {
+      for (const auto& e : some)
+        if (is_common[e[0]] && is_common[e[1]])
+          edges.push_back({ascending(block.vertex[e[0]], block.vertex[e[1]]), block.id, e});
+    };
+    add(of_others);
+    add(block.curved);
   }
   std::sort(edges.begin(), edges.end());
   std::vector<std::vector<Edge>> shared(blocks.size());

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "base/words.hpp"
 #include "mesh/border.hpp"
+#include "mesh/translates.hpp"
 #include "stones/box_mesh.hpp"
 
 namespace voussoir {
@@ -108,6 +109,15 @@ std::string look_at(FilledMesh& filled, const ClosedMesh& surface, StoneMeshQual
   if (std::abs(sum - inside) > 1e-9 * inside)
     return "its cells fill " + six_digits(sum) + " m3 of " + six_digits(inside);
   return "";
+}
+
+/// Adds what is known of one stone to what is known of all.
+void add(const StoneMeshQuality& stone, StoneMeshQuality& all) {
+  all.least_dihedral = std::min(all.least_dihedral, stone.least_dihedral);
+  all.flat += stone.flat;
+  all.nodes += stone.nodes;
+  all.cells += stone.cells;
+  all.volume += stone.volume;
 }
 
 /// Sets of blocks by the stones that are in them.
@@ -236,30 +246,69 @@ void add_all_faces(Block<3>& block) {
   throw InputError(message + "\n  Try a larger weld where faces have very short edges, or a smaller element size.");
 }
 
+/// The surfaces of some stones, each that is a translate of another by the number of the first.
+struct SurfacesToFill {
+  std::vector<ClosedMesh> first;          ///< of each shape
+  std::vector<std::size_t> stones;        ///< that are filled, ascending
+  std::vector<Translates::Match> shapes;  ///< of these stones
+};
+
+SurfacesToFill surfaces_to_fill(const std::vector<StoneSkin>& stones, const std::vector<char>& wanted, double largest) {
+  SurfacesToFill surfaces;
+  Translates shapes(DrawnNumbers(largest).within());
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    if (!wanted[k]) continue;
+    const auto& mesh = stones[k].mesh;
+    std::vector<int> corners;
+    for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
+    surfaces.stones.push_back(k);
+    surfaces.shapes.push_back(shapes.add(mesh.nodes, 3, corners));
+    if (surfaces.shapes.back().is_first) surfaces.first.push_back(mesh);
+  }
+  return surfaces;
+}
+
+/// What fills a stone moved to one that is like it.
+/// @param order  per node of the first one that of the surface
+void add_cells(const FilledMesh& mesh, const ClosedMesh& first, const ClosedMesh& surface,
+               const std::vector<int>& order, Block<3>& block) {
+  const auto by = surface.nodes[order[0]] - first.nodes[0];
+  block.position = surface.nodes;
+  for (const auto& x : mesh.inside) block.position.push_back(x + by);
+  const auto on_surface = static_cast<int>(order.size());
+  for (const auto& cell : mesh.cells) {
+    block.cells.push_back({{cell[0], cell[1], cell[2], cell[3]}, 4});
+    for (int k = 0; k < 4; ++k)
+      if (int& node = block.cells.back().node[k]; node < on_surface) node = order[node];
+  }
+}
+
 /// Fills all stones without cells with tetrahedra, and adds their free faces.
-void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, StoneMeshes& result) {
+void add_tetrahedra(const StoneStructure& s, const PieceMesher& mesher, VertexId vertex, const Ends& ends,
+                    StoneMeshes& result) {
   std::vector<char> wanted;
   for (const auto& block : result.list.blocks) wanted.push_back(block.cells.empty());
-  const auto skins = skins_of(s, wanted);
+  const auto skins = skins_of(s, wanted, mesher);
   const auto stones = skins_of_stones(s, skins);
-  std::vector<ClosedMesh> surfaces;
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    if (wanted[k]) surfaces.push_back(stones[k].mesh);
-  auto meshes = filled(surfaces);
-  std::vector<std::string> faults;
+  const auto surfaces = surfaces_to_fill(stones, wanted, largest_coordinate(skins.nodes));
+  auto meshes = mesher.surfaces(surfaces.first);
+  result.quality.filled = static_cast<int>(meshes.size());
+  std::vector<StoneMeshQuality> quality(meshes.size());
+  std::vector<std::string> fault, faults;
+  for (std::size_t m = 0; m < meshes.size(); ++m) fault.push_back(look_at(meshes[m], surfaces.first[m], quality[m]));
   VertexId inside = vertex + static_cast<VertexId>(skins.nodes.size());
-  for (std::size_t k = 0, m = 0; k < stones.size(); ++k) {
-    if (!wanted[k]) continue;
-    const auto& surface = surfaces[m];
-    auto& mesh = meshes[m++];
-    const std::string fault = look_at(mesh, surface, result.quality);
-    if (!fault.empty()) faults.push_back(in_words(s.stones[k]) + ": " + fault);
+  for (std::size_t i = 0; i < surfaces.stones.size(); ++i) {
+    const auto k = surfaces.stones[i];
+    const int m = surfaces.shapes[i].shape;
+    if (!fault[m].empty()) {
+      faults.push_back(in_words(s.stones[k]) + ": " + fault[m]);
+      continue;
+    }
+    add(quality[m], result.quality);
     auto& block = result.list.blocks[k];
-    block.position = surface.nodes;
-    block.position.insert(block.position.end(), mesh.inside.begin(), mesh.inside.end());
+    add_cells(meshes[m], surfaces.first[m], stones[k].mesh, surfaces.shapes[i].order, block);
     for (const int node : stones[k].nodes) block.vertex.push_back(vertex + node);
-    for (std::size_t n = 0; n < mesh.inside.size(); ++n) block.vertex.push_back(inside++);
-    for (const auto& cell : mesh.cells) block.cells.push_back({{cell[0], cell[1], cell[2], cell[3]}, 4});
+    for (std::size_t n = 0; n < meshes[m].inside.size(); ++n) block.vertex.push_back(inside++);
   }
   if (!faults.empty()) refuse_unfilled(faults, stones.size());
   add_free_triangles(s, skins, stones, ends, result.list);
@@ -268,7 +317,7 @@ void add_tetrahedra(const StoneStructure& s, VertexId vertex, const Ends& ends, 
 
 }  // namespace
 
-StoneMeshes mesh_stones(const StoneStructure& s) {
+StoneMeshes mesh_stones(const StoneStructure& s, const PieceMesher& mesher) {
   StoneMeshes result;
   result.list.facet_sets = {"base", "top", "faces"};
   result.list.warnings = s.warnings;
@@ -288,7 +337,7 @@ StoneMeshes mesh_stones(const StoneStructure& s) {
     result.quality.volume += volume_of_hexahedra(block);
     for (const auto& face : boxes.free_faces[k]) ends.add(face, static_cast<int>(k), result.list);
   }
-  add_tetrahedra(s, boxes.vertices, ends, result);
+  add_tetrahedra(s, mesher, boxes.vertices, ends, result);
   for (auto& block : result.list.blocks) add_all_faces(block);
   add_sets(s, result.list);
   return result;

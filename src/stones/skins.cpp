@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/sort_unique.hpp"
 #include "base/text.hpp"
+#include "mesh/translates.hpp"
 #include "stones/cell_mesh.hpp"
 
 namespace voussoir {
@@ -112,41 +114,107 @@ std::vector<Triangle> put(const FlatMesh& flat, const CellBorder& border, Places
   return triangles;
 }
 
+/// A cell that is meshed for itself and the one it faces.
+struct CellToMesh {
+  std::size_t cell = 0;
+  CellBorder border;
+  std::vector<int> nodes;   ///< of its border, ascending
+  Translates::Match alike;  ///< which of the cells meshed it is like
+};
+
+CellToMesh cell_to_mesh(std::size_t c, const StoneStructure& s, EdgeNodes& edges, const Places& nodes,
+                        Translates& shapes) {
+  CellToMesh cell{c, border_of(s.imprint.cells[c], s.imprint.points, edges), {}, {}};
+  for (const auto& loop : cell.border.loops) cell.nodes.insert(cell.nodes.end(), loop.begin(), loop.end());
+  sort_unique(cell.nodes);
+  const auto local = [&](int node) {
+    return static_cast<int>(std::lower_bound(cell.nodes.begin(), cell.nodes.end(), node) - cell.nodes.begin());
+  };
+  std::vector<int> sides;
+  for (const auto& loop : cell.border.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      sides.push_back(local(loop[k]));
+      sides.push_back(local(loop[(k + 1) % loop.size()]));
+    }
+  cell.alike = shapes.add(places_of(nodes, cell.nodes), 2, sides);
+  return cell;
+}
+
+FlatDomain domain_of(const CellBorder& border, const Places& nodes, double size) {
+  FlatDomain domain;
+  domain.size = size;
+  for (const auto& loop : border.loops) {
+    domain.loops.emplace_back();
+    for (const int node : loop) domain.loops.back().push_back(border.axes(nodes[node]));
+  }
+  return domain;
+}
+
+/// What is put into space of a cell that others are like.
+struct MeshedCell {
+  const CellToMesh* cell = nullptr;
+  int first_inside = 0, behind_inside = 0;  ///< numbers of its nodes inside
+};
+
+/// The mesh of another cell moved to one that is like it; the same seen from the other side where that is outside.
+std::vector<Triangle> moved(const MeshedCell& from, const std::vector<Triangle>& triangles, const CellToMesh& to,
+                            Places& nodes) {
+  std::map<int, int> number;
+  for (std::size_t k = 0; k < to.nodes.size(); ++k) number[from.cell->nodes[k]] = to.nodes[to.alike.order[k]];
+  const auto by = nodes[to.nodes[to.alike.order[0]]] - nodes[from.cell->nodes[0]];
+  for (int node = from.first_inside; node < from.behind_inside; ++node) {
+    number[node] = static_cast<int>(nodes.size());
+    nodes.push_back(nodes[node] + by);
+  }
+  const bool same_side = dot(from.cell->border.axes.normal, to.border.axes.normal) > 0;
+  std::vector<Triangle> result;
+  for (const auto& t : triangles)
+    result.push_back({number.at(t[0]), number.at(t[same_side ? 1 : 2]), number.at(t[same_side ? 2 : 1])});
+  return result;
+}
+
+[[noreturn]] void refuse_cell(const StoneStructure& s, const ImprintedCell& cell, const std::string& failure) {
+  throw InputError("mesh > stones: a face of " + in_words(s.stones[cell.stone]) + " of " + six_digits(cell.area) +
+                   " m2 cannot be meshed:\n    " + failure +
+                   "\n  Its shortest edges may be too short for its cells: try a larger weld, or a smaller element "
+                   "size.");
+}
+
 }  // namespace
 
-Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted) {
+Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted, const PieceMesher& mesher) {
   const auto& cells = s.imprint.cells;
   Skins skins;
   skins.nodes = s.imprint.points;
   skins.triangles.resize(cells.size());
   EdgeNodes edges(skins.nodes, s.tetrahedron_size);
-  std::vector<CellBorder> borders;
+  Translates shapes(DrawnNumbers(largest_coordinate(s.imprint.points)).within());
+  std::vector<CellToMesh> to_mesh;
   std::vector<FlatDomain> domains;
-  std::vector<std::size_t> first;  // of the one or two cells of each domain
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const int other = s.imprint.other[c];
     if (!wanted[cells[c].stone] || (other >= 0 && other < static_cast<int>(c))) continue;
-    borders.push_back(border_of(cells[c], s.imprint.points, edges));
-    domains.emplace_back();
-    domains.back().size = s.tetrahedron_size;
-    for (const auto& loop : borders.back().loops) {
-      domains.back().loops.emplace_back();
-      for (const int node : loop) domains.back().loops.back().push_back(borders.back().axes(skins.nodes[node]));
-    }
-    first.push_back(c);
+    to_mesh.push_back(cell_to_mesh(c, s, edges, skins.nodes, shapes));
+    const auto& cell = to_mesh.back();
+    if (cell.alike.is_first) domains.push_back(domain_of(cell.border, skins.nodes, s.tetrahedron_size));
   }
-  const auto flat = meshed(domains);
-  for (std::size_t k = 0; k < flat.size(); ++k) {
-    const auto c = first[k];
-    if (!flat[k].failure.empty())
-      throw InputError("mesh > stones: a face of " + in_words(s.stones[cells[c].stone]) + " of " +
-                       six_digits(cells[c].area) + " m2 cannot be meshed:\n    " + flat[k].failure +
-                       "\n  Its shortest edges may be too short for its cells: try a larger weld, or a smaller element "
-                       "size.");
-    skins.triangles[c] = put(flat[k], borders[k], skins.nodes);
-    if (s.imprint.other[c] < 0) continue;
-    auto& turned = skins.triangles[s.imprint.other[c]];
-    for (const auto& t : skins.triangles[c]) turned.push_back({t[0], t[2], t[1]});
+  const auto flat = mesher.polygons(domains);
+  std::vector<MeshedCell> meshed_cells(flat.size());
+  for (const auto& cell : to_mesh) {
+    const int shape = cell.alike.shape;
+    auto& first = meshed_cells[shape];
+    auto& triangles = skins.triangles[cell.cell];
+    if (cell.alike.is_first) {
+      if (!flat[shape].failure.empty()) refuse_cell(s, cells[cell.cell], flat[shape].failure);
+      first = {&cell, static_cast<int>(skins.nodes.size()), 0};
+      triangles = put(flat[shape], cell.border, skins.nodes);
+      first.behind_inside = static_cast<int>(skins.nodes.size());
+    } else {
+      triangles = moved(first, skins.triangles[first.cell->cell], cell, skins.nodes);
+    }
+    if (s.imprint.other[cell.cell] < 0) continue;
+    auto& turned = skins.triangles[s.imprint.other[cell.cell]];
+    for (const auto& t : triangles) turned.push_back({t[0], t[2], t[1]});
   }
   return skins;
 }

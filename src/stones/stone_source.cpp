@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
-#include "linalg/agree.hpp"
+#include "mesh/alike_blocks.hpp"
 #include "mesh/msh_format.hpp"
 #include "stones/cell_mesh.hpp"
 #include "stones/gmsh_volumes.hpp"
@@ -19,17 +19,24 @@ namespace {
 
 std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
   std::string line = counted(q.of_hexahedra, "stone") + " of hexahedra, " +
-                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) +
-                     " of tetrahedra: " + counted(q.nodes, "node") + ", " + counted(q.cells, "cell") + ", " +
-                     six_digits(q.volume) + " m3";
+                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) + " of tetrahedra" +
+                     (q.filled > 0 ? " (" + counted(q.filled, "shape") + " filled)" : "") + ": " +
+                     counted(q.nodes, "node") + ", " + counted(q.cells, "cell") + ", " + six_digits(q.volume) + " m3";
   if (q.of_hexahedra < static_cast<int>(stones))
     line += "; least angle between faces of a tetrahedron " + six_digits(q.least_dihedral) + " degrees, " +
             counted(q.flat, "cell") + " below 5";
   return line;
 }
 
-BlockList<3> meshed_here(StoneStructure structure) {
-  auto meshes = mesh_stones(structure);
+/// What is said of blocks that are alike.
+std::string of_shapes(int shapes, std::size_t stones) {
+  const bool none = static_cast<std::size_t>(shapes) == stones;
+  return counted(stones, "stone") + ", " + counted(shapes, "shape") +
+         (none ? "" : ": those that are drawn alike and cut alike by their joints have one mesh");
+}
+
+BlockList<3> meshed_stones(StoneStructure structure, const PieceMesher& mesher) {
+  auto meshes = mesh_stones(structure, mesher);
   auto list = std::move(meshes.list);
   list.report = std::move(structure.report);
   list.report.push_back(of_meshes(meshes.quality, structure.stones.size()));
@@ -44,7 +51,8 @@ bool all_tetrahedra(const VolumeMesh& mesh) {
 }
 
 /// Volumes of gmsh whose cells are not kept, from their outlines.
-BlockList<3> meshed_anew(VolumeMesh mesh, const StonesParameters& p, Trust trust, const std::string& origin) {
+BlockList<3> meshed_anew(VolumeMesh mesh, const StonesParameters& p, Trust trust, const std::string& origin,
+                         const PieceMesher& mesher) {
   if (!is_mesh(p.file)) {
     mesh = read_volumes(p, VolumesAs::outlined, trust);
     turn_up(p.up, mesh.position);
@@ -54,13 +62,13 @@ BlockList<3> meshed_anew(VolumeMesh mesh, const StonesParameters& p, Trust trust
     throw InputError("mesh: a volume is in pieces\n  (" + list_of(structure.report, 1) +
                      ").\n  Make each piece a volume of its own.");
   const double within = std::max(structure.tolerance, structure.weld);
-  auto list = meshed_here(std::move(structure));
+  auto list = meshed_stones(std::move(structure), mesher);
   for (std::size_t k = 0; k < list.blocks.size(); ++k) list.blocks[k].name = mesh.name_of(k);
   add_sets_of_file(mesh, within, list);
   return list;
 }
 
-BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust) {
+BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust, const PieceMesher& mesher) {
   const auto origin = std::filesystem::path(p.file).filename().string();
   auto mesh = read_volumes(p, VolumesAs::meshed, trust);
   turn_up(p.up, mesh.position);
@@ -77,7 +85,7 @@ BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust) {
     if (anew.empty()) add_sets_of_file(mesh, kept.within, list);
   }
   if (!anew.empty()) {
-    list = meshed_anew(std::move(mesh), p, trust, origin);
+    list = meshed_anew(std::move(mesh), p, trust, origin, mesher);
     list.report.insert(list.report.begin(), "volumes are meshed anew: " + anew);
   }
   if (turned > 0)
@@ -93,9 +101,10 @@ BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust) {
 std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm,
                                                   Trust trust) {
   BlockList<3> list;
-  on_first_rank(comm, [&] {
-    list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust) : meshed_here(structure_of(p));
+  on_first_rank_meshed_by_all(comm, [&](const PieceMesher& mesher) {
+    list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust, mesher) : meshed_stones(structure_of(p), mesher);
     list.quadratic = p.element == StoneElement::quadratic;
+    list.report.push_back(of_shapes(make_alike_equal(list.blocks), list.blocks.size()));
   });
   return make_source_on_first(std::move(list), comm);
 }

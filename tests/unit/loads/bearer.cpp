@@ -59,6 +59,31 @@ TEUCHOS_UNIT_TEST(PointLoad, IsBornByAStoneOfTheSetThatIsNamed) {
   TEST_ASSERT(says(wall.made(p)->warnings(), "on 2 stones"));
 }
 
+// Copies of a vertex of stones from a file may lie apart by round-off, which says nothing of who bears the load.
+TEUCHOS_UNIT_TEST(PointLoad, IsBornByTheFirstOfStonesThatDifferByRoundOff) {
+  BlockList<2> list;
+  for (int b = 0; b < 2; ++b) {
+    Block<2> block;
+    block.id = b;
+    block.name = "block " + std::to_string(b);
+    block.position = {{1.0 * b, 0}, {1.0 + b, 0}, {1.0 + b, 1}, {1.0 * b, 1}};
+    block.vertex = {2 * b, 2 * b + 2, 2 * b + 3, 2 * b + 1};
+    block.cells = {{{0, 1, 2, 3}, 4}};
+    list.blocks.push_back(block);
+  }
+  list.blocks[1].position[3][1] += 4e-16;  // nearer to the point above
+  const LoadCase two(make_source(list));
+  BlockForces force(two.s());
+  std::vector<double> prescribed(force.of_nodes.size(), 0.0);
+  auto p = at(1.0, 1.1);
+  p.tolerance = 0.2;
+  two.made(p)->add({{0, 1}}, force, prescribed);
+  double borne = 0;
+  for (int i = 0; i < two.s().owned_nodes(); ++i)
+    if (two.s().blocks()[two.s().block_of_node()[i]].mesh.id == 0) borne += force.of_nodes[2 * i + 1];
+  TEST_EQUALITY(sum_over_ranks(*everyone(), borne), -500.0);
+}
+
 TEUCHOS_UNIT_TEST(MovingTrain, ThatStandsOnAJointSaysWhichStoneBearsIt) {
   const LoadCase wall;
   MovingTrainParameters p;

@@ -65,6 +65,24 @@ inline std::vector<StoneSurface> running_bond() {
           box("c", {0.2, 0, 0.2}, {0.6, 0.2, 0.4}), box("d", {0.6, 0, 0.2}, {0.8, 0.2, 0.4})};
 }
 
+/// A wall of hexagonal prisms that fill it without gaps, at places of which no coordinate is round: columns of them
+/// stand on their flat sides, every other one half a stone higher.
+inline std::vector<StoneSurface> honeycomb(int columns, int rows, double side = 0.21, double thick = 0.3) {
+  std::vector<StoneSurface> stones;
+  const double high = std::sqrt(3.0) * side;
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      std::vector<Vector<2>> outline;
+      for (int k = 0; k < 6; ++k) {
+        const double angle = k * std::acos(-1.0) / 3;
+        outline.push_back(
+            {0.1 + 1.5 * side * i + side * std::cos(angle), 0.7 + high * (j + 0.5 * (i % 2)) + side * std::sin(angle)});
+      }
+      stones.push_back(prism("cell " + std::to_string(i) + " " + std::to_string(j), outline, 0, thick, 0, 2));
+    }
+  return stones;
+}
+
 /// A stone shaped as an L that a box lies in, and one below both.
 inline std::vector<StoneSurface> corner() {
   return {prism("L", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 0, 1), box("inner", {1, 1, 0}, {2, 2, 1}),

@@ -123,6 +123,25 @@ TEUCHOS_UNIT_TEST(StoneMeshes, AreAsFineInOtherUnits) {
   }
 }
 
+// Of 5 x 4 stones in a wall without ends those inside are alike, and at each of its sides and corners there are others:
+// free faces are not cut by what they do not touch, so here they are as those inside.
+TEUCHOS_UNIT_TEST(StoneMeshes, OfStonesThatAreTranslatesAreMadeOnce) {
+  const auto stones = honeycomb(5, 4);
+  const auto s = structure_of(stones, tetrahedra());
+  const auto meshes = mesh_stones(s);
+  check(s, meshes, out, success);
+  TEST_EQUALITY(meshes.quality.filled, 1);
+  for (std::size_t k = 0; k < stones.size(); ++k) {
+    TEST_FLOATING_EQUALITY(volume_of(meshes.list.blocks[k]), volume(stones[k]), 1e-10);
+    TEST_EQUALITY(meshes.list.blocks[k].cells.size(), meshes.list.blocks[0].cells.size());
+  }
+  TEST_EQUALITY(mesh_stones(structure_of(arch(5), tetrahedra())).quality.filled, 5);  // each turned
+  // A stone in the other order of points and faces, seen from the other side of every joint.
+  auto backward = honeycomb(2, 2);
+  std::reverse(backward.begin(), backward.end());
+  TEST_EQUALITY(mesh_stones(structure_of(backward, tetrahedra())).quality.filled, 1);
+}
+
 /// A stone on another whose top is drawn over places of the plane of x and z.
 std::vector<StoneSurface> on_top_of(const std::vector<Vector<2>>& top) {
   std::vector<Vector<2>> below{{-1, -1}, {1, -1}}, above(top);

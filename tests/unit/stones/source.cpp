@@ -3,9 +3,15 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <fstream>
+#include <memory>
+#include <numeric>
+#include <set>
 
+#include "blocks/shapes.hpp"
 #include "linalg/reduce.hpp"
+#include "stones/cell_mesh.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
 namespace {
@@ -48,6 +54,103 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
   }
   TEST_EQUALITY(largest_over_ranks(*comm, sum), least_over_ranks(*comm, sum));
   TEST_EQUALITY(graph_of(*read).neighbour.size(), 6u);
+}
+
+/// The different stiffnesses of blocks, which every rank finds by itself.
+std::size_t stiffnesses(const BlockSource<3>& source) {
+  StiffnessOfShapes shapes(ModelParameters{});
+  std::set<std::shared_ptr<const LocalCsr>> found;
+  for (BlockId b = 0; b < source.block_count(); ++b)
+    found.insert(shapes.of(source.block(b), Material{10e9, 0.2, 2000}).stiffness);
+  return found.size();
+}
+
+std::unique_ptr<BlockSource<3>> read_all(const std::vector<StoneSurface>& stones, const StonesParameters& p,
+                                         const Teuchos::Comm<int>& comm) {
+  if (comm.getRank() == 0) write_obj(p.file, stones);
+  auto source = read_stone_blocks(p, comm);
+  std::vector<BlockId> all(stones.size());
+  std::iota(all.begin(), all.end(), 0);
+  source->bring(all, comm);
+  return source;
+}
+
+// Joints straighten edges of quadratic cells: stones that touch others on other sides bend otherwise.
+TEUCHOS_UNIT_TEST(StoneSource, StonesThatAreAlikeHaveOneStiffness) {
+  const auto comm = Tpetra::getDefaultComm();
+  StonesParameters p;
+  p.file = "honeycomb.obj";
+  p.element = StoneElement::linear;
+  TEST_EQUALITY(stiffnesses(*read_all(honeycomb(5, 4), p, *comm)), 1u);
+  p.element = StoneElement::quadratic;
+  // Inside six neighbours; along the sides of the wall, at its corners and where columns end higher or lower there are
+  // ten other sets of them.
+  TEST_EQUALITY(stiffnesses(*read_all(honeycomb(6, 5), p, *comm)), 11u);
+  std::vector<StoneSurface> boxes;
+  for (int k = 0; k < 7; ++k)
+    boxes.push_back(box("stone " + std::to_string(k), {0.1, 0, 0.3 * k}, {0.8, 0.4, 0.3 * (k + 1)}));
+  p.file = "boxes.obj";
+  const auto column = read_all(boxes, p, *comm);
+  TEST_EQUALITY(column->block(3).cells[0].count, 8);
+  TEST_EQUALITY(stiffnesses(*column), 1u);
+}
+
+// Ranks mesh pieces that the first one puts together. Stones of an arch are each of a shape of their own.
+TEUCHOS_UNIT_TEST(StoneSource, BlocksAreTheSameWhoeverMeshesThem) {
+  const auto comm = Tpetra::getDefaultComm();
+  StonesParameters p;
+  p.cells = StoneCells::tetrahedra;
+  const auto structure = structure_of(arch(7), p);
+  const auto alone = mesh_stones(structure);
+  StoneMeshes by_all;
+  on_first_rank_meshed_by_all(*comm, [&](const PieceMesher& mesher) { by_all = mesh_stones(structure, mesher); });
+  if (comm->getRank() > 0) return;
+  TEST_EQUALITY(by_all.quality.filled, 7);
+  for (std::size_t b = 0; b < 7; ++b) {
+    const auto &one = alone.list.blocks[b], &other = by_all.list.blocks[b];
+    TEST_ASSERT(one.position == other.position && one.vertex == other.vertex);
+    TEST_ASSERT(std::equal(one.cells.begin(), one.cells.end(), other.cells.begin(), other.cells.end(),
+                           [](const Cell& x, const Cell& y) { return x.node == y.node; }));
+  }
+}
+
+TEUCHOS_UNIT_TEST(StoneSource, EveryRankIsTold) {
+  const auto comm = Tpetra::getDefaultComm();
+  const auto stone = box("", {0, 0, 0}, {1, 1, 1});
+  ClosedMesh good{stone.points, {}, 1.0};
+  for (const auto& face : stone.faces) {
+    good.triangles.push_back({face[0], face[1], face[2]});
+    good.triangles.push_back({face[0], face[2], face[3]});
+  }
+  auto crossed = good;
+  crossed.nodes[6] = {-1, -1, -1};
+  // A piece that fails on the last rank fails alone; the work goes on and may fail afterwards.
+  const auto told = input_error([&] {
+    on_first_rank_meshed_by_all(*comm, [&](const PieceMesher& mesher) {
+      const auto meshes = mesher.surfaces({good, good, good, good, crossed});
+      TEST_ASSERT(meshes[3].failure.empty() && meshes[3].cells == meshes[0].cells);
+      if (!meshes[4].failure.empty()) throw InputError("the last piece");
+    });
+  });
+  TEST_EQUALITY(told, "the last piece");
+  // So may a rank amid the work, of which the first one then sees no end.
+  PieceMesher here;
+  here.surfaces = [&](const std::vector<ClosedMesh>& surfaces) {
+    if (comm->getRank() == comm->getSize() - 1) throw InputError("the last rank");
+    return filled(surfaces);
+  };
+  bool ended = false;
+  const auto all_told = input_error([&] {
+    on_first_rank_meshed_by_all(
+        *comm,
+        [&](const PieceMesher& mesher) {
+          mesher.surfaces({good, good, good, good});
+          ended = true;
+        },
+        here);
+  });
+  TEST_EQUALITY(all_told, "the last rank");
+  TEST_ASSERT(!ended);
 }
 
 // A support on such a set would hold the stone of that name too, or that stone in the place of the set.
