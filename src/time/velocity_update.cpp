@@ -228,8 +228,8 @@ VelocityUpdate::Way VelocityUpdate::spread(const Model& step, const PointField& 
   return way;
 }
 
-/// A way without the motions of free bodies as wholes, and so without resultants of what joints press. Their momentum is
-/// no more asked of supports either, of each in the measure of the impulse it had to bear.
+/// A way without the motions of free bodies as wholes, and so without resultants of what joints press. Their momentum
+/// is no more asked of supports either, of each in the measure of the impulse it had to bear.
 VelocityUpdate::Way VelocityUpdate::within_bodies(Way way) const {
   const int dim = at_rest_.components();
   const auto momentum = spread_->bodies.remove_motion(way.velocity);
