@@ -281,7 +281,8 @@ bool DynamicStep::update_velocities(ContactState& after, const std::vector<doubl
   const double energy = report.elastic + velocities_.kinetic_energy(after.velocity);
   const double resting = resting_speed(after, energy);
   try {
-    const auto jump = velocities_.apply(*model_, after, closing, resting, rule_.time_step);
+    const auto jump =
+        velocities_.apply(*model_, after, closing, resting, {rule_.time_step, std::max(0.0, report.friction)});
     const auto tied = bond_what_rests(after, at_rest_.gaps(after.displacement), energy, resting);
     report.friction += jump.friction + tied.friction;
     auto impulses = jump.impulses;

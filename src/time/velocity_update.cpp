@@ -280,36 +280,61 @@ VelocityUpdate::Rebound VelocityUpdate::rebound(const Model& step, ContactState&
   return {std::move(impulses), std::move(at_points)};
 }
 
-VelocityJump VelocityUpdate::give_back(ContactState& state, const Impact& impact, const PointField& at_points,
-                                       double acted) {
+/// By how much the tangential impulses of friction are to change [N s]: to no more than their bound by what presses in
+/// the end, and up to it at points that slip, as far as that does not stop their nodes; empty where no rank has any.
+PointField VelocityUpdate::to_the_pressure(const ContactState& state, const Impact& impact, const PointField& at_points,
+                                           double acted) const {
   const int dim = at_rest_.components();
-  PointField back(at_points.size(), 0.0);
+  PointField change(at_points.size(), 0.0);
+  const auto speed = relative_velocities(at_rest_.points(), state.velocity);
   bool any = false;
   for (int k = 0; k < static_cast<int>(at_points.size()) / dim; ++k) {
-    const double pull = -at_points[dim * k];
-    if (!impact.closed[dim * k] || !impact.apart[k] || !(pull > 0)) continue;
+    if (!impact.closed[dim * k] || !impact.apart[k] || at_points[dim * k] == 0) continue;
+    double rubbed = 0, against = 0;
+    for (int c = 1; c < dim; ++c) {
+      rubbed = std::hypot(rubbed, acted * state.lambda[dim * k + c]);
+      against -= acted * state.lambda[dim * k + c] * speed[dim * k + c];
+    }
     const auto law = law_left(at_rest_, state, k);
-    const double pressed = std::max(0.0, acted * state.lambda[dim * k] - pull);
-    double rubbed = 0;
-    for (int c = 1; c < dim; ++c) rubbed = std::hypot(rubbed, acted * state.lambda[dim * k + c]);
-    const double beyond = rubbed - (acted * law.cohesion + (pressed > 0 ? law.friction * pressed : 0.0));
-    if (!(beyond > 0)) continue;
+    const double pressed = std::max(0.0, acted * state.lambda[dim * k] + at_points[dim * k]);
+    const double bound = acted * law.cohesion + (pressed > 0 ? law.friction * pressed : 0.0);
+    if (!(rubbed > 0) || !std::isfinite(bound)) continue;
+    const bool slips = against > 0 && !sticks(at_rest_, state, k);
+    const double stopped = slips ? projection_.mass(k, 1) * against / rubbed : 0.0;
+    const double more = std::min(bound - rubbed, stopped);
+    if (more == 0) continue;
     any = true;
-    for (int c = 1; c < dim; ++c) back[dim * k + c] = -beyond / rubbed * acted * state.lambda[dim * k + c];
+    for (int c = 1; c < dim; ++c) change[dim * k + c] = more / rubbed * acted * state.lambda[dim * k + c];
   }
-  if (!any_of_ranks(*mass_.comm(), any)) return {};
-  const auto supports = moving_supports(state.velocity);
-  const double before = kinetic_energy(state.velocity);
+  if (!any_of_ranks(*mass_.comm(), any)) change.clear();
+  return change;
+}
+
+VelocityJump VelocityUpdate::follow_the_pressure(ContactState& state, const Impact& impact, const PointField& at_points,
+                                                 const Rubbed& rubbed) {
+  const auto impulses = to_the_pressure(state, impact, at_points, rubbed.acted);
+  if (!any_of_ranks(*mass_.comm(), !impulses.empty())) return {};
+  std::vector<double> change(state.velocity.size(), 0.0);
   VelocityJump jump;
-  jump.impulses = projection_.push(state.velocity, back);
-  jump.friction = before - kinetic_energy(state.velocity) + work(jump.impulses, supports);
+  jump.impulses = projection_.push(change, impulses);
+  // Of a share x of it the energy is linear x + square x^2: friction gives back no more than it took.
+  const double linear = product(state.velocity, change) - work(jump.impulses, moving_supports(state.velocity));
+  const double square = kinetic_energy(change);
+  double share = 1;
+  if (linear + square > rubbed.taken)
+    share = 2 * rubbed.taken / (linear + std::sqrt(linear * linear + 4 * square * rubbed.taken));
+  for (std::size_t i = 0; i < change.size(); ++i) state.velocity[i] += share * change[i];
+  for (double& impulse : jump.impulses) impulse *= share;
+  jump.friction = -share * (linear + share * square);
   return jump;
 }
 
-VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting, double acted) {
+VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, double lost, double resting,
+                                   const Rubbed& rubbed) {
   VOUSSOIR_EXPECT(is_of_nodes(at_rest_, state.velocity) && "velocity: of node copies");
   VOUSSOIR_EXPECT(std::isfinite(lost) && lost >= 0 && "energy of closing: not negative");
   VOUSSOIR_EXPECT(resting >= 0 && "resting speed: not negative");
+  VOUSSOIR_EXPECT(rubbed.taken >= 0 && "energy of friction: not negative");
   const auto& points = at_rest_.points();
   const auto speed = relative_velocities(points, state.velocity);
   const auto [closed, sticking, apart] = contacts(at_rest_, state, speed, resting);
@@ -321,7 +346,7 @@ VelocityJump VelocityUpdate::apply(const Model& step, ContactState& state, doubl
   if (fastest(speed, closed) > resting || lost > 0) {
     const Impact impact{speed, closed, apart};
     auto [of_supports, at_points] = rebound(step, state, impact, lost, resting);
-    jump = give_back(state, impact, at_points, acted);
+    jump = follow_the_pressure(state, impact, at_points, rubbed);
     add_impulses(jump.impulses, of_supports);
   }
   if (fastest(relative_velocities(points, v), by_friction) <= resting) return jump;

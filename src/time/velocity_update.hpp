@@ -8,8 +8,8 @@
 // Points that begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
 //
 // What ends relative velocities may pull: a point that has just closed was pushed away by up to twice what stops it. In
-// the step its friction was that of this push. So it gives back what is more than friction may take of what presses in
-// the end, and no impact is rubbed harder than it presses.
+// the step its friction was that of this push. So friction follows to what presses in the end, and no impact is rubbed
+// harder than it presses.
 //
 // Stones that strength holds together at a point are one there, as those that a tie holds: an impulse passes between
 // them in every direction, and they vibrate as one.
@@ -41,6 +41,12 @@ struct VelocityJump {
 /// Adds what may be none. [N s]
 void add_impulses(std::vector<double>& sum, const std::vector<double>& more, double factor = 1);
 
+/// What friction did in a step.
+struct Rubbed {
+  double acted = 0;  ///< [s] for which the forces of the step acted
+  double taken = 0;  ///< [J] that it took, of which it may give back
+};
+
 class VelocityUpdate {
  public:
   /// @param mass  the structure with the mass of its blocks in the place of their stiffness
@@ -52,8 +58,8 @@ class VelocityUpdate {
   /// @param state    displacement, velocity and forces at the end of the step; the velocity is changed
   /// @param lost     energy the closing of points took in this step [J]; 0 when none closed
   /// @param resting  relative velocity below which a point counts as resting [m/s]
-  /// @param acted    [s] for which these forces acted: the time step
-  VelocityJump apply(const Model& step, ContactState& state, double lost, double resting, double acted);
+  /// @param rubbed   what friction did in the step
+  VelocityJump apply(const Model& step, ContactState& state, double lost, double resting, const Rubbed& rubbed);
 
   /// Points that may be tied: 1 where the two sides have no more relative motion than rest, or an energy that friction
   /// may take.
@@ -89,8 +95,9 @@ class VelocityUpdate {
     PointField at_points;             ///< [N s] what presses, or pulls, beside the forces of the step
   };
   Rebound rebound(const Model& step, ContactState&, const Impact&, double lost, double resting);
-  /// Gives back what friction took beyond what it may of the pressure that is left by pulls at points.
-  VelocityJump give_back(ContactState&, const Impact&, const PointField& at_points, double acted);
+  PointField to_the_pressure(const ContactState&, const Impact&, const PointField& at_points, double acted) const;
+  /// Friction follows what presses beside the forces of the step, but gives back no more energy than it took.
+  VelocityJump follow_the_pressure(ContactState&, const Impact&, const PointField& at_points, const Rubbed&);
   /// A change of velocities with the impulses of supports that come with it.
   struct Way {
     std::vector<double> velocity, impulses;  ///< [m/s], [N s]

@@ -65,7 +65,7 @@ class Flight {
     Teuchos::reduceAll(*mass_.comm(), Teuchos::REDUCE_MIN, static_cast<int>(mine), Teuchos::outArg(everywhere));
     return everywhere != 0;
   }
-  double apply() { return update_.apply(*step_, state, 0.0, resting, time_step).friction; }
+  double apply() { return update_.apply(*step_, state, 0.0, resting, {time_step, 0.0}).friction; }
 
   bool bed(int k) const { return std::abs(at_rest_.points().points()[k].axis[0][1]) > 0.5; }
   /// Largest relative velocity at bed points, normal (0) or tangential (1) [m/s].
