@@ -79,7 +79,8 @@ class LimitAnalysis {
   /// depth of a row, and 1 / (1 - share) its geometric factor of safety.
   bool is_rows() const;
   /// Least and most of reactions over all admissible forces: per support, along x, y and z. In space over those of the
-  /// pyramid around each cone, so that none is left out.
+  /// pyramid around each cone, so that none is left out. What two supports hold of a stone has no end, since they can
+  /// press against each other through it.
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
   std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
@@ -117,6 +118,7 @@ class LimitAnalysis {
   bool cut_edge(Programme&, std::size_t kept, double angle) const;
   bool extend_pyramid(Programme&, std::size_t kept, const std::vector<Wrench<dim>>& motion) const;
   void add_generator(Programme&, std::size_t kept, const Generator<dim>&) const;
+  ReactionRange ends_of(Programme&, const std::vector<Wrench<dim>>& borne) const;
   void bound_shear(Programme&, const std::vector<double>& presses) const;
   LimitAnswer<dim> raised_up_to(double largest, const Terms&, bool* balanced_unraised,
                                 ProgrammeBasis* basis = nullptr) const;

@@ -26,6 +26,9 @@ struct LimitAnalysisParameters {
   static constexpr double most_force = 1e6;
   /// A reaction of more than this comes from forces at their end, so that it has none.
   static constexpr double endless_reaction = most_force / 10;
+  /// Only forces of more than that hold a stone by a lever, or against another support, of so much of its size: that is
+  /// what faces of a drawing are off their planes by, and the reactions told count on nothing so small.
+  static constexpr double holds_nothing = 1 / endless_reaction;
   /// Friction of so much and more, two orders of magnitude beyond that of stones, counts as without end, which admits a
   /// little more: such a joint slips where the force is within 0.6 degrees of its plane, and generators of its cone
   /// could hardly be told from each other.

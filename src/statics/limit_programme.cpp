@@ -91,7 +91,7 @@ void LimitAnalysis<dim>::add_forces_of_joints(Programme& p, const Terms& terms) 
   }
 }
 
-/// In directions at right angles: what one holds of a stone no other holds again.
+/// In directions at right angles: what one holds of a stone no other holds again, whatever support it belongs to.
 template <int dim>
 void LimitAnalysis<dim>::add_forces_of_supports(Programme& p) const {
   const int n = freedoms<dim>;
@@ -110,7 +110,7 @@ void LimitAnalysis<dim>::add_forces_of_supports(Programme& p) const {
     Column column;
     for (int c = 0; c < n; ++c) column.push_back({n * support.stone + c, w[static_cast<std::size_t>(c)]});
     p.lp.add_column(column, -endless, endless, 0);
-    p.held.push_back({support.stone, support.name, w});
+    p.held.push_back({support.stone, w});
   }
 }
 

@@ -21,7 +21,7 @@ template <int dim>
 struct LimitAnalysis<dim>::Programme {
   /// What holds a stone in one direction; moments over the radius of the stone.
   struct Held {
-    int stone, support;
+    int stone;
     Wrench<dim> direction;
   };
   LinearProgramme lp;

@@ -1,10 +1,9 @@
-// Which of all forces that balance given loads are told: the most balanced ones, and the ends of reactions.
+// Which of all forces that balance given loads are told: the most balanced ones.
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
-#include "base/check.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 #include "statics/limit_programme.hpp"
 
@@ -107,46 +106,6 @@ void LimitAnalysis<dim>::tell_least(Programme& p, LimitAnswer<dim>& answer) cons
   if (least.verdict == LimitVerdict::unlimited) answer.force = least.force;
 }
 
-/// Forces that balance loads are found first, without a cost and without an end, which costs the simplex method several
-/// times as much; from them it goes from one extreme to the next, which takes it a tenth of what each alone does.
-template <int dim>
-std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int supports, double factor) const {
-  VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
-  std::vector<std::array<ReactionRange, dim>> ranges(static_cast<std::size_t>(supports));
-  auto p = programme({1, endless, Pyramid::around, false});
-  const double f = factor * raised_unit_ / unit_;
-  p.lp.set_column(p.factor_column, f, f);
-  p.lp.maximise();
-  for (std::size_t k = 0; k < p.forces.size(); ++k)
-    for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g) {
-      const auto& of = p.forces[k].generators[g];
-      p.lp.set_column(p.columns[k][g], std::max(of.lower / unit_, -Numbers::most_force),
-                      std::min(of.upper / unit_, Numbers::most_force));
-    }
-  if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
-  for (int support = 0; support < supports; ++support)
-    for (std::size_t c = 0; c < dim; ++c) {
-      auto& range = ranges[static_cast<std::size_t>(support)][c];
-      for (const double sign : {1.0, -1.0}) {
-        bool held = false;
-        for (std::size_t k = 0; k < p.held.size(); ++k) {
-          const double share = p.held[k].support == support ? p.held[k].direction[c] : 0.0;
-          p.lp.set_cost(p.held_column + static_cast<int>(k), sign * share);
-          held = held || std::abs(share) > Numbers::straight;
-        }
-        auto& end = sign > 0 ? range.most : range.least;
-        if (!held) {
-          end = 0;
-          continue;
-        }
-        const auto found = p.lp.maximise();
-        const double force = std::abs(found.value) > Numbers::out_of_balance ? sign * found.value * unit_ : 0.0;
-        if (found.end == ProgrammeEnd::optimal && found.value < Numbers::endless_reaction) end = force;
-      }
-    }
-  return ranges;
-}
-
 template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*) const;
 template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*) const;
 template LimitAnswer<2> LimitAnalysis<2>::least_of_joints(double, const ProgrammeBasis&) const;
@@ -157,7 +116,5 @@ template void LimitAnalysis<2>::tell_least(Programme&, LimitAnswer<2>&) const;
 template void LimitAnalysis<3>::tell_least(Programme&, LimitAnswer<3>&) const;
 template bool LimitAnalysis<2>::is_rows() const;
 template bool LimitAnalysis<3>::is_rows() const;
-template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double) const;
-template std::vector<std::array<ReactionRange, 3>> LimitAnalysis<3>::reactions(int, double) const;
 
 }  // namespace voussoir

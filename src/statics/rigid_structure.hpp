@@ -52,6 +52,8 @@ struct RigidStructure {
   std::vector<RigidStone<dim>> stones;
   std::vector<RigidContact<dim>> contacts;
   std::vector<RigidSupport<dim>> supports;
+  /// What others of the supports hold at its place too: reactions alone ask.
+  std::vector<RigidSupport<dim>> held_again;
 };
 
 inline double length(const Vector<1>& v) { return std::abs(v[0]); }
