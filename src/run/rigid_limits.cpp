@@ -64,13 +64,15 @@ StoneRow<dim> stone_of(const Structure<dim>& s, int b, const RigidTask& task) {
   auto& stone = row.stone;
   for (int n = first; n < first + count; ++n) stone.middle = stone.middle + (1.0 / count) * place_of(s, n);
   stone.radius = 0;
+  Resultant<dim> fixed, raised;
   for (int n = first; n < first + count; ++n) {
     const auto arm = place_of(s, n) - stone.middle;
     stone.radius = std::max(stone.radius, norm(arm));
     if (row.absent) continue;
-    for (const auto& [loads, sum] : {std::make_pair(&task.fixed, &stone.fixed), {&task.raised, &stone.raised}})
-      if (!loads->empty()) *sum = *sum + wrench_of(arm, of_node<dim>(*loads, n));
+    if (!task.fixed.empty()) fixed.add(arm, of_node<dim>(task.fixed, n));
+    if (!task.raised.empty()) raised.add(arm, of_node<dim>(task.raised, n));
   }
+  stone.fixed = fixed.wrench(stone.radius), stone.raised = raised.wrench(stone.radius);
   return row;
 }
 

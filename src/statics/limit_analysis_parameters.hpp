@@ -14,6 +14,9 @@ struct LimitAnalysisParameters {
   static constexpr double out_of_balance = 100 * tolerance;
   /// A motion may press into points by so much of its size; more than that proves nothing.
   static constexpr double against_the_law = out_of_balance;
+  /// Forces on a stone cancel where their sum is less than so much of their sizes, which is what is lost in adding up
+  /// those of some thousand nodes. Such loads, as those of heat, press on no other stone.
+  static constexpr double no_resultant = 1e-12;
   /// What is no motion: ten times what it is exact to.
   static constexpr double no_motion = 10 * out_of_balance;
   /// Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium

@@ -162,6 +162,14 @@ class OnASlope(program.SceneTest):
             self.assertIn("any force upwards or downwards", words)
             self.assertEqual("any force to the right or left" in words, supports["bed"] == whole["bed"], words)
 
+    def test_rigid_stones_bear_heat_and_settlements_at_any_factor(self):
+        loads = {"heat": {"type": "temperature", "change": 10.0}, "move": {"type": "settlement", "support": "toe", "ux": 1e-3}}
+        for pattern in ({"heat": 1.0}, {"move": 1.0}, {"heat": -3.0, "move": 1.0}):
+            run = self.run_scene(scene(loads=loads, load_factor={"pattern": pattern}), "--limit-analysis", drawing=drawing(SLOPE),
+                                 out=" ".join(pattern))
+            self.assertEqual((run.code, run.outcome), (0, "equilibrium"), run.said)
+            self.assertIn("so they do at any factor of the pattern, since joints balance it alone", run.words)
+
     def test_limits_and_mechanisms_know_it(self):
         push = {"push": {"type": "acceleration", "ax": -GRAVITY * math.cos(SLOPE), "ay": -GRAVITY * math.sin(SLOPE)}}
         run = self.run_scene(scene(loads=push, load_factor={"pattern": {"push": 1.0}, "accuracy": 0.01}), drawing=drawing(SLOPE))
