@@ -57,6 +57,17 @@ const char* way_of(int component) {
   return dim == 2 ? " to the right" : component == 0 ? " along x" : " along y";
 }
 
+/// A reaction along a component, from its least to its most.
+template <int dim>
+std::string words_of_range(const RigidSummary::Range& range, int component) {
+  const auto force = [](double f) { return std::isfinite(f) ? six_digits(f) + " N" : std::string("any force"); };
+  const auto least = force(range.least), most = force(range.most);
+  if (least != most) return "from " + least + " to " + most + way_of<dim>(component);
+  if (std::isfinite(range.least)) return least + way_of<dim>(component);
+  const char* back = component == dim - 1 ? " or downwards" : dim == 2 ? " or left" : " or against it";
+  return least + way_of<dim>(component) + back;
+}
+
 /// What is asked of a scene's rigid stones, and where the answers go.
 template <int dim>
 class LimitRun {
@@ -141,7 +152,6 @@ class LimitRun {
     const int supports = static_cast<int>(scene_.supports.size());
     const auto ranges = limits.reactions(supports, 0);
     if (stopped("between which ends reactions can be is not known")) return;
-    const auto force = [](double f) { return std::isfinite(f) ? six_digits(f) + " N" : std::string("any force"); };
     for (int k = 0; k < supports; ++k) {
       const auto& name = scene_.supports[static_cast<std::size_t>(k)].name;
       auto& range = rigid.reactions[name];
@@ -150,10 +160,7 @@ class LimitRun {
         const auto& found = ranges[static_cast<std::size_t>(k)][c];
         range[c] = {found.least.value_or(-INFINITY), found.most.value_or(INFINITY)};
         if (range[c].least == 0 && range[c].most == 0) continue;
-        const auto least = force(range[c].least), most = force(range[c].most);
-        words += words.empty() ? " can push " : ", ";
-        words +=
-            (least == most && std::isfinite(range[c].least) ? least : "from " + least + " to " + most) + way_of<dim>(c);
+        words += (words.empty() ? " can push " : ", ") + words_of_range<dim>(range[c], c);
       }
       say_ << "Support '" << name << "'" << (words.empty() ? " bears nothing" : words) << ".\n";
     }

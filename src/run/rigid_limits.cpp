@@ -33,6 +33,7 @@ template <int dim>
 struct SupportRow {
   BlockId block;
   RigidSupport<dim> support;
+  bool again;  ///< others hold its node so too
 };
 
 template <int dim>
@@ -63,13 +64,15 @@ StoneRow<dim> stone_of(const Structure<dim>& s, int b, const RigidTask& task) {
   auto& stone = row.stone;
   for (int n = first; n < first + count; ++n) stone.middle = stone.middle + (1.0 / count) * place_of(s, n);
   stone.radius = 0;
+  Resultant<dim> fixed, raised;
   for (int n = first; n < first + count; ++n) {
     const auto arm = place_of(s, n) - stone.middle;
     stone.radius = std::max(stone.radius, norm(arm));
     if (row.absent) continue;
-    for (const auto& [loads, sum] : {std::make_pair(&task.fixed, &stone.fixed), {&task.raised, &stone.raised}})
-      if (!loads->empty()) *sum = *sum + wrench_of(arm, of_node<dim>(*loads, n));
+    if (!task.fixed.empty()) fixed.add(arm, of_node<dim>(task.fixed, n));
+    if (!task.raised.empty()) raised.add(arm, of_node<dim>(task.raised, n));
   }
+  stone.fixed = fixed.wrench(stone.radius), stone.raised = raised.wrench(stone.radius);
   return row;
 }
 
@@ -94,15 +97,16 @@ std::vector<SupportRow<dim>> supports_of(const ModelOfBlocks<dim>& model, const 
     for (const auto& [n, held] : held_along(s, support, facet_set(model.source(), {support.on, support.blocks}))) {
       if (n >= s.owned_nodes()) continue;
       const int b = s.block_of_node()[n];
-      for (const auto& along : held)
-        if (known[n].add(along))
-          rows.push_back(
-              {s.blocks()[b].mesh.id, {0, place_of(s, n) - stones[b].stone.middle, along, static_cast<int>(k)}});
+      for (const auto& along : held) {
+        const bool again = !known[n].add(along);
+        const auto arm = place_of(s, n) - stones[b].stone.middle;
+        rows.push_back({s.blocks()[b].mesh.id, {0, arm, along, static_cast<int>(k)}, again});
+      }
     }
   }
   for (const auto& row : stones)
     if (row.absent)
-      for (const auto& support : holding_all<dim>(row.stone.radius)) rows.push_back({row.block, support});
+      for (const auto& support : holding_all<dim>(row.stone.radius)) rows.push_back({row.block, support, false});
   return rows;
 }
 
@@ -164,7 +168,7 @@ RigidStructure<dim> structure_of(std::vector<StoneRow<dim>> stones, const std::v
   for (const auto& row : supports) {
     auto support = row.support;
     support.stone = number(row.block);
-    rigid.supports.push_back(support);
+    (row.again ? rigid.held_again : rigid.supports).push_back(support);
   }
   return rigid;
 }

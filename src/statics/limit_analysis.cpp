@@ -195,11 +195,14 @@ LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& t
   if (!basis) basis = &own;
   const bool begun = !basis->empty();
   for (const double most : {endless, Numbers::most_force}) {
-    auto p = programme({terms.share_of_joints, most, terms.pyramid, false, terms.finer});
+    auto ending = terms;
+    ending.most = most;
+    auto p = programme(ending);
     p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
     p.lp.set_cost(p.factor_column, 1);
     if (begun) p.lp.start_from(*basis);
     const auto found = solve(p, largest, *basis, terms.borne);
+    if (terms.lines) *terms.lines = p.added, *basis = p.lp.basis();
     *balanced_unraised = found.end != ProgrammeEnd::infeasible;
     answer = judge(p, found, largest);
     answer.basis = *basis;
@@ -251,15 +254,6 @@ LimitAnswer<dim> LimitAnalysis<dim>::in_motion(double largest, LimitAnswer<dim> 
   answer.motion = std::move(undilated);
   answer.dilates = false;
   return answer;
-}
-
-/// In space what pyramids around cones bear is proven of none within them: forces are looked for there.
-template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::with_forces(double largest, LimitAnswer<dim> answer) const {
-  if (dim == 2 || answer.verdict != LimitVerdict::unlimited) return answer;
-  auto found = largest_borne(largest);
-  if (found.verdict != LimitVerdict::unlimited) found.verdict = LimitVerdict::unknown;
-  return found;
 }
 
 /// A basis of the same stones under other loads: the column of the factor, the last one, begins at no raised load.

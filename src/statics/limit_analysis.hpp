@@ -9,6 +9,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "statics/admissible_forces.hpp"
@@ -73,13 +74,14 @@ class LimitAnalysis {
   LimitAnswer<dim> most_balanced(double factor, double* free_share) const;
   /// Of all forces that balance loads those with the least sum of normal forces, since stones that hold each other may
   /// press on each other as much as one likes. No verdict where none are found, in space within pyramids inside cones.
-  LimitAnswer<dim> least_pressed(double factor) const { return under_loads(factor).least_of_joints(1, {}); }
+  LimitAnswer<dim> least_pressed(double factor) const { return under_loads(factor).least_of_joints(1, {}, nullptr); }
   /// Whether stones stand in rows: each has two neighbours at most, or is held and has one, none of a row is its own
   /// neighbour's neighbour, and all joints are dry and flat. The share that forces leave free is then one of the
   /// depth of a row, and 1 / (1 - share) its geometric factor of safety.
   bool is_rows() const;
   /// Least and most of reactions over all admissible forces: per support, along x, y and z. In space over those of the
-  /// pyramid around each cone, so that none is left out.
+  /// pyramid around each cone, so that none is left out. What two supports hold of a stone has no end, since they can
+  /// press against each other through it.
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
   std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
@@ -92,6 +94,8 @@ class LimitAnalysis {
 
  private:
   struct Programme;
+  /// Lines of round cones that were added to pyramids within them, by kept contact.
+  using Lines = std::vector<std::pair<std::size_t, Generator<dim>>>;
   /// Of joints whose share bears, about their middle, with forces that end at a multiple of the largest load.
   struct Terms {
     double share_of_joints = 1;
@@ -101,6 +105,10 @@ class LimitAnalysis {
     bool finer = true;     ///< pyramids are made finer where it matters
     bool least = false;    ///< forces that balance a hair less than the limit, with the least sum of normal forces
     std::optional<double> borne = {};  ///< [-] factor for which forces within the cones balance, where one is known
+    double off_the_cone = RoundConeParameters::off_the_cone;  ///< [-] up to which pyramids are made finer
+    int most_for_finer =
+        std::numeric_limits<int>::max();  ///< iterations of the simplex method that finer ones may cost
+    Lines* lines = nullptr;  ///< where wanted: to begin with, and those added since; the basis has them then
   };
   /// What a mechanism proves: the factor of raised loads [-], and their power along it [N m].
   struct Bound {
@@ -116,13 +124,16 @@ class LimitAnalysis {
   bool cut_pyramid(Programme&, std::size_t kept, const std::vector<double>& x) const;
   bool cut_edge(Programme&, std::size_t kept, double angle) const;
   bool extend_pyramid(Programme&, std::size_t kept, const std::vector<Wrench<dim>>& motion) const;
+  void add_line(Programme&, std::size_t kept, const Generator<dim>&) const;
   void add_generator(Programme&, std::size_t kept, const Generator<dim>&) const;
+  ReactionRange ends_of(Programme&, const std::vector<Wrench<dim>>& borne) const;
   void bound_shear(Programme&, const std::vector<double>& presses) const;
   LimitAnswer<dim> raised_up_to(double largest, const Terms&, bool* balanced_unraised,
                                 ProgrammeBasis* basis = nullptr) const;
   Terms around_cones(const LimitAnswer<dim>& borne) const;
   LimitAnswer<dim> with_forces(double largest, LimitAnswer<dim>) const;
-  LimitAnswer<dim> least_of_joints(double share_of_joints, const ProgrammeBasis&) const;
+  LimitAnswer<dim> borne_on_share(double share, int most_for_finer, Lines&, ProgrammeBasis&) const;
+  LimitAnswer<dim> least_of_joints(double share_of_joints, const ProgrammeBasis&, Lines*) const;
   void seek_least(Programme&) const;
   void tell_least(Programme&, LimitAnswer<dim>&) const;
   ProgrammeBasis for_raising(ProgrammeBasis) const;

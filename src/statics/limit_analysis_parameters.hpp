@@ -14,6 +14,9 @@ struct LimitAnalysisParameters {
   static constexpr double out_of_balance = 100 * tolerance;
   /// A motion may press into points by so much of its size; more than that proves nothing.
   static constexpr double against_the_law = out_of_balance;
+  /// Forces on a stone cancel where their sum is less than so much of their sizes, which is what is lost in adding up
+  /// those of some thousand nodes. Such loads, as those of heat, press on no other stone.
+  static constexpr double no_resultant = 1e-12;
   /// What is no motion: ten times what it is exact to.
   static constexpr double no_motion = 10 * out_of_balance;
   /// Loads gain along a mechanism by more than this share of what they turn over: a hundred times what an equilibrium
@@ -26,6 +29,9 @@ struct LimitAnalysisParameters {
   static constexpr double most_force = 1e6;
   /// A reaction of more than this comes from forces at their end, so that it has none.
   static constexpr double endless_reaction = most_force / 10;
+  /// Only forces of more than that hold a stone by a lever, or against another support, of so much of its size: that is
+  /// what faces of a drawing are off their planes by, and the reactions told count on nothing so small.
+  static constexpr double holds_nothing = 1 / endless_reaction;
   /// Friction of so much and more, two orders of magnitude beyond that of stones, counts as without end, which admits a
   /// little more: such a joint slips where the force is within 0.6 degrees of its plane, and generators of its cone
   /// could hardly be told from each other.

@@ -41,6 +41,8 @@ typename LimitAnalysis<dim>::Programme LimitAnalysis<dim>::programme(const Terms
   p.share_moved = 1 - terms.share_of_joints;
   p.pyramid = terms.pyramid;
   p.finer = terms.finer;
+  p.off_the_cone = terms.off_the_cone;
+  p.most_for_finer = terms.most_for_finer;
   p.most = terms.most;
   for (const auto& stone : s_.stones) {
     const auto load = scaled(stone.fixed, stone.radius, unit_);
@@ -49,6 +51,8 @@ typename LimitAnalysis<dim>::Programme LimitAnalysis<dim>::programme(const Terms
   add_forces_of_joints(p, terms);
   add_forces_of_supports(p);
   add_raised_loads(p);
+  if (terms.lines)
+    for (const auto& [k, line] : *terms.lines) add_line(p, k, line);
   return p;
 }
 
@@ -57,6 +61,14 @@ void LimitAnalysis<dim>::add_generator(Programme& p, std::size_t k, const Genera
   const auto& c = s_.contacts[static_cast<std::size_t>(corners_.kept[k])];
   p.columns[k].push_back(p.lp.add_column(column_of(s_, c, p.arm[k], g.direction), std::max(g.lower / unit_, -p.most),
                                          std::min(g.upper / unit_, p.most), 0));
+}
+
+/// A line of a cone, beside those that its pyramid began with.
+template <int dim>
+void LimitAnalysis<dim>::add_line(Programme& p, std::size_t k, const Generator<dim>& line) const {
+  p.forces[k].generators.push_back(line);
+  p.added.emplace_back(k, line);
+  add_generator(p, k, line);
 }
 
 /// Forces of a law are its apex and what is added along its generators: apexes are loads, generators columns.
@@ -91,7 +103,7 @@ void LimitAnalysis<dim>::add_forces_of_joints(Programme& p, const Terms& terms) 
   }
 }
 
-/// In directions at right angles: what one holds of a stone no other holds again.
+/// In directions at right angles: what one holds of a stone no other holds again, whatever support it belongs to.
 template <int dim>
 void LimitAnalysis<dim>::add_forces_of_supports(Programme& p) const {
   const int n = freedoms<dim>;
@@ -110,7 +122,7 @@ void LimitAnalysis<dim>::add_forces_of_supports(Programme& p) const {
     Column column;
     for (int c = 0; c < n; ++c) column.push_back({n * support.stone + c, w[static_cast<std::size_t>(c)]});
     p.lp.add_column(column, -endless, endless, 0);
-    p.held.push_back({support.stone, support.name, w});
+    p.held.push_back({support.stone, w});
   }
 }
 
@@ -124,6 +136,8 @@ void LimitAnalysis<dim>::add_raised_loads(Programme& p) const {
 
 template LimitAnalysis<2>::Programme LimitAnalysis<2>::programme(const Terms&) const;
 template LimitAnalysis<3>::Programme LimitAnalysis<3>::programme(const Terms&) const;
+template void LimitAnalysis<2>::add_line(Programme&, std::size_t, const Generator<2>&) const;
+template void LimitAnalysis<3>::add_line(Programme&, std::size_t, const Generator<3>&) const;
 template void LimitAnalysis<2>::add_generator(Programme&, std::size_t, const Generator<2>&) const;
 template void LimitAnalysis<3>::add_generator(Programme&, std::size_t, const Generator<3>&) const;
 

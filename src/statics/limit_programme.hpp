@@ -21,12 +21,15 @@ template <int dim>
 struct LimitAnalysis<dim>::Programme {
   /// What holds a stone in one direction; moments over the radius of the stone.
   struct Held {
-    int stone, support;
+    int stone;
     Wrench<dim> direction;
   };
   LinearProgramme lp;
   Pyramid pyramid = Pyramid::around;
   bool finer = true;                            ///< pyramids are made so
+  double off_the_cone = 0;                      ///< up to what
+  int most_for_finer = 0;                       ///< iterations that this may cost
+  Lines added;                                  ///< where they are within cones
   std::vector<AdmissibleForces<dim>> forces;    ///< per kept contact
   std::vector<std::vector<int>> columns;        ///< of a kept contact, per generator
   std::vector<std::array<Vector<dim>, 2>> arm;  ///< of kept contacts, on both stones

@@ -1,10 +1,10 @@
-// Which of all forces that balance given loads are told: the most balanced ones, and the ends of reactions.
+// Which of all forces that balance given loads are told: the most balanced ones.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
-#include "base/check.hpp"
 #include "statics/limit_analysis_parameters.hpp"
 #include "statics/limit_programme.hpp"
 
@@ -16,36 +16,62 @@ using Numbers = LimitAnalysisParameters;
 // The least share of joints that is looked for, to which it is bisected in the plane.
 constexpr double finest = 1 - Numbers::largest_free_share;
 
+/// Goes from a share that is borne to the least one, but for what is told.
+/// @param is_borne  whether a share is
+template <class Ask>
+double least_share(double borne, double told, const Ask& is_borne) {
+  for (double falls = finest; borne - falls > told;) {
+    const double share = (borne + falls) / 2;
+    (is_borne(share) ? borne : falls) = share;
+  }
+  return borne;
+}
+
 }  // namespace
 
+/// Whether loads that are raised from nothing are borne by a share of joints.
+/// @param most_for_finer  iterations that it may cost to make pyramids finer; none: they are not
+/// @param lines           of other shares, which serve this one too
+/// @param basis           to begin from, of another share
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::borne_on_share(double share, int most_for_finer, Lines& lines,
+                                                    ProgrammeBasis& basis) const {
+  bool balanced = true;
+  Terms terms;
+  terms.share_of_joints = share, terms.pyramid = Pyramid::within, terms.lines = &lines;
+  terms.finer = most_for_finer > 0, terms.most_for_finer = most_for_finer;
+  terms.off_the_cone = RoundConeParameters::off_the_cone_at_last;
+  return raised_up_to(1, terms, &balanced, &basis);
+}
+
+/// Shares are asked of pyramids as they are; in space the next one is asked of finer ones at last, which may cost as
+/// much again as the first solution, and the lines found there serve all shares.
 template <int dim>
 LimitAnswer<dim> LimitAnalysis<dim>::most_balanced(double factor, double* free_share) const {
   const auto loaded = under_loads(factor);
   ProgrammeBasis basis;  // shares that are near each other have bases that are
-  const auto with = [&](double share) {
-    bool balanced = true;
-    return loaded.raised_up_to(1, {share, endless, Pyramid::within, false, share == 1}, &balanced, &basis);
-  };
+  Lines lines;
   // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
-  double stands = 1, falls = finest;
-  auto best = with(falls);
-  if (best.verdict == LimitVerdict::unlimited) {
-    stands = falls;
-  } else {
-    best = with(1);
+  auto best = loaded.borne_on_share(finest, 0, lines, basis);
+  const int at_first = best.iterations;
+  double stands = best.verdict == LimitVerdict::unlimited ? finest : 1;
+  if (stands == 1) best = loaded.borne_on_share(1, std::numeric_limits<int>::max(), lines, basis);
+  const auto is_borne = [&](double share, int most_for_finer) {
+    auto answer = loaded.borne_on_share(share, most_for_finer, lines, basis);
+    const bool borne = answer.verdict == LimitVerdict::unlimited;
+    if (borne) best = std::move(answer);
+    return borne;
+  };
+  const double told = dim == 2 ? finest : RoundConeParameters::share_told;
+  for (bool more = stands == 1 && best.verdict == LimitVerdict::unlimited; more;) {
+    stands = least_share(stands, told, [&](double share) { return is_borne(share, 0); });
+    more = dim == 3 && stands - told > finest && is_borne(stands - told, at_first);
+    if (more) stands -= told;
   }
-  if (best.verdict == LimitVerdict::unlimited)
-    while (stands - falls > (dim == 2 ? finest : RoundConeParameters::share_told)) {
-      const double share = (stands + falls) / 2;
-      auto answer = with(share);
-      const bool borne = answer.verdict == LimitVerdict::unlimited;
-      (borne ? stands : falls) = share;
-      if (borne) best = std::move(answer);
-    }
   if (free_share) *free_share = 1 - stands;
   if (best.verdict != LimitVerdict::unlimited) return best;
-  auto least = loaded.least_of_joints(stands, basis);
-  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_of_joints(stands, {});
+  auto least = loaded.least_of_joints(stands, basis, &lines);
+  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_of_joints(stands, {}, &lines);
   return least.verdict == LimitVerdict::unlimited ? least : best;
 }
 
@@ -80,8 +106,11 @@ bool LimitAnalysis<dim>::is_rows() const {
 /// Forces that balance all raised loads with the least sum of normal forces: where stones hold each other in many ways,
 /// any force can be added to others.
 template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::least_of_joints(double share_of_joints, const ProgrammeBasis& basis) const {
-  auto p = programme({share_of_joints, endless, Pyramid::within, false});
+LimitAnswer<dim> LimitAnalysis<dim>::least_of_joints(double share_of_joints, const ProgrammeBasis& basis,
+                                                     Lines* lines) const {
+  Terms terms;
+  terms.share_of_joints = share_of_joints, terms.pyramid = Pyramid::within, terms.lines = lines;
+  auto p = programme(terms);
   const double all = raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, all, all);
   seek_least(p);
@@ -107,57 +136,15 @@ void LimitAnalysis<dim>::tell_least(Programme& p, LimitAnswer<dim>& answer) cons
   if (least.verdict == LimitVerdict::unlimited) answer.force = least.force;
 }
 
-/// Forces that balance loads are found first, without a cost and without an end, which costs the simplex method several
-/// times as much; from them it goes from one extreme to the next, which takes it a tenth of what each alone does.
-template <int dim>
-std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int supports, double factor) const {
-  VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
-  std::vector<std::array<ReactionRange, dim>> ranges(static_cast<std::size_t>(supports));
-  auto p = programme({1, endless, Pyramid::around, false});
-  const double f = factor * raised_unit_ / unit_;
-  p.lp.set_column(p.factor_column, f, f);
-  p.lp.maximise();
-  for (std::size_t k = 0; k < p.forces.size(); ++k)
-    for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g) {
-      const auto& of = p.forces[k].generators[g];
-      p.lp.set_column(p.columns[k][g], std::max(of.lower / unit_, -Numbers::most_force),
-                      std::min(of.upper / unit_, Numbers::most_force));
-    }
-  if (p.lp.maximise().end != ProgrammeEnd::optimal) return ranges;
-  for (int support = 0; support < supports; ++support)
-    for (std::size_t c = 0; c < dim; ++c) {
-      auto& range = ranges[static_cast<std::size_t>(support)][c];
-      for (const double sign : {1.0, -1.0}) {
-        bool held = false;
-        for (std::size_t k = 0; k < p.held.size(); ++k) {
-          const double share = p.held[k].support == support ? p.held[k].direction[c] : 0.0;
-          p.lp.set_cost(p.held_column + static_cast<int>(k), sign * share);
-          held = held || std::abs(share) > Numbers::straight;
-        }
-        auto& end = sign > 0 ? range.most : range.least;
-        if (!held) {
-          end = 0;
-          continue;
-        }
-        const auto found = p.lp.maximise();
-        const double force = std::abs(found.value) > Numbers::out_of_balance ? sign * found.value * unit_ : 0.0;
-        if (found.end == ProgrammeEnd::optimal && found.value < Numbers::endless_reaction) end = force;
-      }
-    }
-  return ranges;
-}
-
 template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*) const;
 template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*) const;
-template LimitAnswer<2> LimitAnalysis<2>::least_of_joints(double, const ProgrammeBasis&) const;
-template LimitAnswer<3> LimitAnalysis<3>::least_of_joints(double, const ProgrammeBasis&) const;
+template LimitAnswer<2> LimitAnalysis<2>::least_of_joints(double, const ProgrammeBasis&, Lines*) const;
+template LimitAnswer<3> LimitAnalysis<3>::least_of_joints(double, const ProgrammeBasis&, Lines*) const;
 template void LimitAnalysis<2>::seek_least(Programme&) const;
 template void LimitAnalysis<3>::seek_least(Programme&) const;
 template void LimitAnalysis<2>::tell_least(Programme&, LimitAnswer<2>&) const;
 template void LimitAnalysis<3>::tell_least(Programme&, LimitAnswer<3>&) const;
 template bool LimitAnalysis<2>::is_rows() const;
 template bool LimitAnalysis<3>::is_rows() const;
-template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double) const;
-template std::vector<std::array<ReactionRange, 3>> LimitAnalysis<3>::reactions(int, double) const;
 
 }  // namespace voussoir

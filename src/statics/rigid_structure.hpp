@@ -10,6 +10,7 @@
 
 #include "base/tensor.hpp"
 #include "joints/contact_law.hpp"
+#include "statics/limit_analysis_parameters.hpp"
 
 namespace voussoir {
 
@@ -52,6 +53,8 @@ struct RigidStructure {
   std::vector<RigidStone<dim>> stones;
   std::vector<RigidContact<dim>> contacts;
   std::vector<RigidSupport<dim>> supports;
+  /// What others of the supports hold at its place too: reactions alone ask.
+  std::vector<RigidSupport<dim>> held_again;
 };
 
 inline double length(const Vector<1>& v) { return std::abs(v[0]); }
@@ -81,6 +84,26 @@ inline Vector<2> velocity_at(const Wrench<2>& motion, const Vector<2>& arm) {
 inline Vector<3> velocity_at(const Wrench<3>& motion, const Vector<3>& arm) {
   return force_of(motion) + cross(moment_of(motion), arm);
 }
+
+/// What forces on a stone come to, about its middle.
+template <int dim>
+class Resultant {
+ public:
+  void add(const Vector<dim>& arm, const Vector<dim>& force) {
+    sum_ = sum_ + wrench_of(arm, force);
+    size_ += length(force);
+  }
+  /// Nothing where they cancel but for round-off.
+  Wrench<dim> wrench(double radius) const {
+    const double nothing = LimitAnalysisParameters::no_resultant * size_;
+    const bool cancel = length(force_of(sum_)) <= nothing && length(moment_of(sum_)) <= nothing * radius;
+    return cancel ? Wrench<dim>{} : sum_;
+  }
+
+ private:
+  Wrench<dim> sum_{};
+  double size_ = 0;
+};
 
 /// How far a motion moves a stone of a radius at most.
 template <std::size_t n>

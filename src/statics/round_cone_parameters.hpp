@@ -17,6 +17,9 @@ struct RoundConeParameters {
   /// cone where a motion presses into it by more than this share of its slip, until there are none: that is finer than
   /// any friction is known. Each round leaves a quarter of what the last did.
   static constexpr double off_the_cone = 1e-3;
+  /// The same where it decides whether loads are borne at all, by joints or a share of them: to a thousandth of that,
+  /// below which drawings tell no slope.
+  static constexpr double off_the_cone_at_last = off_the_cone * off_the_cone;
   /// What a factor may be above one for which forces within the cones balance, where nothing is left to be made finer:
   /// an order of magnitude below what it is told to.
   static constexpr double nothing_left = off_the_cone / order_of_magnitude;

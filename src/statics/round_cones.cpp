@@ -27,7 +27,7 @@ ProgrammeSolution LimitAnalysis<dim>::solve(Programme& p, double largest, Progra
   const int at_first = found.iterations;
   int for_nothing = 0;
   for (int round = 0; round < RoundConeParameters::most_rounds && found.end == ProgrammeEnd::optimal; ++round) {
-    if (!make_finer(p, found)) break;
+    if (found.iterations - at_first > p.most_for_finer || !make_finer(p, found)) break;
     const auto before = found;
     // Cut pyramids leave prices as they may be and take forces away, added lines do the opposite.
     found = p.pyramid == Pyramid::around ? p.lp.maximise_from_prices() : p.lp.maximise();
@@ -43,6 +43,25 @@ ProgrammeSolution LimitAnalysis<dim>::solve(Programme& p, double largest, Progra
     }
     if (borne && found.value * unit_ / raised_unit_ <= *borne * (1 + RoundConeParameters::nothing_left)) break;
   }
+  return found;
+}
+
+/// In space what pyramids around cones bear is proven of none within them: forces are looked for there, and where there
+/// are none pyramids around cones are made as fine as these.
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::with_forces(double largest, LimitAnswer<dim> answer) const {
+  if (dim == 2 || answer.verdict != LimitVerdict::unlimited) return answer;
+  bool balanced = true;
+  Terms terms;
+  terms.off_the_cone = RoundConeParameters::off_the_cone_at_last;
+  terms.pyramid = Pyramid::within;
+  auto found = raised_up_to(largest, terms, &balanced);
+  if (found.verdict == LimitVerdict::unlimited) return found;
+  terms.pyramid = Pyramid::around;
+  terms.borne = found.factor;
+  auto refused = raised_up_to(largest, terms, &balanced);
+  if (refused.verdict == LimitVerdict::limited) return refused;
+  found.verdict = LimitVerdict::unknown;
   return found;
 }
 
@@ -62,7 +81,7 @@ bool LimitAnalysis<dim>::make_finer(Programme& p, const ProgrammeSolution& found
 /// Whether there is an edge clearly between whose faces the direction is.
 template <>
 bool LimitAnalysis<3>::cut_edge(Programme& p, std::size_t k, double angle) const {
-  const double apart = RoundConeParameters::side * RoundConeParameters::off_the_cone;
+  const double apart = RoundConeParameters::side * p.off_the_cone;
   auto& generators = p.forces[k].generators;
   for (std::size_t g = 0; g < generators.size(); ++g) {
     const double from = generators[g].from, to = generators[g].to;
@@ -92,7 +111,7 @@ bool LimitAnalysis<3>::cut_pyramid(Programme& p, std::size_t k, const std::vecto
     if (generators[g].to > generators[g].from && !is_new) force = force + x[column] * generators[g].direction;
   }
   const double shear = length(tangential(force));
-  const double borne = (1 + RoundConeParameters::off_the_cone) * slope * force[0];
+  const double borne = (1 + p.off_the_cone) * slope * force[0];
   if (shear <= Numbers::tolerance || shear <= borne) return false;
   const double angle = std::atan2(force[2], force[1]);
   bool cut = false;
@@ -109,11 +128,10 @@ bool LimitAnalysis<3>::extend_pyramid(Programme& p, std::size_t k, const std::ve
     return velocity_at(motion[static_cast<std::size_t>(stone)], p.arm[k][static_cast<std::size_t>(side)]);
   };
   const auto v = on_axes(c, moved(c.stone_j, 1) - moved(c.stone_i, 0));
-  const double slip = length(tangential(v)), slope = c.law.friction;
-  if (slip <= Numbers::no_motion || slope * slip - v[0] <= RoundConeParameters::off_the_cone * slope * slip)
+  const double slip = length(tangential(v)), slope = c.law.friction, presses = slope * slip - v[0];
+  if (slip <= Numbers::no_motion || presses <= p.off_the_cone * slope * slip || presses <= Numbers::against_the_law)
     return false;
-  p.forces[k].generators.push_back(line_on_cone(slope, std::atan2(-v[2], -v[1])));
-  add_generator(p, k, p.forces[k].generators.back());
+  add_line(p, k, line_on_cone(slope, std::atan2(-v[2], -v[1])));
   return true;
 }
 
@@ -130,6 +148,8 @@ bool LimitAnalysis<2>::extend_pyramid(Programme&, std::size_t, const std::vector
   return false;
 }
 
+template LimitAnswer<2> LimitAnalysis<2>::with_forces(double, LimitAnswer<2>) const;
+template LimitAnswer<3> LimitAnalysis<3>::with_forces(double, LimitAnswer<3>) const;
 template ProgrammeSolution LimitAnalysis<2>::solve(Programme&, double, ProgrammeBasis&, std::optional<double>) const;
 template ProgrammeSolution LimitAnalysis<3>::solve(Programme&, double, ProgrammeBasis&, std::optional<double>) const;
 

@@ -124,6 +124,52 @@ class OnASlope(program.SceneTest):
                                           2 * turned(1e-3 / math.cos(SLOPE), 0, SLOPE)):
                 self.assertLess(abs(after - before - way), 1e-7 * 1e-3)
 
+    def rigid_and_elastic(self, supports, *options, **how):
+        """Ends of reactions of rigid stones by support and axis, reactions of elastic ones, and what was printed."""
+        name = " ".join(map(str, (*supports, *options, *how.values())))
+        rigid = self.run_scene(scene(supports), "--limit-analysis", drawing=drawing(SLOPE), out="rigid " + name, **how)
+        self.assertEqual(rigid.outcome, "equilibrium", rigid.said)
+        elastic = self.run_scene(scene(supports), drawing=drawing(SLOPE), out="elastic " + name, **how)
+        ranges = {(support, c): tuple(found[f"{end}_{c}_N"] for end in ("least", "most"))
+                  for support, found in rigid.result["rigid"]["reactions"].items() for c in "xy"}
+        return ranges, elastic.result["statics"]["reactions"], rigid.words
+
+    def test_rigid_stones_tell_what_each_of_two_supports_of_a_stone_bears(self):
+        side = {"toe": {"on": "toe", "components": "x"}, "bed": NORMAL["bed"]}
+        bed = turned(0, WEIGHT / math.cos(SLOPE), SLOPE)
+        oblique = {"bed": bed, "toe": (WEIGHT * math.tan(SLOPE), 0)}
+        square = {"bed": turned(0, WEIGHT * math.cos(SLOPE), SLOPE), "toe": turned(WEIGHT * math.sin(SLOPE), 0, SLOPE)}
+        for supports, expected in ((NORMAL, square), (dict(reversed(NORMAL.items())), square), (side, oblique),
+                                   (dict(reversed(side.items())), oblique)):
+            for ranks in (1, 2, 4):
+                ranges, elastic, words = self.rigid_and_elastic(supports, ranks=ranks)
+                for (support, c), ends in ranges.items():
+                    for force in (*ends, elastic[support][c + "_N"]):
+                        self.assertLess(abs(force - expected[support]["xy".index(c)]), 1e-7 * WEIGHT, (supports, ranges))
+                self.assertNotIn("any force", words)
+
+    def test_what_two_supports_hold_of_a_stone_has_no_end(self):
+        # Held whole, both press against each other as one likes. Held upwards twice, and along x by the side alone.
+        whole = {"bed": {"on": "bed"}, "toe": {"on": "toe"}}
+        upwards = {"bed": {"on": "bed", "components": "y"}, "toe": {"on": "toe"}}
+        for supports in (whole, dict(reversed(whole.items())), upwards, dict(reversed(upwards.items()))):
+            ranges, elastic, words = self.rigid_and_elastic(supports, ranks=1)
+            for (support, c), (least, most) in ranges.items():
+                force, shared = elastic[support][c + "_N"], c == "y" or supports["bed"] == whole["bed"]
+                self.assertEqual((least, most) == (None, None), shared, (supports, ranges))
+                if not shared:
+                    self.assertLess(max(abs(force), abs(least), abs(most)), 1e-7 * WEIGHT, (ranges, elastic))
+            self.assertIn("any force upwards or downwards", words)
+            self.assertEqual("any force to the right or left" in words, supports["bed"] == whole["bed"], words)
+
+    def test_rigid_stones_bear_heat_and_settlements_at_any_factor(self):
+        loads = {"heat": {"type": "temperature", "change": 10.0}, "move": {"type": "settlement", "support": "toe", "ux": 1e-3}}
+        for pattern in ({"heat": 1.0}, {"move": 1.0}, {"heat": -3.0, "move": 1.0}):
+            run = self.run_scene(scene(loads=loads, load_factor={"pattern": pattern}), "--limit-analysis", drawing=drawing(SLOPE),
+                                 out=" ".join(pattern))
+            self.assertEqual((run.code, run.outcome), (0, "equilibrium"), run.said)
+            self.assertIn("so they do at any factor of the pattern, since joints balance it alone", run.words)
+
     def test_limits_and_mechanisms_know_it(self):
         push = {"push": {"type": "acceleration", "ax": -GRAVITY * math.cos(SLOPE), "ay": -GRAVITY * math.sin(SLOPE)}}
         run = self.run_scene(scene(loads=push, load_factor={"pattern": {"push": 1.0}, "accuracy": 0.01}), drawing=drawing(SLOPE))

@@ -149,6 +149,16 @@ class LimitsInSpace(program.SceneTest):
             self.assertLessEqual(below, limit * (1 + 1e-6))
             self.assertGreaterEqual(below, limit * (1 - finer))
 
+    def test_heat_has_no_resultant_and_can_be_raised_without_end(self):
+        heat = {"heat": {"type": "temperature", "change": 10.0}}
+        tilted = {"weight": {"type": "self weight", "gravity": GRAVITY}, "push": push(20)["push"], **heat}
+        for name, loads, stages in (("level", heat, None), ("tilted", tilted, {"push": {"loads": {"push": 0.2}}})):
+            for ranks in (1, 2):
+                run = self.run_scene(scene(PRISM, loads, stages, load_factor={"pattern": {"heat": 1.0}}), "--limit-analysis",
+                                     out=f"{name} {ranks}", ranks=ranks)
+                self.assertEqual((run.code, run.outcome), (0, "equilibrium"), run.said)
+                self.assertIn("so they do at any factor of the pattern, since joints balance it alone", run.words)
+
     def test_loads_that_nothing_balances_are_refused(self):
         run = self.run_scene(scene(PRISM, push(45), {"push": {"loads": {"push": 0.43}}}), "--limit-analysis")
         self.assertEqual(run.outcome, "collapse", run.said)

@@ -183,6 +183,45 @@ TEUCHOS_UNIT_TEST(InSpace, TheResultantOfAPushedPrismLeavesItsEdge) {
   }
 }
 
+// What slides at friction 0.2 stands at 0.2 / q, whichever way it is pushed and drawn; its resultant leaves the middle
+// of the bed by as much as its middle is high, 1 m.
+TEUCHOS_UNIT_TEST(InSpace, TheShareThatForcesLeaveFreeIsThatOfTheRoundConeInAnyDirection) {
+  for (const double degrees : {0.0, 5.0, 11.25, 37.0, 101.0})
+    for (const double q : {1.00001, 1.0001, 1.01, 1.018, 1.03}) {
+      const auto s = prism(degrees, {0.2});
+      for (const auto& drawn : {s, turned(s)}) {
+        const LimitAnalysis analysis(drawn);
+        TEST_ASSERT(analysis.bears(0.2 / q).verdict == LimitVerdict::unlimited);
+        TEST_ASSERT(analysis.bears(0.2 * q).verdict == LimitVerdict::refused);
+        double free_share = -1;
+        const auto answer = analysis.most_balanced(0.2 / q, &free_share);
+        TEST_ASSERT(answer.verdict == LimitVerdict::unlimited);
+        TEST_COMPARE(answer.out_of_balance, <, close);
+        const double x = std::abs(std::cos(degrees * degree)) / 0.5, y = std::sin(degrees * degree) / 0.3;
+        const double needed = 0.2 / q * std::max(x, y);
+        TEST_COMPARE(1 - free_share, >=, needed - close);
+        TEST_COMPARE(1 - free_share, <=, needed + RoundConeParameters::share_told);
+      }
+    }
+}
+
+// Two stones on each other, whose joints differ in friction: the upper one leans on nearly all of its own.
+TEUCHOS_UNIT_TEST(InSpace, TheFreeShareOfATowerOfWhichOneJointAloneNearlySlides) {
+  auto s = prism(23, {0.6});
+  const int top = add_box(s, {0, 0, 2}, {1, 0.6, 3});
+  add_joint(s, 1, top, {{0, 0, 2}, {1, 0, 2}, {1, 0.6, 2}, {0, 0.6, 2}}, {0, 0, 1}, {0.1});
+  push_to(s, {std::cos(23 * degree), std::sin(23 * degree), 0});
+  for (const auto& drawn : {s, turned(s)}) {
+    double free_share = -1;
+    const auto answer = LimitAnalysis(drawn).most_balanced(0.1 / 1.005, &free_share);
+    TEST_ASSERT(answer.verdict == LimitVerdict::unlimited);
+    // At the foot, 1.5 m below the middle of both.
+    const double needed = 0.15 / 1.005 * std::max(std::cos(23 * degree) / 0.5, std::sin(23 * degree) / 0.3);
+    TEST_COMPARE(1 - free_share, >=, needed - close);
+    TEST_COMPARE(1 - free_share, <=, needed + RoundConeParameters::share_told);
+  }
+}
+
 double limit_of(RigidStructure<3> s, const Vector<3>& direction) {
   push_to(s, direction);
   const auto answer = LimitAnalysis(std::move(s)).largest_factor(most);

@@ -1,5 +1,6 @@
 // Limits do not know units, origins, or how much a stone weighs beside others.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <random>
 
 #include "unit/statics/structures.hpp"
 
@@ -52,6 +53,34 @@ TEUCHOS_UNIT_TEST(Units, RaisedLoadsMayBeFarSmallerOrLargerThanFixedOnes) {
     TEST_ASSERT(answer.verdict == LimitVerdict::limited);
     TEST_FLOATING_EQUALITY(answer.factor, 0.6 / share, 1e-6);
   }
+}
+
+/// Random forces at random places, and each again the other way: on a line through both where a stone is turned.
+template <int dim>
+Wrench<dim> of_pairs(int pairs, double beside, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  Resultant<dim> sum;
+  for (int k = 0; k < pairs; ++k) {
+    Vector<dim> arm{}, force{};
+    for (std::size_t c = 0; c < dim; ++c) arm[c] = any(random), force[c] = 1e6 * any(random);
+    sum.add(arm, force);
+    sum.add(arm + 1e-7 * any(random) * force, -1.0 * force);
+  }
+  Vector<dim> small{};
+  small[1] = beside;
+  sum.add(small, {beside});
+  return sum.wrench(1);
+}
+
+TEUCHOS_UNIT_TEST(Units, ForcesThatCancelAreNoLoadAndSmallOnesBesideThemAre) {
+  for (unsigned seed = 0; seed < 50; ++seed)
+    for (const int pairs : {3, 3000}) {
+      TEST_ASSERT(of_pairs<2>(pairs, 0, seed) == Wrench<2>{});
+      TEST_ASSERT(of_pairs<3>(pairs, 0, seed) == Wrench<3>{});
+      TEST_COMPARE(std::abs(of_pairs<2>(pairs, 1, seed)[0] - 1), <, 1e-3);
+      TEST_COMPARE(std::abs(of_pairs<3>(pairs, 1, seed)[5] + 1), <, 1e-3);
+    }
 }
 
 TEUCHOS_UNIT_TEST(Units, StonesThatJamWithoutEndLeaveOthersTheirLimit) {
