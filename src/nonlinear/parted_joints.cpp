@@ -49,6 +49,7 @@ double taken_by(const NonlinearProblem& problem, int k, const SeenState& seen, c
 int parted_side_by_side(NonlinearProblem& problem, const Iterate& at) {
   const auto& softening = *problem.softening();
   const auto seen = see(problem, at);
+  const int n = problem.components();
   std::map<int, int> first_of;  // of a joint, among the points that have come so far
   for (int k = 0; k < problem.points(); ++k) {
     if (!problem.selected()[k] || !softening.softens(k)) continue;
@@ -57,6 +58,10 @@ int parted_side_by_side(NonlinearProblem& problem, const Iterate& at) {
       return point.rate.growth(point.rate.kappa(std::max(point.before.opened, opened), point.before.slipped + way));
     };
     if (!(growth(seen.worn[k].opened, seen.worn[k].way) < growth(0, 0) / 2)) continue;
+    const double strength = point.whole.tension > 0 ? point.whole.tension : point.whole.cohesion;
+    const double taken =
+        energy_taken(point, seen.worn[k], motion_of(problem, k, 0, seen.gap, at.lambda), at.lambda[n * k]);
+    if (!(taken > strength * strength / (2 * problem.local_stiffness()[k]))) continue;
     auto& first = first_of.emplace(problem.joint_of(k), k).first->second;
     if (problem.number_of(k) < problem.number_of(first)) first = k;
   }

@@ -20,8 +20,9 @@
 
 namespace voussoir {
 
-/// How many joints have come, within the step, to where the slope of their law is less than half of what it was there.
-/// Collective.
+/// How many joints have come, within the step, to where the slope of their law is less than half of what it was at its
+/// start, and have taken more than the stones beside a point store at its strength: less is nothing to win, as where
+/// cohesion goes with a joint that opens without a pull. Collective.
 int parted_side_by_side(NonlinearProblem&, const Iterate& at);
 
 /// Joints that are let crack, by their points on this rank; empty before the first.

@@ -65,10 +65,15 @@ void find_files(Scene& scene, InputProblems& problems) {
       find_file(scene, *of_load.file, "scene > loads > " + load.name + " > " + of_load.key, problems);
 }
 
-/// What is legal but probably not meant.
+/// What is legal but has no effect.
 /// @param place  in the scene
-void note(Scene& scene, const std::string& place, const std::string& text) {
+void warn_of(Scene& scene, const std::string& place, const std::string& text) {
   scene.warnings.push_back({"probably_not_meant", "scene > " + place, "", 0, text});
+}
+
+/// What may be as meant: of a part of the stages some loads never act.
+void remark(Scene& scene, const std::string& place, const std::string& text) {
+  scene.warnings.push_back({remark_alone, "scene > " + place, "", 0, text});
 }
 
 void check_stages(Scene& scene, InputProblems& problems) {
@@ -79,9 +84,9 @@ void check_stages(Scene& scene, InputProblems& problems) {
       return c.parameters.appears == stage.name || c.parameters.disappears == stage.name;
     });
     if (stage.at_once && !stage.dynamic())
-      note(scene, "steps > stages > " + stage.name, "has no duration, so at once has no effect in it");
+      warn_of(scene, "steps > stages > " + stage.name, "has no duration, so at once has no effect in it");
     if (stage.factors.empty() && !stage.dynamic() && !builds)
-      note(scene, "steps > stages > " + stage.name, "names no load, so nothing changes in it");
+      remark(scene, "steps > stages > " + stage.name, "names no load, so nothing changes in it");
     for (const auto& [load, factor] : stage.factors) {
       used.insert(load);
       if (loads.empty() || std::find(loads.begin(), loads.end(), load) != loads.end()) continue;
@@ -92,7 +97,7 @@ void check_stages(Scene& scene, InputProblems& problems) {
   }
   for (const auto& raised : scene.load_factor.pattern) used.insert(raised.first);
   for (const std::string& load : loads)
-    if (!used.count(load)) note(scene, "loads > " + load, "never acts: no stage names it");
+    if (!used.count(load)) remark(scene, "loads > " + load, "never acts: no stage names it");
 }
 
 /// The pattern of a load factor analysis.
@@ -107,10 +112,10 @@ void check_load_factor(Scene& scene, InputProblems& problems) {
       problems.add(path + " > " + name, " = " + number_text(share) + " [-]\n  names no load of this scene" +
                                             did_you_mean(name, loads) + ".\n  Loads: " + list_of(loads) + ".");
     if (load != scene.loads.end() && load_as<SettlementParameters>(*load) && scene.model.rotations == Rotations::small)
-      note(scene, "load factor > pattern > " + name,
-           "moves a support; displacements are small ones, so what is sought is the movement at "
-           "which the structure as drawn stands no more, not as it leans by then; give model > "
-           "rotations = \"finite\" to let it lean");
+      remark(scene, "load factor > pattern > " + name,
+             "moves a support; displacements are small ones, so what is sought is the movement at "
+             "which the structure as drawn stands no more, not as it leans by then; give model > "
+             "rotations = \"finite\" to let it lean");
   }
   if (pattern.empty()) return;
   for (const StageParameters& stage : scene.stages)
@@ -125,12 +130,13 @@ void check_load_factor(Scene& scene, InputProblems& problems) {
 
 void check_velocities(Scene& scene) {
   const bool moves = std::any_of(scene.stages.begin(), scene.stages.end(), [](const auto& s) { return s.dynamic(); });
-  if (!scene.velocities.empty() && !moves) note(scene, "initial velocities", "have no effect: no stage has a duration");
+  if (!scene.velocities.empty() && !moves)
+    warn_of(scene, "initial velocities", "have no effect: no stage has a duration");
 }
 
 void check_loads(Scene& scene, InputProblems& problems) {
   for (const LoadParameters& load : scene.loads) {
-    if (load.is_zero()) note(scene, "loads > " + load.name, "is zero");
+    if (load.is_zero()) remark(scene, "loads > " + load.name, "is zero");
     const auto* settlement = load_as<SettlementParameters>(load);
     if (!settlement) continue;
     for (const auto& support : scene.supports) {
@@ -145,9 +151,9 @@ void check_loads(Scene& scene, InputProblems& problems) {
                          "it, and normals are those of the drawing.\n  Give rotations = \"small\", a support with "
                          "components = \"all\", or a settlement without rotation.");
       if (settlement->ux != 0 && held == "y")
-        note(scene, "loads > " + load.name, "has an ux that its support does not hold");
+        warn_of(scene, "loads > " + load.name, "has an ux that its support does not hold");
       if (settlement->uy != 0 && held == "x")
-        note(scene, "loads > " + load.name, "has an uy that its support does not hold");
+        warn_of(scene, "loads > " + load.name, "has an uy that its support does not hold");
     }
   }
 }
@@ -168,8 +174,8 @@ void check_supports(Scene& scene, InputProblems& problems) {
   std::set<std::pair<std::string, std::string>> held;
   for (const auto& support : scene.supports)
     if (!held.insert({support.parameters.on, support.parameters.blocks}).second)
-      note(scene, "supports > " + support.name,
-           "holds " + in_quotes(support.parameters.on) + ", which another support holds already");
+      remark(scene, "supports > " + support.name,
+             "holds " + in_quotes(support.parameters.on) + ", which another support holds already");
 }
 
 void check_construction(const Scene& scene, InputProblems& problems) {

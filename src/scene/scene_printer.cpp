@@ -172,6 +172,11 @@ std::string construction_text(const ConstructionParameters& c) {
          (c.disappears.empty() ? "" : ", disappears with " + in_quotes(c.disappears));
 }
 
+void print_remarks(std::ostream& os, const Scene& scene) {
+  for (const auto& warning : scene.warnings)
+    if (warning.what == remark_alone) os << "  warning: " << warning.where << ": " << warning.text << ".\n";
+}
+
 }  // namespace
 
 void print_internals_reference(std::ostream& os) {
@@ -214,6 +219,7 @@ void print_scene(std::ostream& os, const Scene& scene, bool internals) {
     row("internals", "", path.substr(path.find(" > ") + 3) + " = " + value);
   print_effects(os, scene);
   if (internals) print_internals(os, scene);
+  print_remarks(os, scene);
 }
 
 void write_scene(std::ostream& os, const Scene& scene) {

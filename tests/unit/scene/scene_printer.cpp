@@ -98,13 +98,15 @@ TEUCHOS_UNIT_TEST(ScenePrinter, TheReferenceNamesWhatEveryChoiceOffers) {
     TEST_INEQUALITY_CONST(printed.str().find("name=\"" + std::string(key) + "\""), std::string::npos);
 }
 
-TEUCHOS_UNIT_TEST(ScenePrinter, TheHeadOfARunShowsEveryMember) {
-  const Scene scene = read_scene(path_of("arch"));
+TEUCHOS_UNIT_TEST(ScenePrinter, TheHeadOfARunShowsEveryMemberAndRemarks) {
+  Scene scene = read_scene(path_of("arch"));
+  scene.warnings.push_back({remark_alone, "scene > loads > moon", "", 0, "is full"});
   std::ostringstream os;
   print_scene(os, scene);
   for (const char* piece :
        {"31 voussoirs", "plane stress, thickness 1 m", "E 1e10 Pa", "mu 0.6", "\"springing right\": all held",
-        "gravity 9.81 m/s2", "settlement of \"right\" by (0.005, 0) m", "1 increment to 1 x spreading", "adaptive"})
+        "gravity 9.81 m/s2", "settlement of \"right\" by (0.005, 0) m", "1 increment to 1 x spreading", "adaptive",
+        "warning: scene > loads > moon: is full."})
     TEST_INEQUALITY_CONST(os.str().find(piece), std::string::npos);
 }
 
