@@ -89,9 +89,11 @@ class Plausible(program.SceneTest):
 
     def test_what_a_scene_says_for_nothing(self):
         thrown = {"initial velocities": {"a": {"blocks": "all", "vx": 1.0}}}
-        told = self.run_scene(scene(loads={"wind": {"type": "acceleration", "ax": 1.0}}, stages={"own": stones.OWN_WEIGHT}, **thrown),
-                              drawing=DRAWING)
-        self.assertEqual(told.warnings, ["probably_not_meant"], told.said)  # of what never acts the head tells
+        idle = {"own": {**stones.OWN_WEIGHT, "at once": True}}
+        told = self.run_scene(scene(loads={"wind": {"type": "acceleration", "ax": 1.0}}, stages=idle, **thrown), drawing=DRAWING)
+        self.assertEqual(told.warnings, ["probably_not_meant"], told.said)
+        self.assertIn("has no duration, so at once has no effect in it", told.words)
+        # What may be a part of a longer scene is told in the head alone.
         self.assertIn("initial velocities: have no effect", told.words)
         self.assertIn("loads > wind: never acts", told.words)
 
