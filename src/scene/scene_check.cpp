@@ -131,7 +131,7 @@ void check_load_factor(Scene& scene, InputProblems& problems) {
 void check_velocities(Scene& scene) {
   const bool moves = std::any_of(scene.stages.begin(), scene.stages.end(), [](const auto& s) { return s.dynamic(); });
   if (!scene.velocities.empty() && !moves)
-    warn_of(scene, "initial velocities", "have no effect: no stage has a duration");
+    remark(scene, "initial velocities", "have no effect: no stage has a duration");
 }
 
 void check_loads(Scene& scene, InputProblems& problems) {
