@@ -91,7 +91,8 @@ class BroughtBlocks final : public NamedBlocks<dim> {
     std::vector<BlockId> missing;
     for (const BlockId b : wanted)
       if (!has_list_ && !this->kept_.has(b)) missing.push_back(b);
-    const auto most = static_cast<std::size_t>(std::max(1, count_ / (rounds * comm.getSize())));
+    // Messages are copies of blocks: of all ranks' together no more at a time than the share of one of them.
+    const auto most = static_cast<std::size_t>(std::max(1, count_ / (comm.getSize() * comm.getSize())));
     for (std::size_t from = 0; any_of_ranks(comm, from < missing.size()); from += most) {
       const auto first = missing.begin() + static_cast<std::ptrdiff_t>(std::min(from, missing.size()));
       const auto behind = missing.begin() + static_cast<std::ptrdiff_t>(std::min(from + most, missing.size()));
@@ -100,10 +101,6 @@ class BroughtBlocks final : public NamedBlocks<dim> {
   }
 
  private:
-  /// Messages are copies of blocks: asked for in so many rounds, what the first rank writes to all others is that part
-  /// of the mesh at a time, where each rank asks for its share.
-  static constexpr int rounds = 16;
-
   void bring_at_once(std::vector<BlockId> missing, const Teuchos::Comm<int>& comm) const {
     std::vector<Parcel<char>> answer;
     for (const auto& asked : exchange_parcels<BlockId>({{0, std::move(missing)}}, comm)) {

@@ -106,11 +106,12 @@ Warnings unstable(double excess, const std::string& stones, const std::string& w
 }
 
 Warnings one_of_alike(int joints, const std::string& stones, const std::string& when) {
-  return {{"one_of_alike", "joint " + stones, when, static_cast<double>(joints),
-           "of " + std::to_string(joints) +
-               " joints that had come equally far one had to crack while others stay whole, and nothing tells which: "
-               "this one did, as the first by number; drawn in another order it may be another of them, and what "
-               "follows hangs on which"}};
+  return {
+      {"one_of_alike", "joint " + stones, when, static_cast<double>(joints),
+       "of " + std::to_string(joints) +
+           " joints that had come equally far this one was let crack first, being the first by number, and those that "
+           "need not follow stay whole: nothing tells which; drawn in another order it may be another of them, and "
+           "what comes next hangs on which"}};
 }
 
 Warnings passed_in_time(double seconds, const std::string& when) {

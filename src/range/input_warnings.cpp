@@ -1,7 +1,6 @@
 #include "range/input_warnings.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -221,8 +220,7 @@ void warn_of_strength_over_gaps(const Scene& scene, Warnings& all) {
 template <int dim>
 Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
   Warnings all = source.warnings();
-  std::copy_if(scene.warnings.begin(), scene.warnings.end(), std::back_inserter(all),
-               [](const auto& warning) { return warning.what != remark_alone; });
+  append(all, scene.warnings);
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
   append(all, unusual_values(scene));
   // What looks at every stone of a file is for the first rank, which has read it.

@@ -25,9 +25,6 @@
 
 namespace voussoir {
 
-/// The kind of what is said in the head of a run alone, and is no warning of its result.
-inline constexpr const char* remark_alone = "remark";
-
 struct Scene {
   std::string file;   ///< path of the XML, as given
   std::string name;   ///< file name without folder and ending
@@ -51,7 +48,8 @@ struct Scene {
   Internals internals;  ///< how steps are solved: for studies
   std::vector<Named<ObservationParameters>> observations;
   OutputParameters output;
-  Warnings warnings;  ///< what is legal but probably not meant, by its place in the scene; remarks too
+  Warnings warnings;  ///< what is legal but has no effect, by its place in the scene
+  Warnings remarks;   ///< what may be as meant in a part of the stages; the head of a run tells, not its result
 };
 
 }  // namespace voussoir

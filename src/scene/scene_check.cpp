@@ -73,7 +73,7 @@ void warn_of(Scene& scene, const std::string& place, const std::string& text) {
 
 /// What may be as meant: of a part of the stages some loads never act, and none may have a duration.
 void remark(Scene& scene, const std::string& place, const std::string& text) {
-  scene.warnings.push_back({remark_alone, "scene > " + place, "", 0, text});
+  scene.remarks.push_back({"remark", "scene > " + place, "", 0, text});
 }
 
 void check_stages(Scene& scene, InputProblems& problems) {

@@ -173,8 +173,7 @@ std::string construction_text(const ConstructionParameters& c) {
 }
 
 void print_remarks(std::ostream& os, const Scene& scene) {
-  for (const auto& warning : scene.warnings)
-    if (warning.what == remark_alone) os << "  warning: " << warning.where << ": " << warning.text << ".\n";
+  for (const auto& remark : scene.remarks) os << "  warning: " << remark.where << ": " << remark.text << ".\n";
 }
 
 }  // namespace

@@ -248,8 +248,8 @@ VelocityUpdate::Way VelocityUpdate::within_bodies(Way way) const {
 }
 
 /// Ends the approach of closed points, and gives what this and the closing took back to what is behind them.
-VelocityUpdate::Rebound VelocityUpdate::rebound(const Model& step, ContactState& state, const Impact& impact,
-                                                double lost, double resting) {
+JumpImpulses VelocityUpdate::rebound(const Model& step, ContactState& state, const Impact& impact, double lost,
+                                     double resting) {
   const auto& [speed, closed, apart] = impact;
   // A selection that changed on one rank changed for all.
   if (any_of_ranks(*mass_.comm(), !spread_ || spread_->apart != apart))
@@ -281,13 +281,12 @@ VelocityUpdate::Rebound VelocityUpdate::rebound(const Model& step, ContactState&
 }
 
 /// By how much the tangential impulses of friction are to change [N s]: to no more than their bound by what presses in
-/// the end, and up to it at points that slip, as far as that does not stop their nodes; empty where no rank has any.
+/// the end, and up to it at points that slip, as far as that does not stop their nodes.
 PointField VelocityUpdate::to_the_pressure(const ContactState& state, const Impact& impact, const PointField& at_points,
                                            double acted) const {
   const int dim = at_rest_.components();
   PointField change(at_points.size(), 0.0);
   const auto speed = relative_velocities(at_rest_.points(), state.velocity);
-  bool any = false;
   for (int k = 0; k < static_cast<int>(at_points.size()) / dim; ++k) {
     if (!impact.closed[dim * k] || !impact.apart[k] || at_points[dim * k] == 0) continue;
     double rubbed = 0, against = 0;
@@ -302,18 +301,16 @@ PointField VelocityUpdate::to_the_pressure(const ContactState& state, const Impa
     const bool slips = against > 0 && !sticks(at_rest_, state, k);
     const double stopped = slips ? projection_.mass(k, 1) * against / rubbed : 0.0;
     const double more = std::min(bound - rubbed, stopped);
-    if (more == 0) continue;
-    any = true;
     for (int c = 1; c < dim; ++c) change[dim * k + c] = more / rubbed * acted * state.lambda[dim * k + c];
   }
-  if (!any_of_ranks(*mass_.comm(), any)) change.clear();
   return change;
 }
 
 VelocityJump VelocityUpdate::follow_the_pressure(ContactState& state, const Impact& impact, const PointField& at_points,
                                                  const Rubbed& rubbed) {
   const auto impulses = to_the_pressure(state, impact, at_points, rubbed.acted);
-  if (!any_of_ranks(*mass_.comm(), !impulses.empty())) return {};
+  const bool any = std::any_of(impulses.begin(), impulses.end(), [](double p) { return p != 0; });
+  if (!any_of_ranks(*mass_.comm(), any)) return {};
   std::vector<double> change(state.velocity.size(), 0.0);
   VelocityJump jump;
   jump.impulses = projection_.push(change, impulses);

@@ -4,7 +4,7 @@
 // its contact force with it; and it loses the energy lambda x gap of the closing. After Laursen and Love (2002)
 // velocity jumps repair both: relative velocities of closed points become zero by normal impulses, and the energy this
 // and the closing took returns as the least change along the way the impulse spreads behind the joint, as a vibration
-// within bodies: resultants would be impulses of joints, which may not pull, and of which friction knows nothing.
+// within bodies: resultants would be impulses of joints, which may not pull.
 // Points that begin to stick lose their relative velocity to friction. Impulses come in pairs: momentum is kept.
 //
 // What ends relative velocities may pull: a point that has just closed was pushed away by up to twice what stops it. In
@@ -90,11 +90,8 @@ class VelocityUpdate {
     const PointField& speed;
     const std::vector<char>&closed, &apart;
   };
-  struct Rebound {
-    std::vector<double> of_supports;  ///< [N s]
-    PointField at_points;             ///< [N s] what presses, or pulls, beside the forces of the step
-  };
-  Rebound rebound(const Model& step, ContactState&, const Impact&, double lost, double resting);
+  /// Returns what presses, or pulls, beside the forces of the step.
+  JumpImpulses rebound(const Model& step, ContactState&, const Impact&, double lost, double resting);
   PointField to_the_pressure(const ContactState&, const Impact&, const PointField& at_points, double acted) const;
   /// Friction follows what presses beside the forces of the step, but gives back no more energy than it took.
   VelocityJump follow_the_pressure(ContactState&, const Impact&, const PointField& at_points, const Rubbed&);

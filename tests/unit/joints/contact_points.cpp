@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(ContactPoints, AreasSumToTheJointsAndAxesAreRightHanded) {
   TEST_FLOATING_EQUALITY(sum_over_ranks(*everyone(), area), 0.3 * (3 * 2.0 + 14 * 0.25), 1e-14);
 }
 
-/// Turns every block about the first corner of the drawing, each by as much more than the one before it [rad].
+/// Turns every block about the origin of the drawing by its number times an angle [rad].
 std::vector<double> turned_one_by_one(const Structure<2>& s, double more) {
   std::vector<double> u;
   for (int n = 0; n < s.nodes(); ++n) {

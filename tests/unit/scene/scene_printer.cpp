@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(ScenePrinter, TheReferenceNamesWhatEveryChoiceOffers) {
 
 TEUCHOS_UNIT_TEST(ScenePrinter, TheHeadOfARunShowsEveryMemberAndRemarks) {
   Scene scene = read_scene(path_of("arch"));
-  scene.warnings.push_back({remark_alone, "scene > loads > moon", "", 0, "is full"});
+  scene.remarks.push_back({"remark", "scene > loads > moon", "", 0, "is full"});
   std::ostringstream os;
   print_scene(os, scene);
   for (const char* piece :

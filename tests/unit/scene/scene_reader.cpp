@@ -101,15 +101,15 @@ TEUCHOS_UNIT_TEST(SceneReader, TheFileOfTheMeshIsFoundInTheFoldersBesideTheScene
 TEUCHOS_UNIT_TEST(SceneReader, WhatIsNotUsedIsAWarning) {
   const std::string push = "<Parameter name=\"sideways\" type=\"double\" value=\"1.0\"/>";
   const Scene scene = read_scene_from_text(changed("wall", push, ""), path_of("wall"));
-  TEST_EQUALITY_CONST(scene.warnings.size(), 2u);
-  TEST_ASSERT(holds(scene.warnings.at(0).where + " " + scene.warnings.at(0).text, "stages > push names no load"));
-  TEST_ASSERT(holds(scene.warnings.at(1).where + " " + scene.warnings.at(1).text, "loads > sideways never acts"));
+  TEST_EQUALITY_CONST(scene.remarks.size(), 2u);
+  TEST_ASSERT(holds(scene.remarks.at(0).where + " " + scene.remarks.at(0).text, "stages > push names no load"));
+  TEST_ASSERT(holds(scene.remarks.at(1).where + " " + scene.remarks.at(1).text, "loads > sideways never acts"));
 }
 
 TEUCHOS_UNIT_TEST(SceneReader, ALoadThatDoesNothingIsAWarning) {
   const Scene zero = read_scene(path_of("arch"), {"loads/spreading/ux=0"});
-  TEST_EQUALITY_CONST(zero.warnings.size(), 1u);
-  TEST_ASSERT(holds(zero.warnings.at(0).where + " " + zero.warnings.at(0).text, "loads > spreading is zero"));
+  TEST_EQUALITY_CONST(zero.remarks.size(), 1u);
+  TEST_ASSERT(holds(zero.remarks.at(0).where + " " + zero.remarks.at(0).text, "loads > spreading is zero"));
   const Scene free = read_scene(path_of("arch"), {"supports/right/components=y"});
   TEST_EQUALITY_CONST(free.warnings.size(), 1u);
   TEST_ASSERT(holds(free.warnings.at(0).text, "has an ux that its support does not hold"));
