@@ -112,7 +112,7 @@ class LimitRun {
     } else if (at_rest.verdict == LimitVerdict::unknown) {
       summary.message = "the linear programme could not be solved exactly enough to prove anything";
     } else {
-      stands(limits);
+      stands(limits, at_rest);
       if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits, at_rest);
     }
     return summary;
@@ -134,13 +134,13 @@ class LimitRun {
   }
 
   /// Forces that balance loads: the most balanced ones, and between which ends those of supports can be.
-  void stands(const RigidLimits<dim>& limits) {
+  void stands(const RigidLimits<dim>& limits, const LimitAnswer<dim>& at_rest) {
     auto& summary = recorder_.summary();
     auto& rigid = *summary.rigid;
     summary.outcome = Outcome::equilibrium;
     summary.message = "forces that joints admit balance the loads";
     double share = 0;
-    const auto forces = limits.most_balanced(0, &share);
+    const auto forces = limits.most_balanced(0, &share, at_rest);
     if (stopped("how much of every joint they can leave free is not known")) return;
     rigid.free_share = share;
     rigid.at_least = rigid.free_share >= LimitAnalysisParameters::largest_free_share;
@@ -150,7 +150,7 @@ class LimitRun {
                        six_digits(100 * rigid.free_share) + " % of every dry joint free" + words_of_share(rigid, rows);
     recorder_.record_forces(limits.on_points(forces), stage, scene_.load_factor.asked() ? 0 : 1);
     const int supports = static_cast<int>(scene_.supports.size());
-    const auto ranges = limits.reactions(supports, 0);
+    const auto ranges = limits.reactions(supports, 0, at_rest);
     if (stopped("between which ends reactions can be is not known")) return;
     for (int k = 0; k < supports; ++k) {
       const auto& name = scene_.supports[static_cast<std::size_t>(k)].name;

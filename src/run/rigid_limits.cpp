@@ -267,9 +267,11 @@ bool RigidLimits<dim>::is_rows() const {
 }
 
 template <int dim>
-LimitAnswer<dim> RigidLimits<dim>::most_balanced(double factor, double* free_share) const {
+LimitAnswer<dim> RigidLimits<dim>::most_balanced(double factor, double* free_share,
+                                                 const LimitAnswer<dim>& borne) const {
   double share = 0;
-  const auto answer = ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.most_balanced(factor, &share); });
+  const auto answer =
+      ask_first_rank([&](const LimitAnalysis<dim>& a) { return a.most_balanced(factor, &share, borne); });
   Teuchos::broadcast(*model_.structure().comm(), 0, Teuchos::outArg(share));
   if (free_share) *free_share = share;
   return answer;
@@ -286,11 +288,12 @@ std::optional<double> RigidLimits<dim>::without_dilatancy(double largest, const 
 }
 
 template <int dim>
-std::vector<std::array<ReactionRange, dim>> RigidLimits<dim>::reactions(int supports, double factor) const {
+std::vector<std::array<ReactionRange, dim>> RigidLimits<dim>::reactions(int supports, double factor,
+                                                                        const LimitAnswer<dim>& borne) const {
   constexpr double none = std::numeric_limits<double>::infinity();
   std::vector<double> ends(2 * dim * static_cast<std::size_t>(supports));
   on_first_rank(*model_.structure().comm(), [&] {
-    const auto ranges = analysis_->reactions(supports, factor);
+    const auto ranges = analysis_->reactions(supports, factor, borne);
     for (std::size_t k = 0; k < dim * ranges.size(); ++k) {
       const auto& range = ranges[k / dim][k % dim];
       ends[2 * k] = range.least.value_or(-none), ends[2 * k + 1] = range.most.value_or(none);

@@ -31,11 +31,12 @@ class RigidLimits {
   LimitAnswer<dim> bears(double factor) const;
   LimitAnswer<dim> refuses(double factor) const;
   bool borne_at_any_factor() const;
-  LimitAnswer<dim> most_balanced(double factor, double* free_share) const;
+  LimitAnswer<dim> most_balanced(double factor, double* free_share, const LimitAnswer<dim>& borne) const;
   LimitAnswer<dim> least_pressed(double factor) const;
   bool is_rows() const;
   std::optional<double> without_dilatancy(double largest, const LimitAnswer<dim>& associated) const;
-  std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
+  std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor,
+                                                        const LimitAnswer<dim>& borne) const;
 
   /// The motion of an answer on local nodes [m], largest 1; zero without a motion. Collective.
   std::vector<double> on_nodes(const LimitAnswer<dim>&) const;

@@ -14,11 +14,6 @@ namespace {
 
 using Numbers = LimitAnalysisParameters;
 
-template <std::size_t n>
-double size_of(const std::array<double, n>& w, double radius) {
-  return std::max(length(force_of(w)), length(moment_of(w)) / radius);
-}
-
 /// By how much stones of a motion move into each other, or what is held moves.
 template <int dim>
 double closes(const RigidStructure<dim>& s, const std::vector<Wrench<dim>>& motion) {
@@ -185,8 +180,8 @@ LimitAnalysis<dim> LimitAnalysis<dim>::under_loads(double factor) const {
 
 /// The largest factor of raised loads, up to one, of a structure whose dry joints bear on a share of their faces.
 /// Forces have an end only where they are out of balance without one: it costs the simplex method as much again.
-/// @param basis  to begin from, of another share; holds that of this one afterwards. What comes out unclear is begun
-/// anew.
+/// @param basis  to begin from, of another share or of other loads, where none is raised yet; holds that of this one
+///               afterwards. What comes out unclear is begun anew.
 template <int dim>
 LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& terms, bool* balanced_unraised,
                                                   ProgrammeBasis* basis) const {
@@ -194,12 +189,14 @@ LimitAnswer<dim> LimitAnalysis<dim>::raised_up_to(double largest, const Terms& t
   ProgrammeBasis own;
   if (!basis) basis = &own;
   const bool begun = !basis->empty();
+  bool at_rest = begun;
   for (const double most : {endless, Numbers::most_force}) {
     auto ending = terms;
     ending.most = most;
     auto p = programme(ending);
     p.lp.set_column(p.factor_column, 0, largest * raised_unit_ / unit_);
     p.lp.set_cost(p.factor_column, 1);
+    if (std::exchange(at_rest, false)) rest_at_lower_bound(*basis, p.factor_column);
     if (begun) p.lp.start_from(*basis);
     const auto found = solve(p, largest, *basis, terms.borne);
     if (terms.lines) *terms.lines = p.added, *basis = p.lp.basis();
@@ -256,14 +253,6 @@ LimitAnswer<dim> LimitAnalysis<dim>::in_motion(double largest, LimitAnswer<dim> 
   return answer;
 }
 
-/// A basis of the same stones under other loads: the column of the factor, the last one, begins at no raised load.
-template <int dim>
-ProgrammeBasis LimitAnalysis<dim>::for_raising(ProgrammeBasis basis) const {
-  const auto rows = static_cast<std::size_t>(freedoms<dim>) * s_.stones.size();
-  if (basis.size() > rows) rest_at_lower_bound(basis[basis.size() - rows - 1]);
-  return basis;
-}
-
 /// Pyramids around the cones, which need be no finer than forces within them ask for.
 template <int dim>
 typename LimitAnalysis<dim>::Terms LimitAnalysis<dim>::around_cones(const LimitAnswer<dim>& borne) const {
@@ -276,7 +265,7 @@ template <int dim>
 LimitAnswer<dim> LimitAnalysis<dim>::largest_factor(double largest, const LimitAnswer<dim>& borne) const {
   VOUSSOIR_EXPECT(largest > 0 && "largest factor: positive");
   bool balanced_unraised = true;
-  auto basis = for_raising(borne.basis);
+  auto basis = borne.basis;
   auto answer = raised_up_to(largest, around_cones(borne), &balanced_unraised, &basis);
   if (balanced_unraised) return in_motion(largest, with_forces(largest, std::move(answer)));
   answer = refuses(0);
@@ -290,7 +279,7 @@ LimitAnswer<dim> LimitAnalysis<dim>::largest_borne(double largest, const Program
   Terms terms;
   terms.pyramid = Pyramid::within;
   terms.least = least;
-  auto basis = for_raising(begin);
+  auto basis = begin;
   auto answer = raised_up_to(largest, terms, &balanced, &basis);
   answer.mechanism.clear();
   return answer;

@@ -71,7 +71,8 @@ class LimitAnalysis {
   /// Forces that balance loads with the resultants of all joints as near to the middle of their joints as can be: the
   /// share of every joint, from its edges, that they leave free, up to the largest one looked for. Dry flat joints
   /// alone can be narrowed. Of many such forces those with the least sum of normal forces.
-  LimitAnswer<dim> most_balanced(double factor, double* free_share) const;
+  /// @param borne  the answer of bears(factor), where it is known: there the programmes begin
+  LimitAnswer<dim> most_balanced(double factor, double* free_share, const LimitAnswer<dim>& borne = {}) const;
   /// Of all forces that balance loads those with the least sum of normal forces, since stones that hold each other may
   /// press on each other as much as one likes. No verdict where none are found, in space within pyramids inside cones.
   LimitAnswer<dim> least_pressed(double factor) const { return under_loads(factor).least_of_joints(1, {}, nullptr); }
@@ -83,7 +84,9 @@ class LimitAnalysis {
   /// pyramid around each cone, so that none is left out. What two supports hold of a stone has no end, since they can
   /// press against each other through it.
   /// @param supports  how many there are by name; a component that none of a support's nodes holds ranges from 0 to 0
-  std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor) const;
+  /// @param borne     the answer of bears(factor), where it is known: there the programmes begin
+  std::vector<std::array<ReactionRange, dim>> reactions(int supports, double factor,
+                                                        const LimitAnswer<dim>& borne = {}) const;
   /// Estimate of the largest factor where slip does not dilate: no bound on either side. Not there where its sequence
   /// of programmes does not settle, and not in space, where it does not for walls of a hundred stones.
   /// @param associated  the answer of largest_factor(largest), where it begins
@@ -94,6 +97,7 @@ class LimitAnalysis {
 
  private:
   struct Programme;
+  struct Narrowing;
   /// Lines of round cones that were added to pyramids within them, by kept contact.
   using Lines = std::vector<std::pair<std::size_t, Generator<dim>>>;
   /// Of joints whose share bears, about their middle, with forces that end at a multiple of the largest load.
@@ -132,11 +136,11 @@ class LimitAnalysis {
                                 ProgrammeBasis* basis = nullptr) const;
   Terms around_cones(const LimitAnswer<dim>& borne) const;
   LimitAnswer<dim> with_forces(double largest, LimitAnswer<dim>) const;
-  LimitAnswer<dim> borne_on_share(double share, int most_for_finer, Lines&, ProgrammeBasis&) const;
+  LimitAnalysis drawn_together(const std::vector<Vector<dim>>& force, double ratio) const;
+  LimitAnswer<dim> borne_on_share(double share, int most_for_finer, Lines&, const ProgrammeBasis&) const;
   LimitAnswer<dim> least_of_joints(double share_of_joints, const ProgrammeBasis&, Lines*) const;
   void seek_least(Programme&) const;
   void tell_least(Programme&, LimitAnswer<dim>&) const;
-  ProgrammeBasis for_raising(ProgrammeBasis) const;
   LimitAnswer<dim> in_motion(double largest, LimitAnswer<dim>) const;
   bool moves_what_bears_nothing(const LimitAnswer<dim>&, const std::vector<Wrench<dim>>& motion) const;
   void tell_forces(const Programme&, const ProgrammeSolution&, double factor, LimitAnswer<dim>&) const;

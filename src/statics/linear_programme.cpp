@@ -70,8 +70,10 @@ struct LinearProgramme::Parts {
   }
 };
 
-void rest_at_lower_bound(unsigned char& status) {
+void rest_at_lower_bound(ProgrammeBasis& basis, int column) {
   constexpr unsigned char kind = 7;  // bits of a status that say which it is
+  if (basis.size() <= static_cast<std::size_t>(column)) return;
+  auto& status = basis[static_cast<std::size_t>(column)];
   if ((status & kind) != ClpSimplex::basic)
     status = static_cast<unsigned char>((status & ~kind) | ClpSimplex::atLowerBound);
 }
@@ -146,9 +148,11 @@ ProgrammeBasis LinearProgramme::basis() const {
   return {status, status + columns() + rows()};
 }
 
-void LinearProgramme::start_from(const ProgrammeBasis& basis) {
-  if (basis.size() != static_cast<std::size_t>(columns() + rows())) return;
+void LinearProgramme::start_from(ProgrammeBasis basis) {
+  const auto of_rows = static_cast<std::size_t>(rows()), all = static_cast<std::size_t>(columns()) + of_rows;
+  if (basis.size() < of_rows || basis.size() > all) return;
   parts_->load();
+  basis.insert(basis.end() - rows(), all - basis.size(), static_cast<unsigned char>(ClpSimplex::atLowerBound));
   parts_->simplex.copyinStatus(basis.data());
 }
 

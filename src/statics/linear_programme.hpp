@@ -25,7 +25,7 @@ struct ProgrammeSolution {
 };
 
 /// A column that rests at its upper bound, as a basis has it, rests at its lower bound instead; one of the basis stays.
-void rest_at_lower_bound(unsigned char& status);
+void rest_at_lower_bound(ProgrammeBasis&, int column);
 
 /// While a programme is solved CLP asks so, every tenth of a second; once the answer is yes it ends as one that failed,
 /// and so does every other from then on.
@@ -52,8 +52,9 @@ class LinearProgramme {
   ProgrammeSolution maximise_from_prices();
   /// That of the last time.
   ProgrammeBasis basis() const;
-  /// Begins from the basis of another programme that is nearly the same; one of another size is of no use.
-  void start_from(const ProgrammeBasis&);
+  /// Begins from the basis of another programme that is nearly the same. Columns that the other had not yet got, the
+  /// last ones, rest at their lower bounds; a basis of other rows or of more columns is of no use.
+  void start_from(ProgrammeBasis);
 
  private:
   struct Parts;

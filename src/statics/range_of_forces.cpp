@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,63 +17,115 @@ using Numbers = LimitAnalysisParameters;
 // The least share of joints that is looked for, to which it is bisected in the plane.
 constexpr double finest = 1 - Numbers::largest_free_share;
 
-/// Goes from a share that is borne to the least one, but for what is told.
-/// @param is_borne  whether a share is
-template <class Ask>
-double least_share(double borne, double told, const Ask& is_borne) {
-  for (double falls = finest; borne - falls > told;) {
-    const double share = (borne + falls) / 2;
-    (is_borne(share) ? borne : falls) = share;
-  }
-  return borne;
-}
-
 }  // namespace
 
-/// Whether loads that are raised from nothing are borne by a share of joints.
+/// The same structure under loads that given forces balance when those of every joint are drawn together about their
+/// mean; what is raised makes them the loads it has. Of loads raised from nothing too small a share bears none, and all
+/// columns stay at rest: the simplex method gropes there, for minutes on walls of a hundred stones. Here it begins with
+/// forces that balance, and ends where part of the way is borne.
+template <int dim>
+LimitAnalysis<dim> LimitAnalysis<dim>::drawn_together(const std::vector<Vector<dim>>& force, double ratio) const {
+  auto s = s_;
+  std::vector<Wrench<dim>> taken(s.stones.size());
+  for (std::size_t k = 0; k < corners_.kept.size(); ++k) {
+    if (!corners_.is_corner(k)) continue;
+    Vector<dim> mean{};
+    for (int q = corners_.first[k]; q < corners_.first[k] + corners_.count[k]; ++q)
+      mean =
+          mean + 1.0 / corners_.count[k] * force[static_cast<std::size_t>(corners_.kept[static_cast<std::size_t>(q)])];
+    const auto at = static_cast<std::size_t>(corners_.kept[k]);
+    const auto& c = s.contacts[at];
+    const auto off = off_axes(c, (1 - ratio) * (force[at] - mean));
+    auto &of_i = taken[static_cast<std::size_t>(c.stone_i)], &of_j = taken[static_cast<std::size_t>(c.stone_j)];
+    of_i = of_i - wrench_of(c.arm_i, off);
+    of_j = of_j + wrench_of(c.arm_j, off);
+  }
+  double most = 0;
+  for (std::size_t b = 0; b < taken.size(); ++b) most = std::max(most, size_of(taken[b], s.stones[b].radius));
+  const bool nothing = most <= Numbers::out_of_balance * unit_;
+  for (std::size_t b = 0; b < taken.size(); ++b) {
+    auto& stone = s.stones[b];
+    stone.fixed = stone.fixed + stone.raised;
+    stone.raised = {};
+    if (nothing) continue;
+    stone.fixed = stone.fixed + taken[b];
+    stone.raised = -1.0 * taken[b];
+  }
+  return LimitAnalysis(std::move(s));
+}
+
+/// Whether loads are borne by a share of joints.
 /// @param most_for_finer  iterations that it may cost to make pyramids finer; none: they are not
 /// @param lines           of other shares, which serve this one too
 /// @param basis           to begin from, of another share
 template <int dim>
 LimitAnswer<dim> LimitAnalysis<dim>::borne_on_share(double share, int most_for_finer, Lines& lines,
-                                                    ProgrammeBasis& basis) const {
+                                                    const ProgrammeBasis& basis) const {
   bool balanced = true;
   Terms terms;
   terms.share_of_joints = share, terms.pyramid = Pyramid::within, terms.lines = &lines;
   terms.finer = most_for_finer > 0, terms.most_for_finer = most_for_finer;
   terms.off_the_cone = RoundConeParameters::off_the_cone_at_last;
-  return raised_up_to(1, terms, &balanced, &basis);
+  auto begin = basis;
+  return raised_up_to(1, terms, &balanced, &begin);
 }
 
-/// Shares are asked of pyramids as they are; in space the next one is asked of finer ones at last, which may cost as
-/// much again as the first solution, and the lines found there serve all shares.
+/// The least share of joints that bears loads, and forces that do.
 template <int dim>
-LimitAnswer<dim> LimitAnalysis<dim>::most_balanced(double factor, double* free_share) const {
-  const auto loaded = under_loads(factor);
-  ProgrammeBasis basis;  // shares that are near each other have bases that are
-  Lines lines;
-  // Walls that carry in many ways bear on the middle of their joints alone: that is asked first.
-  auto best = loaded.borne_on_share(finest, 0, lines, basis);
-  const int at_first = best.iterations;
-  double stands = best.verdict == LimitVerdict::unlimited ? finest : 1;
-  if (stands == 1) best = loaded.borne_on_share(1, std::numeric_limits<int>::max(), lines, basis);
-  const auto is_borne = [&](double share, int most_for_finer) {
-    auto answer = loaded.borne_on_share(share, most_for_finer, lines, basis);
-    const bool borne = answer.verdict == LimitVerdict::unlimited;
-    if (borne) best = std::move(answer);
-    return borne;
-  };
-  const double told = dim == 2 ? finest : RoundConeParameters::share_told;
-  for (bool more = stands == 1 && best.verdict == LimitVerdict::unlimited; more;) {
-    stands = least_share(stands, told, [&](double share) { return is_borne(share, 0); });
-    more = dim == 3 && stands - told > finest && is_borne(stands - told, at_first);
-    if (more) stands -= told;
+struct LimitAnalysis<dim>::Narrowing {
+  const LimitAnalysis& loaded;
+  double told;  ///< [-] of joints, to which the share is looked for
+  Lines lines = {};
+  LimitAnswer<dim> best = {}, refused = {};  ///< of the least share that is borne, and of the largest that is not
+  double stands = 1, falls = finest;         ///< these shares
+  std::optional<LimitAnalysis> eased = {};   ///< what refused is an answer of
+
+  /// Forces that are borne on the least share so far, drawn together, balance what they do: from there loads are
+  /// raised, and the programme begins inside of its bounds.
+  bool ask(double share) {
+    auto from = loaded.drawn_together(best.force, share / stands);
+    auto answer = from.borne_on_share(share, 0, lines, best.basis);
+    if (answer.verdict == LimitVerdict::unlimited) {
+      best = std::move(answer), stands = share;
+      return true;
+    }
+    refused = std::move(answer), falls = share;
+    eased.emplace(std::move(from));
+    return false;
   }
-  if (free_share) *free_share = 1 - stands;
-  if (best.verdict != LimitVerdict::unlimited) return best;
-  auto least = loaded.least_of_joints(stands, basis, &lines);
-  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_of_joints(stands, {}, &lines);
-  return least.verdict == LimitVerdict::unlimited ? least : best;
+
+  void bisect() {
+    while (stands - falls > told) ask((stands + falls) / 2);
+  }
+
+  /// Whether the share that is not borne is by finer pyramids; the programme goes on where it ended.
+  bool ask_finer(int most_for_finer) {
+    if (!eased) return false;
+    auto answer = eased->borne_on_share(falls, most_for_finer, lines, refused.basis);
+    if (answer.verdict != LimitVerdict::unlimited) return false;
+    best = std::move(answer), stands = falls, falls = finest;
+    eased.reset();
+    return true;
+  }
+};
+
+/// Shares are asked of pyramids as they are; in space the largest that is not borne is asked of finer ones at last,
+/// which may cost as much again as the first solution, and the lines found there serve all shares.
+template <int dim>
+LimitAnswer<dim> LimitAnalysis<dim>::most_balanced(double factor, double* free_share,
+                                                   const LimitAnswer<dim>& borne) const {
+  const auto loaded = under_loads(factor);
+  Narrowing in{loaded, dim == 2 ? finest : RoundConeParameters::share_told};
+  in.best = loaded.borne_on_share(1, std::numeric_limits<int>::max(), in.lines, borne.basis);
+  const int at_first = std::max(borne.iterations, in.best.iterations);
+  const bool stands = in.best.verdict == LimitVerdict::unlimited;
+  for (bool more = stands; more; more = dim == 3 && in.ask_finer(at_first)) in.bisect();
+  if (stands && !in.eased && in.stands > finest) in.ask(finest);
+  if (free_share) *free_share = 1 - in.stands;
+  if (!stands) return in.best;
+  auto least = loaded.least_of_joints(in.stands, in.best.basis, &in.lines);
+  if (least.verdict != LimitVerdict::unlimited) least = loaded.least_of_joints(in.stands, {}, &in.lines);
+  return least.verdict == LimitVerdict::unlimited ? least : in.best;
 }
 
 template <int dim>
@@ -136,8 +189,8 @@ void LimitAnalysis<dim>::tell_least(Programme& p, LimitAnswer<dim>& answer) cons
   if (least.verdict == LimitVerdict::unlimited) answer.force = least.force;
 }
 
-template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*) const;
-template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*) const;
+template LimitAnswer<2> LimitAnalysis<2>::most_balanced(double, double*, const LimitAnswer<2>&) const;
+template LimitAnswer<3> LimitAnalysis<3>::most_balanced(double, double*, const LimitAnswer<3>&) const;
 template LimitAnswer<2> LimitAnalysis<2>::least_of_joints(double, const ProgrammeBasis&, Lines*) const;
 template LimitAnswer<3> LimitAnalysis<3>::least_of_joints(double, const ProgrammeBasis&, Lines*) const;
 template void LimitAnalysis<2>::seek_least(Programme&) const;

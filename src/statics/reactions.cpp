@@ -124,12 +124,18 @@ std::optional<Wrenches<dim>> borne_of_stones(const std::vector<HeldByName<dim>>&
 /// Forces that balance loads are found first, without a cost and without an end, which costs the simplex method several
 /// times as much; from them it goes from one extreme to the next, which takes it a tenth of what each alone does.
 template <int dim>
-std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int supports, double factor) const {
+std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int supports, double factor,
+                                                                          const LimitAnswer<dim>& borne) const {
   VOUSSOIR_EXPECT(supports >= 0 && "supports: a count");
   std::vector<std::array<ReactionRange, dim>> ranges(static_cast<std::size_t>(supports));
   auto p = programme({1, endless, Pyramid::around, false});
   const double f = factor * raised_unit_ / unit_;
   p.lp.set_column(p.factor_column, f, f);
+  if (!borne.basis.empty()) {
+    auto basis = borne.basis;
+    rest_at_lower_bound(basis, p.factor_column);
+    p.lp.start_from(std::move(basis));
+  }
   p.lp.maximise();
   for (std::size_t k = 0; k < p.forces.size(); ++k)
     for (std::size_t g = 0; g < p.forces[k].generators.size(); ++g) {
@@ -141,8 +147,8 @@ std::vector<std::array<ReactionRange, dim>> LimitAnalysis<dim>::reactions(int su
   const auto of_stone = held_by_name(s_);
   for (int support = 0; support < supports; ++support)
     for (std::size_t c = 0; c < dim; ++c)
-      if (const auto borne = borne_of_stones<dim>(of_stone, support, c))
-        ranges[static_cast<std::size_t>(support)][c] = ends_of(p, *borne);
+      if (const auto of_wrench = borne_of_stones<dim>(of_stone, support, c))
+        ranges[static_cast<std::size_t>(support)][c] = ends_of(p, *of_wrench);
   return ranges;
 }
 
@@ -169,7 +175,9 @@ ReactionRange LimitAnalysis<dim>::ends_of(Programme& p, const std::vector<Wrench
   return range;
 }
 
-template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double) const;
-template std::vector<std::array<ReactionRange, 3>> LimitAnalysis<3>::reactions(int, double) const;
+template std::vector<std::array<ReactionRange, 2>> LimitAnalysis<2>::reactions(int, double,
+                                                                               const LimitAnswer<2>&) const;
+template std::vector<std::array<ReactionRange, 3>> LimitAnalysis<3>::reactions(int, double,
+                                                                               const LimitAnswer<3>&) const;
 
 }  // namespace voussoir

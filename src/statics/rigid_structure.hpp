@@ -4,6 +4,7 @@
 // In the plane or in space; forces in [N], moments about the middle of a stone in [N m], lengths in [m].
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -104,6 +105,12 @@ class Resultant {
   Wrench<dim> sum_{};
   double size_ = 0;
 };
+
+/// Of a force and a moment on a stone of a radius: the larger of the force and of what turns it at its edge.
+template <std::size_t n>
+double size_of(const std::array<double, n>& w, double radius) {
+  return std::max(length(force_of(w)), length(moment_of(w)) / radius);
+}
 
 /// How far a motion moves a stone of a radius at most.
 template <std::size_t n>

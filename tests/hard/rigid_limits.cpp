@@ -51,4 +51,27 @@ TEUCHOS_UNIT_TEST(RigidLimitsInSpace, ADomePushedSideways) {
   check(dome(16, 8, 0.08, 5 * degree, 0.6), {1, 0, 0}, 0.3647, of_cones, out, success);
 }
 
+// By definition: a joint that leaves a share free bears forces of its corners, drawn to their mean by as much. Spread
+// again over the whole joint they obey its law. Forces balance to 1e-8 of the largest load, here less than 1.
+TEUCHOS_UNIT_TEST(RigidLimitsInSpace, AWallWithAReturnThatIsPushedLeavesAShareOfEveryJointFree) {
+  auto s = dry_wall(6, 10, 1, 0.6);
+  push_to(s, {0, -1, 0});
+  const LimitAnalysis analysis(s);
+  const auto borne = analysis.bears(0.15);
+  double free_share = -1;
+  const auto answer = analysis.most_balanced(0.15, &free_share, borne);
+  TEST_ASSERT(answer.verdict == LimitVerdict::unlimited);
+  TEST_COMPARE(free_share, >, 0);
+  TEST_COMPARE(free_share, <, 1);
+  const auto corners = joint_corners(s);
+  const auto at = [&](int q) { return static_cast<std::size_t>(corners.kept[static_cast<std::size_t>(q)]); };
+  for (std::size_t k = 0; k < corners.kept.size(); ++k) {
+    Vector<3> mean{};
+    for (int q = corners.first[k]; q < corners.first[k] + corners.count[k]; ++q)
+      mean = mean + (1.0 / corners.count[k]) * answer.force[at(q)];
+    const auto spread = mean + (1 / (1 - free_share)) * (answer.force[at(static_cast<int>(k))] - mean);
+    TEST_COMPARE(length(tangential(spread)), <=, 0.6 * spread[0] + 1e-8);
+  }
+}
+
 }  // namespace

@@ -60,6 +60,12 @@ TEUCHOS_UNIT_TEST(LinearProgramme, BeginsFromTheBasisOfAnotherAndEndsAtItsOwnAns
   other.set_cost(1, 0.5);
   other.start_from(first.basis());
   TEST_FLOATING_EQUALITY(other.maximise().value, 13.5, close);
+  auto more = workshop();
+  more.add_column({{2, 1}}, 0, endless, 0.5);  // worth less than its row: it stays at rest
+  more.start_from(first.basis());
+  const auto at_rest = more.maximise();
+  TEST_EQUALITY(at_rest.iterations, 0);
+  TEST_FLOATING_EQUALITY(at_rest.value, 36.0, close);
   LinearProgramme small;
   small.add_row(-endless, 3);
   small.add_column({{0, 1}}, 0, endless, 2);
