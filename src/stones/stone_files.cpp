@@ -100,6 +100,11 @@ std::vector<std::string> files_to_read(const std::string& folder, Warnings& warn
 
 }  // namespace
 
+bool says_its_unit(const std::string& file) {
+  const auto ending = lower_ending(file);
+  return ending == ".step" || ending == ".stp";
+}
+
 std::vector<StoneSurface> read_stones(const std::string& path, double unit, Warnings& warnings) {
   const bool folder = fs::is_directory(path);
   if (!folder && !fs::is_regular_file(path))
@@ -111,11 +116,23 @@ std::vector<StoneSurface> read_stones(const std::string& path, double unit, Warn
                   "space, and .csv, .dxf, .svg and .geojson in the plane (a .dwg is saved as .dxf)");
   const auto files = folder ? files_to_read(path, warnings) : std::vector<std::string>{path};
   std::vector<StonesOfFile> read;
-  for (const auto& file : files) read.push_back({stem(file), stones_of(file, warnings)});
-  auto stones = with_names_that_differ(std::move(read), warnings);
-  for (auto& stone : stones)
-    for (auto& x : stone.points) x = unit * x;
-  return stones;
+  int told = 0;
+  for (const auto& file : files) {
+    read.push_back({stem(file), stones_of(file, warnings)});
+    if (says_its_unit(file)) {
+      ++told;
+      continue;
+    }
+    for (auto& stone : read.back().stones)
+      for (auto& x : stone.points) x = unit * x;
+  }
+  if (told > 0 && unit != 1)
+    add_warning(warnings, {"unit_not_used", "mesh > stones > unit", "", unit,
+                           "STEP files say their own unit, by which their lengths are metres here: " +
+                               number_text(unit) + " m is not used for " + counted(told, "such file") +
+                               "; leave the key out, or correct "
+                               "the unit in the file where it is wrong"});
+  return with_names_that_differ(std::move(read), warnings);
 }
 
 std::vector<StoneSurface> read_stones(const std::string& path, double unit) {

@@ -17,16 +17,19 @@ namespace voussoir {
 /// PLY       ascii or binary; the file is a stone
 /// JSON      of COMPAS: meshes, boxes, polyhedra, cells of a CellNetwork, lists of them, an Assembly or a
 ///           BlockModel; each is a stone
-/// STEP      every solid is a stone; the file says its unit, so that lengths are metres times `unit`
+/// STEP      every solid is a stone; the file says its unit, so that lengths are metres and `unit` is not used
 ///
 /// Names of stones differ: one that comes in several files of a folder is that of the file instead, and what comes
 /// several times all the same is numbered.
 ///
 /// Throws InputError, naming file and line or byte, for what is no such file.
-/// @param unit  [m] the length that the file calls 1
+/// @param unit  [m] the length that the file calls 1, where it does not say so itself
 /// @param warnings  takes what a user must know: files of a folder that are not read, names that were numbered
 std::vector<StoneSurface> read_stones(const std::string& path, double unit, Warnings& warnings);
 std::vector<StoneSurface> read_stones(const std::string& path, double unit);
+
+/// Whether a file is of a kind that says its unit.
+bool says_its_unit(const std::string& file);
 
 /// The same of the contents of a file; `file` is for messages and names.
 std::vector<StoneSurface> read_obj(const std::string& file, const std::string& contents);

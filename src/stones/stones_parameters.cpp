@@ -53,7 +53,7 @@ void StonesParameters::declare(ParameterSection& section) {
       "and shapes; id is the name, class a set), .geojson (polygons; name, set). A relative path is sought beside the "
       "scene, then in its parent folder and the folder meshes/ of that",
       Presence::required, "Give the path of a file of stones, such as meshes/vault.obj.");
-  section.add("unit", unit, "m", above(0.0).usually(1e-3, 1), "length that the file calls 1",
+  section.add("unit", unit, "m", above(0.0).usually(1e-3, 1), "length that the file calls 1; STEP says its own",
               "a length; a file of stones need not say its unit", "Give 0.001 for a file in millimetres.");
   section.add_choice<UpAxis>(
       "up", up,

@@ -43,6 +43,14 @@ TEUCHOS_UNIT_TEST(Step, SolidsAreStonesInMetres) {
   TEST_FLOATING_EQUALITY(s.joints.area(), 0.04, 1e-10);
 }
 
+TEUCHOS_UNIT_TEST(Step, FilesSayTheirOwnUnit) {
+  Warnings warnings;
+  const auto stones = closed(read_stones(step_file(), 0.001, warnings)).stones;
+  TEST_FLOATING_EQUALITY(volume(stones[0]), 0.016, 1e-10);
+  TEST_EQUALITY(warnings.size(), 1u);
+  TEST_EQUALITY(warnings.front().what, "unit_not_used");
+}
+
 TEUCHOS_UNIT_TEST(Step, WhatIsNoneIsRefused) {
   std::ofstream("none.step") << "this is no STEP file\n";
   TEST_ASSERT(holds(input_error([] { read_stones("none.step", 1); }), "mesh > stones > file = none.step"));
