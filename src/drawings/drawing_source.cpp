@@ -5,6 +5,8 @@
 #include "base/words.hpp"
 #include "drawings/plane_mesh.hpp"
 #include "linalg/agree.hpp"
+#include "mesh/mesh_check.hpp"
+#include "mesh/read_blocks.hpp"
 
 namespace voussoir {
 
@@ -14,6 +16,7 @@ std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, con
     auto stones = plane_stones_of(p);
     auto meshes = mesh_plane_stones(stones, p.cells);
     list = std::move(meshes.list);
+    check_mesh(list.blocks);
     list.quadratic = p.cells == StoneCells::quadratic_triangles;
     list.picture = picture_of(stones);
     list.report = std::move(stones.report);
@@ -23,7 +26,7 @@ std::unique_ptr<BlockSource<2>> read_drawn_blocks(const StonesParameters& p, con
         (p.cells == StoneCells::quadratic_triangles ? " of quadratic triangles: " : " of triangles: ") +
         counted(meshes.nodes, "node") + ", " + counted(meshes.cells, "cell"));
   });
-  return make_source_on_first(std::move(list), comm);
+  return make_source_of_readers(handed_out(std::move(list), comm), comm);
 }
 
 }  // namespace voussoir

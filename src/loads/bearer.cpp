@@ -1,6 +1,6 @@
 #include "loads/bearer.hpp"
 
-#include <algorithm>
+#include <map>
 
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
@@ -11,19 +11,19 @@ namespace voussoir {
 
 namespace {
 
-/// For the rank that can be asked of all stones.
+/// For a rank that can be asked of these stones.
 template <int dim>
 Warning among_several(const LoadSite<dim>& site, const std::string& what, const std::string& place,
                       const std::vector<BlockId>& stones, BlockId bearer) {
   std::vector<std::string> names, sets;
-  std::vector<int> count(site.source.block_sets().size(), 0);
+  std::map<int, int> count;  // of the stones in a set
   for (const BlockId stone : stones) {
     const auto block = site.source.block(stone);
     names.push_back(block.name);
     for (const int set : block.sets) ++count[set];
   }
-  for (std::size_t set = 0; set < count.size(); ++set)
-    if (count[set] == 1) sets.push_back(in_quotes(site.source.block_sets()[set]));
+  for (const auto& [set, stones_in_it] : count)
+    if (stones_in_it == 1) sets.push_back(in_quotes(site.source.block_sets()[set]));
   return {what, site.where, "", static_cast<double>(stones.size()),
           place + " is on " + counted(stones.size(), "stone") + ", " + list_of(names) + "; " +
               site.source.block(bearer).name + " bears the load; say which one is meant by the key blocks, a set of " +
@@ -37,8 +37,9 @@ Warnings warning_of_bearer(const LoadSite<dim>& site, const std::string& what, c
                            std::vector<BlockId> stones, BlockId bearer) {
   sort_unique(stones);
   if (stones.size() < 2) return {};
-  return warnings_of_first_rank(*site.structure.comm(),
-                                [&] { return Warnings{among_several(site, what, place, stones, bearer)}; });
+  const auto& comm = *site.structure.comm();
+  site.source.bring(comm.getRank() == 0 ? stones : std::vector<BlockId>(), comm);
+  return warnings_of_first_rank(comm, [&] { return Warnings{among_several(site, what, place, stones, bearer)}; });
 }
 
 template Warnings warning_of_bearer<2>(const LoadSite<2>&, const std::string&, const std::string&, std::vector<BlockId>,

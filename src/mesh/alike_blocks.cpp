@@ -17,15 +17,14 @@ std::vector<int> nodes_of_cells(const Block<3>& block, int width) {
   return nodes;
 }
 
-/// Around its first node in the order of another block, on the grid of the drawing.
+}  // namespace
+
 void round_places(Block<3>& block, const DrawnNumbers& drawn) {
   const auto first = block.position.front();
   const auto base = drawn.rounded(first);
   for (auto& x : block.position) x = base + drawn.rounded(x - first);
 }
 
-/// @param first  the block that it is a translate of, its places rounded
-/// @param order  per node of that its own
 void take_shape(const Block<3>& first, const std::vector<int>& order, const DrawnNumbers& drawn, Block<3>& block) {
   std::vector<int> number(order.size());
   std::vector<VertexId> vertex(order.size());
@@ -43,21 +42,17 @@ void take_shape(const Block<3>& first, const std::vector<int>& order, const Draw
   std::sort(block.folds.begin(), block.folds.end());
 }
 
-}  // namespace
-
-int make_alike_equal(std::vector<Block<3>>& blocks) {
-  double largest = 0;
+int make_alike_equal(std::vector<Block<3>>& blocks, double largest) {
   int width = 1;
-  for (const auto& block : blocks) {
-    largest = std::max(largest, largest_coordinate(block.position));
+  for (const auto& block : blocks)
     for (const auto& cell : block.cells) width = std::max(width, cell.count);
-  }
   const DrawnNumbers drawn(largest);
   Translates shapes(drawn.within());
   std::vector<std::size_t> first;  // of each shape
   std::vector<char> is_rounded;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     VOUSSOIR_EXPECT(blocks[b].curved.empty());
+    if (blocks[b].cells.empty()) continue;
     const auto match = shapes.add(blocks[b].position, width, nodes_of_cells(blocks[b], width));
     if (match.is_first) {
       first.push_back(b);

@@ -26,7 +26,7 @@ class Arch final : public BlockSource<2> {
   int node_count(BlockId b) const override { return (p_.cells_radial + 1) * (cells_up(b) + 1); }
   Block<2> block(BlockId) const override;
   std::vector<Neighbour> neighbours(BlockId) const override;
-  const std::vector<std::string>& block_sets() const override { return block_sets_; }
+  const SetNames& block_sets() const override { return block_sets_; }
   const std::vector<std::string>& facet_sets() const override { return facet_sets_; }
 
  private:
@@ -42,7 +42,7 @@ class Arch final : public BlockSource<2> {
   ArchParameters p_;
   int rays_;               ///< number of the last ray
   int pier_cells_up_ = 0;  ///< per block of a pier
-  std::vector<std::string> block_sets_{"ring"};
+  SetNames block_sets_{"ring"};
   std::vector<std::string> facet_sets_{"springing left", "springing right", "extrados", "intrados"};
 };
 

@@ -117,13 +117,14 @@ std::unique_ptr<BlockSource<3>> make_barrel_vault(const BarrelVaultParameters& p
     add_ground(m, p, false);
   }
   for (int course = 0; course < p.voussoirs; ++course) {
-    m.block_sets.push_back("course " + std::to_string(course));
-    m.groups.push_back({m.block_sets.back(), {course}, 0});
+    const std::string name = "course " + std::to_string(course);
+    m.block_sets.push_back(name);
+    m.groups.push_back({name, {course}, 0});
     add_course(m, p, course, course * p.cells_round, (course + 1) * p.cells_round);
   }
   if (has_ground) {
     add_ground(m, p, true);
-    m.block_sets.insert(m.block_sets.end(), {"ground left", "ground right"});
+    for (const char* name : {"ground left", "ground right"}) m.block_sets.push_back(name);
   }
   m.place = VaultPlaces(p);
   return make_lattice_in_space(std::move(m));

@@ -18,6 +18,8 @@ void exchange(Bytes& bytes, BlockAndMore& one) {
   plain_list(bytes, block.folds);
   plain_list(bytes, block.facets);
   plain_list(bytes, block.sets);
+  const std::size_t names = bytes.size(one.set_names, sizeof(std::size_t));
+  for (std::size_t k = 0; k < names; ++k) plain_list(bytes, one.set_names[k]);
   plain_list(bytes, one.neighbours);
 }
 
@@ -30,23 +32,23 @@ void exchange_all(Bytes& bytes, List& list) {
 }  // namespace
 
 template <int dim>
-std::string bytes_of(const std::vector<BlockWithNeighbours<dim>>& blocks) {
+std::string bytes_of(const std::vector<BlockToSend<dim>>& blocks) {
   ByteWriter writer;
   exchange_all(writer, blocks);
   return writer.bytes;
 }
 
 template <int dim>
-std::vector<BlockWithNeighbours<dim>> blocks_of_bytes(const std::string& bytes) {
-  std::vector<BlockWithNeighbours<dim>> blocks;
+std::vector<BlockToSend<dim>> blocks_of_bytes(const std::string& bytes) {
+  std::vector<BlockToSend<dim>> blocks;
   ByteReader reader(bytes);
   exchange_all(reader, blocks);
   return blocks;
 }
 
-template std::string bytes_of(const std::vector<BlockWithNeighbours<2>>&);
-template std::string bytes_of(const std::vector<BlockWithNeighbours<3>>&);
-template std::vector<BlockWithNeighbours<2>> blocks_of_bytes(const std::string&);
-template std::vector<BlockWithNeighbours<3>> blocks_of_bytes(const std::string&);
+template std::string bytes_of(const std::vector<BlockToSend<2>>&);
+template std::string bytes_of(const std::vector<BlockToSend<3>>&);
+template std::vector<BlockToSend<2>> blocks_of_bytes(const std::string&);
+template std::vector<BlockToSend<3>> blocks_of_bytes(const std::string&);
 
 }  // namespace voussoir

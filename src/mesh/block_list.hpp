@@ -1,7 +1,6 @@
-// Blocks that are kept in memory: what a file gives the rank that reads it, and what tests put together by hand.
+// Blocks that are kept in memory: what is made of a file, and what tests put together by hand.
 #pragma once
 
-#include <Teuchos_Comm.hpp>
 #include <memory>
 
 #include "mesh/mesh.hpp"
@@ -12,7 +11,7 @@ namespace voussoir {
 template <int dim>
 struct BlockList {
   std::vector<Block<dim>> blocks;  ///< block b has id b
-  std::vector<std::string> block_sets;
+  SetNames block_sets;             ///< of these blocks
   std::vector<std::string> facet_sets;
   bool quadratic = false;           ///< simplices bend along edges that one block alone has
   Warnings warnings;                ///< of the source
@@ -23,12 +22,6 @@ struct BlockList {
 /// A source that hands out the blocks of a list which is the same on every rank.
 template <int dim>
 std::unique_ptr<BlockSource<dim>> make_source(BlockList<dim>);
-
-/// A source of blocks that the first rank has read: it keeps the list, and brings others the blocks they ask for. Names
-/// and warnings go to all. Collective.
-/// @param list  of the first rank; of the others nothing is taken
-template <int dim>
-std::unique_ptr<BlockSource<dim>> make_source_on_first(BlockList<dim> list, const Teuchos::Comm<int>&);
 
 /// The graph of blocks that share vertices, from the vertices of each block.
 BlockGraph graph_of_shared_vertices(const std::vector<std::vector<VertexId>>& vertices_of_block);

@@ -112,8 +112,9 @@ std::unique_ptr<BlockSource<3>> make_dome(const DomeParameters& p) {
     add_ring(m, p, 0, -1, 0);
   }
   for (int course = 0; course < p.courses; ++course) {
-    m.block_sets.push_back("course " + std::to_string(course));
-    m.groups.push_back({m.block_sets.back(), {course}, 0});
+    const std::string name = "course " + std::to_string(course);
+    m.block_sets.push_back(name);
+    m.groups.push_back({name, {course}, 0});
     add_ring(m, p, half_turned(p, course) ? p.cells_round / 2 : 0, course * p.cells_up, (course + 1) * p.cells_up);
   }
   if (p.ground_height > 0) m.block_sets.push_back("ground");

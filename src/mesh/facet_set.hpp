@@ -12,9 +12,9 @@ namespace voussoir {
 /// The facets of a named set, of all blocks or of those of a named set alone. A curve or surface between two stones
 /// belongs to both of them, so only the blocks tell its two sides apart.
 struct FacetSet {
-  static constexpr int every = -1;
+  static constexpr int every = -2;
   int facets;          ///< index into BlockSource::facet_sets()
-  int blocks = every;  ///< index into BlockSource::block_sets()
+  int blocks = every;  ///< number in BlockSource::block_sets(); -1 for one that is not known here
 
   FacetSet(int facets_, int blocks_ = every) : facets(facets_), blocks(blocks_) {}
   template <int dim>
@@ -30,7 +30,7 @@ struct FacetSet {
   }
 };
 
-/// The same by its names, which must be those of the source.
+/// The same by its names, which must be those of the source. Of blocks that are brought later it knows nothing.
 struct FacetNames {
   std::string on;
   std::string blocks;  ///< a set of blocks; "all" or nothing for every block
@@ -59,9 +59,10 @@ inline Vector<3> TwoSidedFacet<3>::normal() const {
   return 0.5 * cross(x[2] - x[0], x[3] - x[1]);
 }
 
-/// All facets of which a set has both sides, by blocks. Looks at every block: for a rank that can be asked of all.
+/// Facets of which a set has both sides, each on the rank that reads the lower one of its blocks, by blocks.
+/// Collective.
 template <int dim>
-std::vector<TwoSidedFacet<dim>> two_sided_facets(const BlockSource<dim>&, const FacetSet&);
+std::vector<TwoSidedFacet<dim>> two_sided_facets(const BlockSource<dim>&, const FacetSet&, const Teuchos::Comm<int>&);
 
 /// Some of these blocks have a facet of the set.
 template <int dim>

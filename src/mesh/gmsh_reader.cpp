@@ -6,7 +6,9 @@
 #include "mesh/gmsh_failures.hpp"
 #include "mesh/gmsh_program.hpp"
 #include "mesh/gmsh_request.hpp"
+#include "mesh/mesh_check.hpp"
 #include "mesh/msh_format.hpp"
+#include "mesh/read_blocks.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace voussoir {
@@ -24,9 +26,10 @@ std::unique_ptr<BlockSource<2>> read_gmsh(const GmshParameters& parameters, cons
         with_hint(look, [&] { return surface_mesh_of(ask_gmsh(gmsh_work::mesh_drawing, request, died)); });
     list = blocks_of_surfaces(mesh);
     list.quadratic = parameters.cells == CellType::quadratic_triangle;
+    check_mesh(list.blocks);
     if (is_mesh(parameters.file)) list.warnings = warnings_of_format(parameters.file, mesh);
   });
-  return make_source_on_first(std::move(list), comm);
+  return make_source_of_readers(handed_out(std::move(list), comm), comm);
 }
 
 }  // namespace voussoir

@@ -36,7 +36,7 @@ class LatticeInSpace final : public BlockSource<3> {
   }
   Block<3> block(BlockId) const override;
   std::vector<Neighbour> neighbours(BlockId) const override;
-  const std::vector<std::string>& block_sets() const override { return m_.block_sets; }
+  const SetNames& block_sets() const override { return m_.block_sets; }
   const std::vector<std::string>& facet_sets() const override { return m_.facet_sets; }
 
  private:

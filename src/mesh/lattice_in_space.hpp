@@ -51,7 +51,8 @@ struct Masonry {
   std::vector<LatticeStone> stones;
   std::vector<StoneGroup> groups;
   std::vector<MasonrySide> sides;  ///< in the order in which a block has its facets
-  std::vector<std::string> block_sets, facet_sets;
+  SetNames block_sets;
+  std::vector<std::string> facet_sets;
   /// [m] Right-handed: directions 0, 1, 2 in this order.
   std::function<Vector<3>(const LatticeIndex&)> place;
 };

@@ -2,8 +2,8 @@
 //
 // A mesh is handed out block by block by a BlockSource, so that a rank builds
 // only the blocks it owns and those it touches, and a generated wall of a
-// million blocks never exists in one place. A mesh from a file is on the rank
-// that has read it, and each of the others is brought what it asks for.
+// million blocks never exists in one place. Of a mesh from a file each rank is
+// the reader of a span of blocks, and is brought what else it asks for.
 // Numbers do not depend on ranks.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include "base/ids.hpp"
 #include "base/tensor.hpp"
 #include "base/warning.hpp"
+#include "mesh/set_names.hpp"
 
 namespace voussoir {
 
@@ -61,6 +62,12 @@ struct BlockSpan {
   BlockId from, to;
 };
 
+/// The blocks that a rank reads where all ranks read equal numbers of them, in the order of their numbers.
+inline BlockSpan span_read_by(int rank, int ranks, BlockId blocks) {
+  const auto first_of = [&](long long r) { return static_cast<BlockId>((r * blocks + ranks - 1) / ranks); };
+  return {first_of(rank), first_of(rank + 1LL)};
+}
+
 /// Which blocks share vertices, in compressed rows: neighbours of the first block plus b are
 /// neighbour[start[b]] .. neighbour[start[b + 1] - 1], in ascending order.
 struct BlockGraph {
@@ -72,7 +79,7 @@ struct BlockGraph {
 /// A structure made of blocks.
 ///
 /// Every function but bring() is local (no communication), and what it says does not depend on the rank. Of blocks that
-/// are generated every rank can be asked; of those from a file the rank that has read them, and who was brought them.
+/// are generated every rank can be asked; of those from a file their readers, and who was brought them.
 template <int dim>
 class BlockSource {
  public:
@@ -84,20 +91,17 @@ class BlockSource {
   virtual Block<dim> block(BlockId) const = 0;
   /// Blocks that share at least one vertex with a block, ascending.
   virtual std::vector<Neighbour> neighbours(BlockId) const = 0;
-  /// The rank that looks a block over and tells of it as long as blocks have no owners: every rank its share by number,
-  /// or the one that has read a file.
+  /// The rank that looks a block over and tells of it as long as blocks have no owners: every rank its share by number.
   virtual int reader_of(BlockId b, int ranks) const {
     return static_cast<int>(static_cast<long long>(b) * ranks / block_count());
   }
   /// All blocks that a rank is the reader of.
-  virtual BlockSpan read_by(int rank, int ranks) const {
-    const auto first_of = [&](long long r) { return static_cast<BlockId>((r * block_count() + ranks - 1) / ranks); };
-    return {first_of(rank), first_of(rank + 1LL)};
-  }
+  virtual BlockSpan read_by(int rank, int ranks) const { return span_read_by(rank, ranks, block_count()); }
   /// From now on this rank can be asked of these blocks, too. Collective.
   virtual void bring(const std::vector<BlockId>&, const Teuchos::Comm<int>&) const {}
-  /// Names of sets of blocks ("ring west"). The set "all" is implied and not listed.
-  virtual const std::vector<std::string>& block_sets() const = 0;
+  /// Names of sets of blocks ("ring west") that this rank knows: those of the blocks that it can be asked of. The set
+  /// "all" is implied and not listed.
+  virtual const SetNames& block_sets() const = 0;
   /// Names of sets of boundary facets ("foundation pier west").
   virtual const std::vector<std::string>& facet_sets() const = 0;
   /// What the source cannot vouch for; `where` is a key of the scene.
@@ -111,6 +115,12 @@ class BlockSource {
 /// The rows of a span of blocks that this rank can be asked of.
 template <int dim>
 BlockGraph graph_of(const BlockSource<dim>&, BlockSpan);
+/// From now on this rank can be asked of what touches a span of its blocks, too. Collective.
+template <int dim>
+void bring_neighbours(const BlockSource<dim>&, BlockSpan, const Teuchos::Comm<int>&);
+/// The names of all sets of blocks by number, on the first rank; none on the others. Collective.
+template <int dim>
+std::vector<std::string> names_of_block_sets(const BlockSource<dim>&, const Teuchos::Comm<int>&);
 /// Of all blocks.
 template <int dim>
 BlockGraph graph_of(const BlockSource<dim>& source) {

@@ -75,23 +75,12 @@ void check_supports(const BlockSource<dim>& source, const std::vector<FacetNames
   });
 }
 
-template <int dim>
-void check_blocks(const BlockSource<dim>& source, const std::vector<FacetNames>& supported,
-                  const Teuchos::Comm<int>& comm) {
-  static_assert(dim == 2, "borders of spatial blocks are not checked yet");
-  on_first_rank(comm, [&] {
-    std::vector<Block<dim>> blocks;
-    for (BlockId b = 0; b < source.block_count(); ++b) {
-      blocks.push_back(source.block(b));
-      check_block(blocks.back());
-    }
-    check_borders(blocks);
-  });
-  check_supports(source, supported, comm);
+void check_mesh(const std::vector<Block<2>>& blocks) {
+  for (const auto& block : blocks) check_block(block);
+  check_borders(blocks);
 }
 
 template void check_supports(const BlockSource<2>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
 template void check_supports(const BlockSource<3>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
-template void check_blocks(const BlockSource<2>&, const std::vector<FacetNames>&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

@@ -17,16 +17,13 @@ namespace voussoir {
 /// condition of the stiffness grow like 1 / sin(angle).
 constexpr double smallest_corner_angle = 1.0;  // [degree]
 
-/// Throws InputError for the first of these faults, looked for in this order:
+/// Throws InputError for the first of these faults, looked for in this order, of all blocks of a mesh:
 /// - one block by itself: no cells, coordinates that are no numbers, nodes without cell, inverted cells, cells with
 ///   a corner below `smallest_corner_angle` or above 180 degrees less that, cells that lie on each other, several
 ///   pieces
 /// - between blocks: edges of three blocks, blocks on the same side of an edge, borders that touch or nearly touch
 ///   without matching nodes, blocks that overlap
-/// - `check_supports`
-/// The first rank looks for all: every rank throws, or none. Collective.
-template <int dim>
-void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& supported, const Teuchos::Comm<int>&);
+void check_mesh(const std::vector<Block<2>>&);
 
 /// Throws InputError for blocks that hold no facet of a supported set and are not joined, directly or through others,
 /// to one that does. Blocks are joined when they share `dim` vertices. An empty list of sets means that
@@ -34,7 +31,7 @@ void check_blocks(const BlockSource<dim>&, const std::vector<FacetNames>& suppor
 template <int dim>
 void check_supports(const BlockSource<dim>&, const std::vector<FacetNames>& supported, const Teuchos::Comm<int>&);
 
-/// The first two groups of faults, on blocks at hand.
+/// The two groups of faults of `check_mesh`.
 void check_block(const Block<2>&);
 void check_borders(const std::vector<Block<2>>&);
 

@@ -28,7 +28,7 @@ class Wall final : public BlockSource<2> {
   }
   Block<2> block(BlockId) const override;
   std::vector<Neighbour> neighbours(BlockId) const override;
-  const std::vector<std::string>& block_sets() const override { return block_sets_; }
+  const SetNames& block_sets() const override { return block_sets_; }
   const std::vector<std::string>& facet_sets() const override { return facet_sets_; }
 
  private:
@@ -68,7 +68,7 @@ class Wall final : public BlockSource<2> {
   // Where openings may leave blocks out; empty in a wall without.
   std::vector<int> place_;   ///< per block: its number when no block is left out
   std::vector<BlockId> id_;  ///< per such number: block, or -1 when left out
-  std::vector<std::string> block_sets_;
+  SetNames block_sets_;
   std::vector<std::string> facet_sets_{"base", "top", "left", "right"};
 };
 

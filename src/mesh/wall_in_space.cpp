@@ -38,7 +38,8 @@ class WallInSpace {
   int rows(int stones) const { return 2 * half_rows() * stones; }
   bool odd(int course) const { return p_.bond == WallBond::running && course % 2 == 1; }
 
-  int add_set(std::vector<std::string>& sets, const std::string& name) {
+  template <class Names>
+  int add_set(Names& sets, const std::string& name) {
     sets.push_back(name);
     return static_cast<int>(sets.size()) - 1;
   }

@@ -50,12 +50,11 @@ Model::Model(const Model& at_rest, double inertia, double tolerance)
 }
 
 std::string Model::block_name(BlockId block) const {
-  const auto& comm = *structure().comm();
-  std::vector<std::string> name(1);
-  if (comm.getRank() == 0)
-    name[0] = in_geometry([&](const auto& source, const auto&) { return source.block(block).name; });
-  broadcast_strings(comm, name);
-  return name[0];
+  const auto& s = structure();
+  std::vector<std::string> name;
+  if (const int here = s.local_block(block); here >= 0 && here < s.owned_blocks())
+    name.push_back(in_geometry([&](const auto& source, const auto&) { return source.block(block).name; }));
+  return first_texts(*s.comm(), name, 1).front();
 }
 
 void Model::make_continuum() {

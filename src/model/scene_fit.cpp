@@ -1,5 +1,6 @@
 #include "model/scene_fit.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "linalg/refused_list.hpp"
 #include "scene/scene_reader.hpp"
@@ -118,6 +120,18 @@ void check_laws(const Scene& scene, const BlockSource<dim>& source, const BlockS
   }
 }
 
+/// Sets of a scene are sets of the mesh. Collective.
+template <int dim>
+void check_sets(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  const auto named = block_sets_named(scene);
+  std::vector<int> there;
+  for (const auto& name : named) there.push_back(name == "all" || source.block_sets().number_of(name) >= 0);
+  there = largest_of_list(comm, there, WhyWhole{"sets of blocks that a scene names"});
+  if (std::count(there.begin(), there.end(), 0) == 0) return check_names(scene, named, source.facet_sets());
+  const auto all = names_of_block_sets(source, comm);
+  on_first_rank(comm, [&] { check_names(scene, all, source.facet_sets()); });
+}
+
 /// Lists for libraries are such as these take. The same on every rank.
 void check_lists(const Scene& scene, int dim) {
   if (const auto refused = refused_list(scene.solver, dim))
@@ -142,7 +156,7 @@ bool is_there(const Scene& scene, const BlockSource<dim>& source, const Block<di
 template <int dim>
 void check_fit(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
   check_lists(scene, dim);
-  check_names(scene, source.block_sets(), source.facet_sets());
+  check_sets(scene, source, comm);
   const auto read = source.read_by(comm.getRank(), comm.getSize());
   if (!scene.construction.empty()) {
     const auto told = told_of_blocks(scene, source, read);
@@ -153,7 +167,10 @@ void check_fit(const Scene& scene, const BlockSource<dim>& source, const Teuchos
   for (const auto& [name, material] : scene.materials) material_for_all |= material.blocks == "all";
   for (const auto& [name, law] : scene.joints) law_for_all |= law.between == "all" && law.and_ == "all";
   if (!material_for_all) agree(comm, [&] { check_materials(scene, source, read); });
-  if (!law_for_all) agree(comm, [&] { check_laws(scene, source, read); });
+  if (!law_for_all) {
+    bring_neighbours(source, read, comm);
+    agree(comm, [&] { check_laws(scene, source, read); });
+  }
 }
 
 template void check_fit(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);

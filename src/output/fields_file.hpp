@@ -34,7 +34,7 @@ struct MeshRows {
   std::vector<int> block_set;                ///< per owned block: the first set it is in, -1 for none
   int sets_of_a_block = 0;                   ///< how many sets a block is in at most; the same on every rank
   std::vector<int> block_sets;               ///< owned blocks x that number: all sets of a block, -1 for no more
-  std::vector<std::string> block_set_names;  ///< the same on every rank
+  std::vector<std::string> block_set_names;  ///< on the first rank
 };
 
 /// This rank's share of the candidate contact points.

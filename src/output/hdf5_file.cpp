@@ -288,10 +288,12 @@ void Hdf5File::write_padded_view(const std::string& path, const std::string& sou
 void Hdf5File::write_texts(const std::string& path, const std::vector<std::string>& texts) {
   std::size_t length = 1;
   for (const auto& text : texts) length = std::max(length, text.size());
+  length = largest_over_ranks(*impl_->comm, length);
+  const auto rows = largest_over_ranks(*impl_->comm, static_cast<long long>(texts.size()));
   std::string padded;
-  for (const auto& text : texts) padded += text + std::string(length - text.size(), '\0');
+  if (impl_->comm->getRank() == 0)
+    for (const auto& text : texts) padded += text + std::string(length - text.size(), '\0');
   Handle type = text_type(length);
-  const auto rows = static_cast<long long>(texts.size());
   Handle space = Impl::table_space(rows, 1);
   Handle dataset = impl_->create(path, type, space, H5P_DEFAULT);
   impl_->require(dataset.good());

@@ -53,6 +53,7 @@ class Hdf5File {
   void write_padded_view(const std::string& path, const std::string& source, int columns);
 
   /// Texts as strings of one length (HDF5 cannot write strings of several lengths in parallel).
+  /// @param texts  of the first rank; of the others the same or none
   void write_texts(const std::string& path, const std::vector<std::string>& texts);
   std::vector<std::string> read_texts(const std::string& path) const;
 

@@ -37,10 +37,7 @@ std::unique_ptr<BlockSource<dim>> checked_blocks(const Scene& scene, const Teuch
     // Blocks may fly where no static equilibrium is sought: then no support is asked for.
     if (!only_time(scene.stages))
       for (const auto& [name, support] : scene.supports) supported.emplace_back(support.on, support.blocks);
-    const bool from_file = scene.mesh.from_file() && dim == 2;
-    if constexpr (dim == 2)
-      if (from_file) check_blocks(*source, supported, *comm);
-    if (!from_file) check_supports(*source, supported, *comm);
+    check_supports(*source, supported, *comm);
   } catch (const InputError& error) {
     std::string what = error.what();
     if (what.rfind(scene.file, 0) == 0) throw;

@@ -8,7 +8,7 @@
 #include "base/words.hpp"
 #include "linalg/agree.hpp"
 #include "linalg/gather.hpp"
-#include "linalg/shared_warnings.hpp"
+#include "linalg/reduce.hpp"
 #include "model/loads_at_work.hpp"
 #include "model/scene_fit.hpp"
 #include "range/absent_stones.hpp"
@@ -18,6 +18,7 @@
 #include "range/support_warnings.hpp"
 #include "scene/scene.hpp"
 #include "scene/unusual_values.hpp"
+#include "stones/stone_files.hpp"
 
 namespace voussoir {
 namespace {
@@ -78,39 +79,67 @@ struct UnitOfMesh {
     const bool stones = mesh.type == MeshType::stones;
     const double unit = stones ? mesh.stones.unit : mesh.gmsh.unit;
     key = stones ? "mesh > stones > unit" : "mesh > gmsh > unit";
+    if (stones && says_its_unit(mesh.stones.file)) {
+      key = "mesh > stones > file";
+      question = "; a STEP file says its own unit: is it the right one?";
+      return;
+    }
     question = "; is the file drawn in metres? If not say so by " + key + (stones ? "" : " = mm, cm or ft") +
                " (now: " + (unit == 1 ? "m" : number_text(unit) + " m") + ")";
   }
 };
 
-/// For the rank that can be asked of all stones.
-template <int dim>
-Warnings warnings_of_sizes(const Scene& scene, const BlockSource<dim>& source) {
-  const bool from_file = scene.mesh.from_file();
-  double largest = 0;
-  BlockId where = 0;
+/// The longest stone, the first of those that are equally long, and how many are too long.
+struct LongestStone {
+  double size = -1;  ///< [m]
+  std::string name;
   long long large = 0;
-  for (BlockId b = 0; b < source.block_count(); ++b) {
-    if (!from_file && b != 0 && b != source.block_count() - 1) continue;  // generated stones are alike
-    const double size = extent(source.block(b));
-    large += size > large_stone && (from_file || b == 0);
-    if (size > largest) {
-      largest = size;
-      where = b;
-    }
+};
+
+/// Collective.
+template <int dim>
+LongestStone longest_stone(const BlockSource<dim>& source, bool from_file, const Teuchos::Comm<int>& comm) {
+  LongestStone mine;
+  const auto look_at = [&](BlockId b) {
+    const auto block = source.block(b);
+    const double size = extent(block);
+    mine.large += size > large_stone;
+    if (size <= mine.size) return;
+    mine.size = size;
+    mine.name = block.name;
+  };
+  if (from_file) {
+    const auto read = source.read_by(comm.getRank(), comm.getSize());
+    for (BlockId b = read.from; b < read.to; ++b) look_at(b);
+  } else if (comm.getRank() == 0) {  // generated stones are alike, but for cut ones at the start of a course
+    for (const BlockId b : {0, source.block_count() - 1}) look_at(b);
   }
+  LongestStone all;
+  all.size = largest_over_ranks(comm, mine.size);
+  all.large = total_over_ranks(comm, mine.large);
+  std::vector<std::string> names;
+  if (mine.size == all.size) names.push_back(mine.name);
+  all.name = first_texts(comm, names, 1).front();
+  return all;
+}
+
+/// Collective.
+template <int dim>
+void warn_of_sizes(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm, Warnings& all) {
+  const bool from_file = scene.mesh.from_file();
+  const auto longest = longest_stone(source, from_file, comm);
   const UnitOfMesh unit(scene.mesh);
-  const std::string size = six_digits(largest) + " m", name = source.block(where).name;
-  if (large > 0)
-    return {{"large_stones", scene.file + ": scene > " + unit.key, "", largest,
-             name + " is " + size + " long" +
-                 (large > 1 && from_file ? " and " + counted(large - 1, "more exceeds", "more exceed") + " "
-                                         : ", more than ") +
-                 number_text(large_stone) + " m" + unit.question}};
-  if (largest < small_stone)
-    return {{"small_stones", scene.file + ": scene > " + unit.key, "", largest,
-             "the largest stone, " + name + ", is " + size + " long" + unit.question}};
-  return {};
+  const std::string size = six_digits(longest.size) + " m";
+  if (longest.large > 0)
+    all.push_back(
+        {"large_stones", scene.file + ": scene > " + unit.key, "", longest.size,
+         longest.name + " is " + size + " long" +
+             (longest.large > 1 && from_file ? " and " + counted(longest.large - 1, "more exceeds", "more exceed") + " "
+                                             : ", more than ") +
+             number_text(large_stone) + " m" + unit.question});
+  else if (longest.size < small_stone)
+    all.push_back({"small_stones", scene.file + ": scene > " + unit.key, "", longest.size,
+                   "the largest stone, " + longest.name + ", is " + size + " long" + unit.question});
 }
 
 /// Stones beside others that share no facet with any: they stand alone, and nothing keeps them out of others.
@@ -223,15 +252,11 @@ Warnings mesh_warnings(const Scene& scene, const BlockSource<dim>& source, const
   append(all, scene.warnings);
   for (auto& warning : all) warning.where = scene.file + ": " + warning.where;
   append(all, unusual_values(scene));
-  // What looks at every stone of a file is for the first rank, which has read it.
-  append(all, warnings_of_first_rank(comm, [&] { return warnings_of_sizes(scene, source); }));
+  warn_of_sizes(scene, source, comm, all);
   warn_of_lone_stones(scene, source, comm, all);
   warn_of_strength_over_gaps(scene, all);
-  append(all, warnings_of_first_rank(comm, [&] {
-           auto found = warnings_of_sides(scene, source);
-           if constexpr (dim == 3) append(found, warnings_of_stiff_stones(scene, source));
-           return found;
-         }));
+  append(all, warnings_of_sides(scene, source, comm));
+  if constexpr (dim == 3) append(all, warnings_of_stiff_stones(scene, source, comm));
   return all;
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 
 #include "base/error.hpp"
+#include "base/sort_unique.hpp"
 #include "base/text.hpp"
 #include "linalg/agree.hpp"
+#include "linalg/gather.hpp"
 #include "linalg/reduce.hpp"
 #include "mesh/facet_set.hpp"
 
@@ -17,7 +19,8 @@ constexpr std::size_t pairs_told = 3;  // a ring has dozens of joints with its f
 
 /// Joints both sides of which a support or load has.
 struct Sides {
-  std::vector<std::pair<BlockId, BlockId>> stones;  ///< ascending, each pair once
+  std::vector<std::pair<BlockId, BlockId>> stones;  ///< of those whose lower one this rank reads: ascending, each once
+  long long joints = 0;                             ///< of all ranks
   double size = 0;                                  ///< [m] length of all of them, in space [m2] area
 };
 
@@ -43,49 +46,75 @@ std::pair<Vector<3>, Vector<3>> box_of(const TwoSidedFacet<dim>& facet) {
   return {low, high};
 }
 
+/// Afterwards a rank can be asked of the stones it has. Collective.
 template <int dim>
-Sides both_sides(const BlockSource<dim>& source, const FacetsOfLoad& facets) {
+Sides both_sides(const BlockSource<dim>& source, const FacetsOfLoad& facets, const Teuchos::Comm<int>& comm) {
   Sides sides;
-  for (const auto& facet : two_sided_facets(source, facet_set(source, {facets.on, facets.blocks}))) {
+  double size = 0;
+  std::vector<BlockId> beyond;
+  for (const auto& facet : two_sided_facets(source, facet_set(source, {facets.on, facets.blocks}), comm)) {
     const auto box = box_of(facet);
     if (!facets.reaches(box.first, box.second)) continue;
-    sides.size += facet.size();
+    size += facet.size();
     const auto pair = std::make_pair(facet.block_i, facet.block_j);
     if (sides.stones.empty() || sides.stones.back() != pair) sides.stones.push_back(pair);
+    beyond.push_back(facet.block_j);
   }
+  sides.size = total_over_ranks(comm, size);
+  sides.joints = total_over_ranks(comm, static_cast<long long>(sides.stones.size()));
+  sort_unique(beyond);
+  source.bring(beyond, comm);
   return sides;
 }
 
-/// "the joint between surface 1 (bed) and surface 2 (stone)", and how many more.
+/// "the joint between surface 1 (bed) and surface 2 (stone)", and how many more. Collective.
 template <int dim>
-std::string in_words(const BlockSource<dim>& source, const Sides& sides) {
-  const auto& pairs = sides.stones;
-  std::string text = pairs.size() == 1 ? "the joint" : "the joints";
-  for (std::size_t k = 0; k < std::min(pairs.size(), pairs_told); ++k)
-    text += (k == 0 ? "" : ",") + std::string(" between ") + source.block(pairs[k].first).name + " and " +
-            source.block(pairs[k].second).name;
-  if (pairs.size() > pairs_told) text += " and " + std::to_string(pairs.size() - pairs_told) + " more";
+std::string in_words(const BlockSource<dim>& source, const Sides& sides, const Teuchos::Comm<int>& comm) {
+  std::vector<std::string> mine;
+  for (const auto& [i, j] : sides.stones)
+    if (mine.size() < pairs_told) mine.push_back(source.block(i).name + " and " + source.block(j).name);
+  std::string text = sides.joints == 1 ? "the joint" : "the joints";
+  const auto told = first_texts(comm, mine, pairs_told);
+  for (std::size_t k = 0; k < told.size(); ++k) text += (k == 0 ? "" : ",") + std::string(" between ") + told[k];
+  const auto more = sides.joints - static_cast<long long>(told.size());
+  if (more > 0) text += " and " + std::to_string(more) + " more";
   return text;
 }
 
-/// Sets of blocks that have one side of the joints and not the other, with the word "or" between them.
+/// Sets that hold the stone on one side of each of the joints and not that on the other, with the word "or" between
+/// them. Collective.
 template <int dim>
-std::string sets_of_one_side(const BlockSource<dim>& source, const Sides& sides) {
-  std::set<int> one, both;
-  for (const auto& [i, j] : sides.stones) {
-    const auto a = source.block(i).sets, b = source.block(j).sets;
-    for (const int set : a) (std::count(b.begin(), b.end(), set) ? both : one).insert(set);
-    for (const int set : b) (std::count(a.begin(), a.end(), set) ? both : one).insert(set);
+std::string sets_of_one_side(const BlockSource<dim>& source, const Sides& sides, const Teuchos::Comm<int>& comm) {
+  const auto of_one_side = [&](const std::pair<BlockId, BlockId>& pair) {
+    const auto a = source.block(pair.first).sets, b = source.block(pair.second).sets;
+    std::vector<int> sets;
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sets));
+    std::vector<std::string> names;
+    for (const int set : sets) names.push_back(source.block_sets()[set]);
+    return names;
+  };
+  std::vector<std::string> candidates;  // those of the first joint: what is of one side of all is of one of that
+  const int first = least_over_ranks(comm, sides.stones.empty() ? comm.getSize() : comm.getRank());
+  if (comm.getRank() == first) candidates = of_one_side(sides.stones.front());
+  const auto most = total_over_ranks(comm, static_cast<long long>(candidates.size()));
+  candidates = first_texts(comm, candidates, static_cast<std::size_t>(most));
+  std::vector<long long> joints(candidates.size(), 0);
+  for (const auto& pair : sides.stones) {
+    const auto names = of_one_side(pair);
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+      joints[k] += std::count(names.begin(), names.end(), candidates[k]);
   }
+  joints = total_of_list(comm, joints, WhyWhole{"sets of one stone"});
   std::string text;
-  for (const int set : one)
-    if (!both.count(set)) text += (text.empty() ? "" : " or ") + in_quotes(source.block_sets()[set]);
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (joints[k] == sides.joints) text += (text.empty() ? "" : " or ") + in_quotes(candidates[k]);
   return text;
 }
 
+/// Collective.
 template <int dim>
-std::string how_to_say_it(const BlockSource<dim>& source, const Sides& sides) {
-  const std::string sets = sets_of_one_side(source, sides);
+std::string how_to_say_it(const BlockSource<dim>& source, const Sides& sides, const Teuchos::Comm<int>& comm) {
+  const std::string sets = sets_of_one_side(source, sides, comm);
   if (!sets.empty()) return "say which side is meant: blocks = " + sets;
   return std::string(
              "say which side is meant by the key blocks, a set of blocks that holds one of the two stones: no "
@@ -105,17 +134,17 @@ void check_side(const std::string& where, const std::string& on, const std::stri
                    "  Give a set of blocks on whose border that set lies, or leave the key out.");
 }
 
-/// What would act on both sides of a joint.
+/// What would act on both sides of a joint. Collective.
 template <int dim>
 void refuse_both_sides(const LoadParameters& load, const std::string& where, const FacetsOfLoad& facets,
-                       const BlockSource<dim>& source) {
-  const auto sides = both_sides(source, facets);
-  if (sides.stones.empty()) return;
-  std::string advice = how_to_say_it(source, sides);
+                       const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
+  const auto sides = both_sides(source, facets, comm);
+  if (sides.joints == 0) return;
+  const std::string joints = in_words(source, sides, comm);
+  std::string advice = how_to_say_it(source, sides, comm);
   advice[0] = 'S';
-  throw InputError(where + " > on = " + in_quotes(facets.on) + "\n  has both sides of " + in_words(source, sides) +
-                   ", so that the " + load.word() +
-                   " would act on the stones of either side (twice what it says in all).\n  " + advice +
+  throw InputError(where + " > on = " + in_quotes(facets.on) + "\n  has both sides of " + joints + ", so that the " +
+                   load.word() + " would act on the stones of either side (twice what it says in all).\n  " + advice +
                    ". Where both are loaded on purpose give two loads.");
 }
 
@@ -131,23 +160,23 @@ void check_sides(const Scene& scene, const BlockSource<dim>& source, const Teuch
     const std::string where = scene.file + ": scene > loads > " + load.name;
     check_side(where, facets->on, facets->blocks, source, comm);
     // The named sets of generators lie on the outside.
-    if (facets->adds_up && scene.mesh.from_file())
-      on_first_rank(comm, [&] { refuse_both_sides(load, where, *facets, source); });
+    if (facets->adds_up && scene.mesh.from_file()) refuse_both_sides(load, where, *facets, source, comm);
   }
 }
 
 template <int dim>
-Warnings warnings_of_sides(const Scene& scene, const BlockSource<dim>& source) {
+Warnings warnings_of_sides(const Scene& scene, const BlockSource<dim>& source, const Teuchos::Comm<int>& comm) {
   Warnings all;
   if (!scene.mesh.from_file()) return all;
   const auto ask = [&](const std::string& what, const std::string& where, const FacetsOfLoad& facets,
                        const std::string& consequence) {
     if (facets.blocks == "all") return;
-    const auto sides = both_sides(source, facets);
-    if (sides.stones.empty()) return;
+    const auto sides = both_sides(source, facets, comm);
+    if (sides.joints == 0) return;
+    const std::string joints = in_words(source, sides, comm), advice = how_to_say_it(source, sides, comm);
     all.push_back({what, scene.file + ": scene > " + where, "", sides.size,
-                   "its set " + in_quotes(facets.on) + " has both sides of " + in_words(source, sides) + ", so that " +
-                       consequence + "; " + how_to_say_it(source, sides) + ", or blocks = \"all\" for both"});
+                   "its set " + in_quotes(facets.on) + " has both sides of " + joints + ", so that " + consequence +
+                       "; " + advice + ", or blocks = \"all\" for both"});
   };
   for (const auto& [name, support] : scene.supports) {
     FacetsOfLoad facets;
@@ -167,7 +196,7 @@ Warnings warnings_of_sides(const Scene& scene, const BlockSource<dim>& source) {
 
 template void check_sides(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);
 template void check_sides(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
-template Warnings warnings_of_sides(const Scene&, const BlockSource<2>&);
-template Warnings warnings_of_sides(const Scene&, const BlockSource<3>&);
+template Warnings warnings_of_sides(const Scene&, const BlockSource<2>&, const Teuchos::Comm<int>&);
+template Warnings warnings_of_sides(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

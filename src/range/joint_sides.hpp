@@ -17,9 +17,8 @@ template <int dim>
 void check_sides(const Scene&, const BlockSource<dim>&, const Teuchos::Comm<int>&);
 
 /// Supports that hold, and pressures that act on, both sides of joints without saying that both are meant
-/// (`blocks` = all; in space also `faces` of blocks that are named, by which stones are held whole). For the
-/// rank that has read the file.
+/// (`blocks` = all; in space also `faces` of blocks that are named, by which stones are held whole). Collective.
 template <int dim>
-Warnings warnings_of_sides(const Scene&, const BlockSource<dim>&);
+Warnings warnings_of_sides(const Scene&, const BlockSource<dim>&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

@@ -64,7 +64,7 @@ int directions_held(const Held& held, int dim, std::size_t node) {
 template <int dim>
 MeshRows mesh_rows(const BlockSource<dim>& source, const Structure<dim>& s, const Held& held) {
   MeshRows rows;
-  rows.block_set_names = source.block_sets();
+  rows.block_set_names = names_of_block_sets(source, *s.comm());
   std::size_t most = 0;
   for (int b = 0; b < s.owned_blocks(); ++b) most = std::max(most, s.blocks()[b].mesh.sets.size());
   rows.sets_of_a_block = static_cast<int>(largest_over_ranks(*s.comm(), static_cast<long long>(most)));

@@ -117,7 +117,7 @@ class OfLinearCells final : public BlockSource<dim> {
   void bring(const std::vector<BlockId>& blocks, const Teuchos::Comm<int>& comm) const override {
     source_.bring(blocks, comm);
   }
-  const std::vector<std::string>& block_sets() const override { return source_.block_sets(); }
+  const SetNames& block_sets() const override { return source_.block_sets(); }
   const std::vector<std::string>& facet_sets() const override { return source_.facet_sets(); }
 
  private:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/file_ending.hpp"
+#include "base/sort_unique.hpp"
 #include "base/text.hpp"
 #include "scene/scene_reader.hpp"
 
@@ -314,32 +315,57 @@ void check_scene(Scene& scene, InputProblems& problems) {
   check_dimension(scene, problems);
 }
 
+namespace {
+
+/// Every set that a scene names, with its key. @param visit  (path of the key, name, of blocks or else of facets)
+template <class Visit>
+void for_each_set(const Scene& scene, const Visit& visit) {
+  for (const auto& m : scene.materials) visit("materials > " + m.name + " > blocks", m.parameters.blocks, true);
+  for (const auto& j : scene.joints) {
+    visit("joints > " + j.name + " > between", j.parameters.between, true);
+    visit("joints > " + j.name + " > and", j.parameters.and_, true);
+  }
+  for (const auto& v : scene.velocities)
+    visit("initial velocities > " + v.name + " > blocks", v.parameters.blocks, true);
+  for (const auto& c : scene.construction) visit("construction > " + c.name + " > blocks", c.parameters.blocks, true);
+  for (const auto& o : scene.observations) visit("observations > " + o.name + " > blocks", o.parameters.blocks, true);
+  for (const auto& s : scene.supports) visit("supports > " + s.name + " > on", s.parameters.on, false);
+  for (const auto& s : scene.supports)
+    if (!s.parameters.blocks.empty()) visit("supports > " + s.name + " > blocks", s.parameters.blocks, true);
+  for (const LoadParameters& load : scene.loads)
+    for (const auto& set : load.sets()) visit("loads > " + load.name + " > " + set.key, set.name, set.of_blocks);
+}
+
+}  // namespace
+
+std::vector<std::string> files_read(const Scene& scene) {
+  std::vector<std::string> files{scene.file};
+  if (scene.mesh.from_file())
+    files.push_back(scene.mesh.type == MeshType::stones ? scene.mesh.stones.file : scene.mesh.gmsh.file);
+  auto loads = scene.loads;
+  for (auto& load : loads)
+    for (const auto& of_load : load.files())
+      if (!of_load.file->empty()) files.push_back(*of_load.file);
+  return files;
+}
+
+std::vector<std::string> block_sets_named(const Scene& scene) {
+  std::vector<std::string> names;
+  for_each_set(scene, [&](const std::string&, const std::string& name, bool of_blocks) {
+    if (of_blocks) names.push_back(name);
+  });
+  sort_unique(names);
+  return names;
+}
+
 void check_names(const Scene& scene, const std::vector<std::string>& block_sets,
                  const std::vector<std::string>& facet_sets) {
   InputProblems problems(scene.file);
   std::vector<std::string> blocks{"all"};
   blocks.insert(blocks.end(), block_sets.begin(), block_sets.end());
-  for (const auto& m : scene.materials)
-    check_set("scene > materials > " + m.name + " > blocks", m.parameters.blocks, "blocks", blocks, problems);
-  for (const auto& j : scene.joints) {
-    check_set("scene > joints > " + j.name + " > between", j.parameters.between, "blocks", blocks, problems);
-    check_set("scene > joints > " + j.name + " > and", j.parameters.and_, "blocks", blocks, problems);
-  }
-  for (const auto& v : scene.velocities)
-    check_set("scene > initial velocities > " + v.name + " > blocks", v.parameters.blocks, "blocks", blocks, problems);
-  for (const auto& c : scene.construction)
-    check_set("scene > construction > " + c.name + " > blocks", c.parameters.blocks, "blocks", blocks, problems);
-  for (const auto& o : scene.observations)
-    check_set("scene > observations > " + o.name + " > blocks", o.parameters.blocks, "blocks", blocks, problems);
-  for (const auto& s : scene.supports)
-    check_set("scene > supports > " + s.name + " > on", s.parameters.on, "facets", facet_sets, problems);
-  for (const auto& s : scene.supports)
-    if (!s.parameters.blocks.empty())
-      check_set("scene > supports > " + s.name + " > blocks", s.parameters.blocks, "blocks", blocks, problems);
-  for (const LoadParameters& load : scene.loads)
-    for (const auto& set : load.sets())
-      check_set("scene > loads > " + load.name + " > " + set.key, set.name, set.of_blocks ? "blocks" : "facets",
-                set.of_blocks ? blocks : facet_sets, problems);
+  for_each_set(scene, [&](const std::string& key, const std::string& name, bool of_blocks) {
+    check_set("scene > " + key, name, of_blocks ? "blocks" : "facets", of_blocks ? blocks : facet_sets, problems);
+  });
   problems.throw_if_any();
 }
 

@@ -26,6 +26,12 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
 /// Throws InputError when the scene names sets of blocks or facets the mesh does not have.
 void check_names(const Scene&, const std::vector<std::string>& block_sets, const std::vector<std::string>& facet_sets);
 
+/// Files and folders that a run of a scene reads: the scene itself, its mesh, records of its loads.
+std::vector<std::string> files_read(const Scene&);
+
+/// The sets of blocks that a scene names, each once.
+std::vector<std::string> block_sets_named(const Scene&);
+
 /// What no single section can see: missing sections, stages of unknown loads, the place of the mesh file. Fills
 /// Scene::warnings. Part of reading.
 void check_scene(Scene&, InputProblems&);

@@ -10,23 +10,6 @@
 namespace voussoir {
 namespace {
 
-/// How pieces of one kind go to ranks, and what is made of them back.
-template <class Piece, class Mesh>
-struct Trade {
-  std::function<std::vector<Mesh>(const std::vector<Piece>&)> PieceMesher::*make;
-  void (*write)(ByteWriter&, const Piece&);
-  void (*read)(ByteReader&, Piece&);
-  void (*write_mesh)(ByteWriter&, const Mesh&);
-  void (*read_mesh)(ByteReader&, Mesh&);
-};
-
-const Trade<FlatDomain, FlatMesh> of_polygons{
-    &PieceMesher::polygons, exchange_domain<ByteWriter, const FlatDomain>, exchange_domain<ByteReader, FlatDomain>,
-    exchange_flat<ByteWriter, const FlatMesh>, exchange_flat<ByteReader, FlatMesh>};
-const Trade<ClosedMesh, FilledMesh> of_surfaces{
-    &PieceMesher::surfaces, exchange_closed<ByteWriter, const ClosedMesh>, exchange_closed<ByteReader, ClosedMesh>,
-    exchange_filled<ByteWriter, const FilledMesh>, exchange_filled<ByteReader, FilledMesh>};
-
 template <class Item>
 std::vector<Item> all_of_bytes(const Parcel<char>& parcel, void (*read)(ByteReader&, Item&)) {
   const std::string bytes(parcel.items.begin(), parcel.items.end());
@@ -35,53 +18,43 @@ std::vector<Item> all_of_bytes(const Parcel<char>& parcel, void (*read)(ByteRead
   return items;
 }
 
-/// Rounds in which all ranks mesh; the first one says what of, until it has no more.
+/// Rounds in which all ranks mesh; the first one says what, until it has no more.
 class RanksAtWork {
  public:
-  RanksAtWork(const Teuchos::Comm<int>& comm, const PieceMesher& here) : comm_(comm), here_(here) {}
+  RanksAtWork(const Teuchos::Comm<int>& comm, const PolygonMesher& here) : comm_(comm), here_(here) {}
 
   /// For the first rank.
-  PieceMesher mesher() {
-    return {[this](const auto& pieces) { return round_of(Round::polygons, of_polygons, pieces); },
-            [this](const auto& pieces) { return round_of(Round::surfaces, of_surfaces, pieces); }};
+  PolygonMesher mesher() {
+    return [this](const std::vector<FlatDomain>& domains) {
+      say(true);
+      return share(domains);
+    };
   }
   void end() {
-    if (!has_failed_) say(Round::end);
+    if (!has_failed_) say(false);
   }
   /// For the others.
   void help() {
-    for (Round next = say(Round::end); next != Round::end; next = say(Round::end))
-      if (next == Round::polygons)
-        share(of_polygons, {});
-      else
-        share(of_surfaces, {});
+    while (say(false)) share({});
   }
 
  private:
-  enum class Round : int { end, polygons, surfaces };
-
-  Round say(Round next) {
-    int number = static_cast<int>(next);
-    Teuchos::broadcast(comm_, 0, Teuchos::outArg(number));
-    return static_cast<Round>(number);
+  /// @param more  what the first rank has to say  @return on all ranks
+  bool say(bool more) {
+    int word = more ? 1 : 0;
+    Teuchos::broadcast(comm_, 0, Teuchos::outArg(word));
+    return word != 0;
   }
 
-  template <class Piece, class Mesh>
-  std::vector<Mesh> round_of(Round what, const Trade<Piece, Mesh>& trade, const std::vector<Piece>& pieces) {
-    say(what);
-    return share(trade, pieces);
-  }
-
-  /// @param pieces  of the first rank  @return what is made of them, on the first rank
-  template <class Piece, class Mesh>
-  std::vector<Mesh> share(const Trade<Piece, Mesh>& trade, const std::vector<Piece>& pieces) {
+  /// @param domains  of the first rank  @return what is made of them, on the first rank
+  std::vector<FlatMesh> share(const std::vector<FlatDomain>& domains) {
     const auto ranks = static_cast<std::size_t>(comm_.getSize());
     std::vector<Parcel<char>> tasks, answers;
-    for (std::size_t k = 0, next = 0; k < pieces.size(); k = next) {
-      const auto rank = k * ranks / pieces.size();
+    for (std::size_t k = 0, next = 0; k < domains.size(); k = next) {
+      const auto rank = k * ranks / domains.size();
       ByteWriter writer;
-      for (next = k; next < pieces.size() && next * ranks / pieces.size() == rank; ++next)
-        trade.write(writer, pieces[next]);
+      for (next = k; next < domains.size() && next * ranks / domains.size() == rank; ++next)
+        exchange_domain(writer, domains[next]);
       tasks.push_back({static_cast<int>(rank), {writer.bytes.begin(), writer.bytes.end()}});
     }
     tasks = exchange_parcels(std::move(tasks), comm_);
@@ -89,26 +62,28 @@ class RanksAtWork {
     agree(comm_, [&] {
       for (const auto& task : tasks) {
         ByteWriter writer;
-        for (const auto& mesh : (here_.*trade.make)(all_of_bytes(task, trade.read))) trade.write_mesh(writer, mesh);
+        for (const auto& mesh : here_(all_of_bytes<FlatDomain>(task, exchange_domain<ByteReader, FlatDomain>)))
+          exchange_flat(writer, mesh);
         answers.push_back({0, {writer.bytes.begin(), writer.bytes.end()}});
       }
     });
     has_failed_ = false;
-    std::vector<Mesh> meshes;
+    std::vector<FlatMesh> meshes;
     for (const auto& answer : exchange_parcels(std::move(answers), comm_))
-      for (auto& mesh : all_of_bytes(answer, trade.read_mesh)) meshes.push_back(std::move(mesh));
+      for (auto& mesh : all_of_bytes<FlatMesh>(answer, exchange_flat<ByteReader, FlatMesh>))
+        meshes.push_back(std::move(mesh));
     return meshes;
   }
 
   const Teuchos::Comm<int>& comm_;
-  const PieceMesher& here_;
+  const PolygonMesher& here_;
   bool has_failed_ = false;
 };
 
 }  // namespace
 
-void on_first_rank_meshed_by_all(const Teuchos::Comm<int>& comm, const std::function<void(const PieceMesher&)>& work,
-                                 const PieceMesher& here) {
+void on_first_rank_meshed_by_all(const Teuchos::Comm<int>& comm, const std::function<void(const PolygonMesher&)>& work,
+                                 const PolygonMesher& here) {
   agree(comm, [&] {
     RanksAtWork ranks(comm, here);
     if (comm.getRank() > 0) return ranks.help();

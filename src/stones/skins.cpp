@@ -1,4 +1,5 @@
-// Triangles on the cells of an imprint.
+#include "stones/skins.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,7 +10,6 @@
 #include "base/sort_unique.hpp"
 #include "base/text.hpp"
 #include "mesh/translates.hpp"
-#include "stones/cell_mesh.hpp"
 
 namespace voussoir {
 namespace {
@@ -182,7 +182,7 @@ std::vector<Triangle> moved(const MeshedCell& from, const std::vector<Triangle>&
 
 }  // namespace
 
-Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted, const PieceMesher& mesher) {
+Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted, const PolygonMesher& mesher) {
   const auto& cells = s.imprint.cells;
   Skins skins;
   skins.nodes = s.imprint.points;
@@ -198,7 +198,7 @@ Skins skins_of(const StoneStructure& s, const std::vector<char>& wanted, const P
     const auto& cell = to_mesh.back();
     if (cell.alike.is_first) domains.push_back(domain_of(cell.border, skins.nodes, s.tetrahedron_size));
   }
-  const auto flat = mesher.polygons(domains);
+  const auto flat = mesher(domains);
   std::vector<MeshedCell> meshed_cells(flat.size());
   for (const auto& cell : to_mesh) {
     const int shape = cell.alike.shape;

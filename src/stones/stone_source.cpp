@@ -7,9 +7,9 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/words.hpp"
-#include "mesh/alike_blocks.hpp"
 #include "mesh/msh_format.hpp"
-#include "stones/cell_mesh.hpp"
+#include "mesh/read_blocks.hpp"
+#include "stones/filled_stones.hpp"
 #include "stones/gmsh_volumes.hpp"
 #include "stones/stone_files.hpp"
 #include "stones/volume_blocks.hpp"
@@ -17,30 +17,21 @@
 namespace voussoir {
 namespace {
 
-std::string of_meshes(const StoneMeshQuality& q, std::size_t stones) {
-  std::string line = counted(q.of_hexahedra, "stone") + " of hexahedra, " +
-                     std::to_string(stones - static_cast<std::size_t>(q.of_hexahedra)) + " of tetrahedra" +
-                     (q.filled > 0 ? " (" + counted(q.filled, "shape") + " filled)" : "") + ": " +
+std::string of_meshes(const StoneMeshQuality& q, long long stones) {
+  std::string line = counted(q.of_hexahedra, "stone") + " of hexahedra, " + std::to_string(stones - q.of_hexahedra) +
+                     " of tetrahedra" + (q.filled > 0 ? " (" + counted(q.filled, "shape") + " filled)" : "") + ": " +
                      counted(q.nodes, "node") + ", " + counted(q.cells, "cell") + ", " + six_digits(q.volume) + " m3";
-  if (q.of_hexahedra < static_cast<int>(stones))
+  if (q.of_hexahedra < stones)
     line += "; least angle between faces of a tetrahedron " + six_digits(q.least_dihedral) + " degrees, " +
             counted(q.flat, "cell") + " below 5";
   return line;
 }
 
 /// What is said of blocks that are alike.
-std::string of_shapes(int shapes, std::size_t stones) {
-  const bool none = static_cast<std::size_t>(shapes) == stones;
+std::string of_shapes(int shapes, long long stones) {
+  const bool none = shapes == stones;
   return counted(stones, "stone") + ", " + counted(shapes, "shape") +
          (none ? "" : ": those that are drawn alike and cut alike by their joints have one mesh");
-}
-
-BlockList<3> meshed_stones(StoneStructure structure, const PieceMesher& mesher) {
-  auto meshes = mesh_stones(structure, mesher);
-  auto list = std::move(meshes.list);
-  list.report = std::move(structure.report);
-  list.report.push_back(of_meshes(meshes.quality, structure.stones.size()));
-  return list;
 }
 
 bool all_tetrahedra(const VolumeMesh& mesh) {
@@ -51,8 +42,8 @@ bool all_tetrahedra(const VolumeMesh& mesh) {
 }
 
 /// Volumes of gmsh whose cells are not kept, from their outlines.
-BlockList<3> meshed_anew(VolumeMesh mesh, const StonesParameters& p, Trust trust, const std::string& origin,
-                         const PieceMesher& mesher) {
+StoneShells outlined(VolumeMesh mesh, const StonesParameters& p, Trust trust, const std::string& origin,
+                     const PolygonMesher& mesher) {
   if (!is_mesh(p.file)) {
     mesh = read_volumes(p, VolumesAs::outlined, trust);
     turn_up(p.up, mesh.position);
@@ -62,13 +53,14 @@ BlockList<3> meshed_anew(VolumeMesh mesh, const StonesParameters& p, Trust trust
     throw InputError("mesh: a volume is in pieces\n  (" + list_of(structure.report, 1) +
                      ").\n  Make each piece a volume of its own.");
   const double within = std::max(structure.tolerance, structure.weld);
-  auto list = meshed_stones(std::move(structure), mesher);
-  for (std::size_t k = 0; k < list.blocks.size(); ++k) list.blocks[k].name = mesh.name_of(k);
-  add_sets_of_file(mesh, within, list);
-  return list;
+  auto shells = shells_of(structure, mesher);
+  auto& blocks = shells.list.blocks;
+  for (std::size_t k = 0; k < blocks.size(); ++k) blocks[k].name = mesh.name_of(k);
+  add_sets_of_file(mesh, within, shells.list);
+  return shells;
 }
 
-BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust, const PieceMesher& mesher) {
+StoneShells shells_of_volumes(const StonesParameters& p, Trust trust, const PolygonMesher& mesher) {
   const auto origin = std::filesystem::path(p.file).filename().string();
   auto mesh = read_volumes(p, VolumesAs::meshed, trust);
   turn_up(p.up, mesh.position);
@@ -76,37 +68,45 @@ BlockList<3> blocks_of_volumes(const StonesParameters& p, Trust trust, const Pie
   const bool asked =
       (is_mesh(p.file) && p.element_size > 0) || (p.cells == StoneCells::tetrahedra && !all_tetrahedra(mesh));
   std::string anew = "other cells are asked for than the file has";
-  BlockList<3> list;
+  StoneShells shells;
   if (!asked) {
     const auto stones = surfaces_of(mesh, origin);
     auto kept = blocks_as_meshed(mesh, stones, tolerance_of(stones, p));
     anew = kept.unmatched;
-    list = std::move(kept.list);
-    if (anew.empty()) add_sets_of_file(mesh, kept.within, list);
+    if (anew.empty()) add_sets_of_file(mesh, kept.within, kept.list);
+    shells = shells_of(std::move(kept.list));
   }
   if (!anew.empty()) {
-    list = meshed_anew(std::move(mesh), p, trust, origin, mesher);
-    list.report.insert(list.report.begin(), "volumes are meshed anew: " + anew);
+    shells = outlined(std::move(mesh), p, trust, origin, mesher);
+    shells.list.report.insert(shells.list.report.begin(), "volumes are meshed anew: " + anew);
   }
   if (turned > 0)
-    add_warning(list.warnings,
+    add_warning(shells.list.warnings,
                 {"volumes_turned", "mesh > stones", "", static_cast<double>(turned),
                  counted(turned, "volume has", "volumes have") + " cells that are inside out, all of them; they are "
                                                                  "turned, look whether these stones are as meant"});
-  return list;
+  return shells;
 }
 
 }  // namespace
 
 std::unique_ptr<BlockSource<3>> read_stone_blocks(const StonesParameters& p, const Teuchos::Comm<int>& comm,
                                                   Trust trust) {
-  BlockList<3> list;
-  on_first_rank_meshed_by_all(comm, [&](const PieceMesher& mesher) {
-    list = is_of_gmsh(p.file) ? blocks_of_volumes(p, trust, mesher) : meshed_stones(structure_of(p), mesher);
-    list.quadratic = p.element == StoneElement::quadratic;
-    list.report.push_back(of_shapes(make_alike_equal(list.blocks), list.blocks.size()));
+  StoneShells shells;
+  on_first_rank_meshed_by_all(comm, [&](const PolygonMesher& mesher) {
+    shells = is_of_gmsh(p.file) ? shells_of_volumes(p, trust, mesher) : shells_of(structure_of(p), mesher);
+    shells.list.quadratic = p.element == StoneElement::quadratic;
+    make_alike_equal(shells);
   });
-  return make_source_on_first(std::move(list), comm);
+  shells = handed_out(std::move(shells), comm);
+  const auto stones = shells.stones;
+  const int shapes = shells.shapes_to_fill + shells.whole_shapes;
+  const bool meshed_here = shells.are_meshed_here;
+  auto meshes = filled_stones(std::move(shells), comm);
+  auto& report = meshes.list.report;
+  if (meshed_here) report.push_back(of_meshes(meshes.quality, stones));
+  report.push_back(of_shapes(shapes, stones));
+  return make_source_of_readers(std::move(meshes.list), comm);
 }
 
 }  // namespace voussoir

@@ -212,15 +212,23 @@ class NamedPlace {
   double radius_ = 0;
 };
 
+int number_of(const SetNames& list, const std::string& name) { return list.number_of(name); }
+int number_of(const std::vector<std::string>& list, const std::string& name) {
+  const auto known = std::find(list.begin(), list.end(), name);
+  return known == list.end() ? -1 : static_cast<int>(known - list.begin());
+}
+
 /// Numbers in a list of names, which grows by those that are new.
-std::vector<int> numbers_in(const std::vector<std::string>& names, std::vector<std::string>& list) {
-  std::vector<int> number;
+template <class List>
+std::vector<int> numbers_in(const std::vector<std::string>& names, List& list) {
+  std::vector<int> numbers;
   for (const auto& name : names) {
-    const auto known = std::find(list.begin(), list.end(), name);
-    number.push_back(static_cast<int>(known - list.begin()));
-    if (known == list.end()) list.push_back(name);
+    numbers.push_back(number_of(list, name));
+    if (numbers.back() >= 0) continue;
+    numbers.back() = static_cast<int>(list.size());
+    list.push_back(name);
   }
-  return number;
+  return numbers;
 }
 
 /// What a file names itself is what it names, and nothing else.

@@ -45,7 +45,7 @@ template <int dim>
 class StonesByLot : public BlockSource<dim> {
  public:
   explicit StonesByLot(const BlockSource<dim>& given) : given_(given), sets_(given.block_sets()) {
-    sets_.emplace_back(hard_stones);
+    sets_.push_back(hard_stones);
   }
   BlockId block_count() const override { return given_.block_count(); }
   int node_count(BlockId b) const override { return given_.node_count(b); }
@@ -55,12 +55,12 @@ class StonesByLot : public BlockSource<dim> {
     return block;
   }
   std::vector<Neighbour> neighbours(BlockId b) const override { return given_.neighbours(b); }
-  const std::vector<std::string>& block_sets() const override { return sets_; }
+  const SetNames& block_sets() const override { return sets_; }
   const std::vector<std::string>& facet_sets() const override { return given_.facet_sets(); }
 
  private:
   const BlockSource<dim>& given_;
-  std::vector<std::string> sets_;
+  SetNames sets_;  ///< of a generated mesh: all of them
 };
 
 std::vector<PointStiffness> resistances_by_lot(const Model& model, const SystemCase& given) {

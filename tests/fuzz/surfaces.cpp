@@ -109,10 +109,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
       handed_back[(bytes[k] + 256u * bytes[k + 1]) % whole.size()] ^= static_cast<char>(bytes[k + 2]);
   const Teuchos::SerialComm<int> comm;
   fuzz::refuse_or_read([&] {
-    const auto source = make_source(blocks_of_surfaces(surface_mesh_of(handed_back)));
+    auto list = blocks_of_surfaces(surface_mesh_of(handed_back));
+    check_mesh(list.blocks);
+    const auto source = make_source(std::move(list));
     std::vector<FacetNames> supported;
     if (!source->facet_sets().empty()) supported.emplace_back(source->facet_sets()[0]);
-    check_blocks(*source, supported, comm);
+    check_supports(*source, supported, comm);
     look_at(*source);
   });
   return 0;

@@ -28,6 +28,7 @@ SMALL = {
     "src/range/plane/stone_overlap.cpp", "src/range/space/overlap_in_space.cpp",  # stones that lie in each other
     "src/linalg/shared_warnings.hpp",  # of a mesh
     "src/results/shares_of_ranks.cpp",  # four numbers of each rank
+    "src/model/scene_fit.cpp", "src/range/joint_sides.cpp",  # sets that a scene names, and those of one stone
     "src/ties/rigid_stones.cpp",  # stones at the borders of ranks, and those that hang on one other
     "src/loads/time_series.cpp",  # a record of the ground
     "src/output/even_rows.cpp", "src/output/result_json.cpp",  # a number of each rank
@@ -36,7 +37,7 @@ ON_FIRST = {
     "src/homogenisation/released_region.cpp": "up to a quarter of the nodes, and the rows a direct solver takes",
     "src/linalg/direct_preconditioner.cpp": "rows up to a limit (`largest factor`), factored there",
     "src/linalg/distributed_lu.cpp": "where one rank has all rows",
-    "src/mesh/block_list.cpp": "what ranks ask of a mesh that the first has read",
+    "src/mesh/mesh.cpp": "names of sets of blocks, while they are written or a scene has a wrong one",
     "src/mesh/partition.cpp": "the graph of up to a million stones",
     "src/range/turn_range.cpp": "stones and joints, once stones have turned: one system of all of them",
     "src/results/masonry_statics.cpp": "rows of a table for people",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "linalg/agree.hpp"
+#include "linalg/reduce.hpp"
 #include "mesh/curved_edges.hpp"
 #include "mesh/facet_set.hpp"
 #include "scene/scene.hpp"
@@ -40,27 +42,30 @@ bool is_mostly_between_joints(const Block<3>& block, const std::vector<std::arra
 
 }  // namespace
 
-Warnings warnings_of_stiff_stones(const Scene& scene, const BlockSource<3>& source) {
+Warnings warnings_of_stiff_stones(const Scene& scene, const BlockSource<3>& source, const Teuchos::Comm<int>& comm) {
   const auto& stones = scene.mesh.stones;
   if (scene.mesh.type != MeshType::stones || stones.element != StoneElement::quadratic) return {};
   std::vector<FacetSet> supports;
   for (const auto& [name, support] : scene.supports)
     supports.push_back(facet_set(source, {support.on, support.blocks}));
-  int found = 0;
-  std::string first;
-  for (BlockId b = 0; b < source.block_count(); ++b) {
+  const auto read = source.read_by(comm.getRank(), comm.getSize());
+  long long found = 0;
+  std::vector<std::string> first;
+  for (BlockId b = read.from; b < read.to; ++b) {
     const auto block = source.block(b);
     if (block.cells.front().count != 4) continue;  // stones are of one kind of cells each
     const auto curved = curved_edges_off(block, [&](const TaggedFacet& facet) {
       return std::any_of(supports.begin(), supports.end(), [&](const auto& set) { return set.has(block, facet); });
     });
     if (!is_mostly_between_joints(block, curved)) continue;
-    if (found++ == 0) first = block.name;
+    if (found++ == 0) first.push_back(block.name);
   }
+  found = total_over_ranks(comm, found);
+  first = first_texts(comm, first, 1);
   if (found == 0) return {};
   return {{"one_cell_between_joints", scene.file + ": scene > mesh > stones > element size", "",
            static_cast<double>(found),
-           first + (found == 1 ? " has" : " and " + std::to_string(found - 1) + " more have") +
+           first.front() + (found == 1 ? " has" : " and " + std::to_string(found - 1) + " more have") +
                " joints or supports all round and one cell between them in most of " + (found == 1 ? "its" : "their") +
                " volume: such stones bend by half and less of what they should, which displacements and the spread of "
                "forces over joints show; take cells of half the thinnest of them"}};

@@ -9,7 +9,7 @@ namespace voussoir {
 struct Scene;
 
 /// `one_cell_between_joints`: edges on joints and supports stay straight, so a stone that has them all round and a
-/// single cell between has linear cells in all but name. Local, and the same on every rank.
-Warnings warnings_of_stiff_stones(const Scene&, const BlockSource<3>&);
+/// single cell between has linear cells in all but name. Each rank looks at the blocks it reads. Collective.
+Warnings warnings_of_stiff_stones(const Scene&, const BlockSource<3>&, const Teuchos::Comm<int>&);
 
 }  // namespace voussoir

@@ -10,6 +10,7 @@
 #include "linalg/gather.hpp"
 #include "mesh/block_list.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/read_blocks.hpp"
 
 namespace {
 
@@ -82,10 +83,12 @@ TEUCHOS_UNIT_TEST(BlockShare, RanksReadAllBlocksBetweenThem) {
 
 TEUCHOS_UNIT_TEST(BlockShare, WhatOneRankHasReadIsBroughtToWhoOwnsItAndNoFurther) {
   const auto comm = Tpetra::getDefaultComm();
-  const auto source = make_source_on_first(read_by_first(), *comm);
+  const auto source = make_source_of_readers(handed_out(read_by_first(), *comm), *comm);
   const auto generated = wall();
   TEST_EQUALITY(source->block_count(), generated->block_count());
-  TEST_ASSERT(source->block_sets() == generated->block_sets() && source->facet_sets() == generated->facet_sets());
+  TEST_ASSERT(source->facet_sets() == generated->facet_sets());
+  const auto names = names_of_block_sets(*source, *comm);
+  TEST_ASSERT(comm->getRank() == 0 ? SetNames(names) == generated->block_sets() : names.empty());
   TEST_EQUALITY(source->warnings().size(), 1u);
   TEST_EQUALITY(source->warnings().front().text, "a text");
   TEST_EQUALITY(source->report().size(), 2u);
@@ -94,14 +97,17 @@ TEUCHOS_UNIT_TEST(BlockShare, WhatOneRankHasReadIsBroughtToWhoOwnsItAndNoFurther
   TEST_ASSERT(share.owned == share_out(*generated, *comm).owned);
   std::set<BlockId> here(share.owned.begin(), share.owned.end());
   here.insert(share.halo.begin(), share.halo.end());
+  const auto read = source->read_by(comm->getRank(), comm->getSize());
+  for (BlockId b = read.from; b < read.to; ++b) here.insert(b);
   for (BlockId b = 0; b < source->block_count(); ++b) {
     if (here.count(b) == 0) {
-      if (comm->getRank() > 0) TEST_THROW(source->block(b), std::logic_error);
+      TEST_THROW(source->block(b), std::logic_error);
       continue;
     }
     const auto brought = source->block(b), made = generated->block(b);
     TEST_EQUALITY(brought.id, b);
     TEST_EQUALITY(brought.name, made.name);
+    for (const int set : made.sets) TEST_EQUALITY(source->block_sets()[set], generated->block_sets()[set]);
     TEST_ASSERT(brought.position == made.position && brought.vertex == made.vertex && brought.sets == made.sets);
     TEST_EQUALITY(brought.cells.size(), made.cells.size());
     for (std::size_t k = 0; k < made.cells.size(); ++k) TEST_ASSERT(brought.cells[k].node == made.cells[k].node);
@@ -113,6 +119,25 @@ TEUCHOS_UNIT_TEST(BlockShare, WhatOneRankHasReadIsBroughtToWhoOwnsItAndNoFurther
     TEST_EQUALITY(beside.size(), expected.size());
     for (std::size_t k = 0; k < expected.size(); ++k)
       TEST_ASSERT(beside[k].block == expected[k].block && beside[k].shared_vertices == expected[k].shared_vertices);
+  }
+}
+
+TEUCHOS_UNIT_TEST(BlockShare, ReadersFindTheEdgesThatBend) {
+  const auto comm = Tpetra::getDefaultComm();
+  ArchParameters arch;
+  arch.voussoirs = 7;
+  arch.cells = CellType::triangle;
+  const auto generated = make_arch(arch);
+  BlockList<2> list;
+  for (BlockId b = 0; b < generated->block_count(); ++b) list.blocks.push_back(generated->block(b));
+  list.block_sets = generated->block_sets();
+  list.quadratic = true;
+  const auto known_to_all = make_source(list);
+  const auto source = make_source_of_readers(handed_out(list, *comm), *comm);
+  const auto read = source->read_by(comm->getRank(), comm->getSize());
+  for (BlockId b = read.from; b < read.to; ++b) {
+    TEST_ASSERT(!source->block(b).curved.empty());
+    TEST_ASSERT(source->block(b).curved == known_to_all->block(b).curved);
   }
 }
 

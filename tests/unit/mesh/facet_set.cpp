@@ -1,6 +1,7 @@
 // The two sides of a curve between stones.
 #include "mesh/facet_set.hpp"
 
+#include "linalg/gather.hpp"
 #include "mesh/block_list.hpp"
 #include "mesh/mesh_check.hpp"
 #include "unit/mesh/gmsh_files.hpp"
@@ -10,9 +11,15 @@ namespace {
 using namespace voussoir;
 using namespace voussoir::test;
 
+/// Of all ranks.
+std::vector<TwoSidedFacet<2>> two_sided(const BlockSource<2>& source, const FacetNames& names) {
+  const auto comm = Tpetra::getDefaultComm();
+  return all_gather(two_sided_facets(source, facet_set(source, names), *comm), *comm, WhyWhole{"a test"});
+}
+
 TEUCHOS_UNIT_TEST(FacetSet, ACurveBetweenStonesHasTwoSidesUnlessBlocksAreNamed) {
   const auto source = read(geo("two_stones.geo"));  // 1 m x 1 m each, two cells along their joint
-  const auto both = two_sided_facets(*source, facet_set(*source, {"joint"}));
+  const auto both = two_sided(*source, {"joint"});
   TEST_EQUALITY(both.size(), 2u);
   double length = 0;
   for (const auto& facet : both) {
@@ -21,15 +28,15 @@ TEUCHOS_UNIT_TEST(FacetSet, ACurveBetweenStonesHasTwoSidesUnlessBlocksAreNamed) 
     length += facet.size();
   }
   TEST_FLOATING_EQUALITY(length, 1.0, 1e-15);
-  TEST_ASSERT(two_sided_facets(*source, facet_set(*source, {"joint", "west"})).empty());
-  TEST_EQUALITY(two_sided_facets(*source, facet_set(*source, {"joint", "both"})).size(), 2u);
-  TEST_EQUALITY(two_sided_facets(*source, facet_set(*source, {"joint", "all"})).size(), 2u);
-  TEST_ASSERT(two_sided_facets(*source, facet_set(*source, {"base"})).empty());
+  TEST_ASSERT(two_sided(*source, {"joint", "west"}).empty());
+  TEST_EQUALITY(two_sided(*source, {"joint", "both"}).size(), 2u);
+  TEST_EQUALITY(two_sided(*source, {"joint", "all"}).size(), 2u);
+  TEST_ASSERT(two_sided(*source, {"base"}).empty());
 }
 
 TEUCHOS_UNIT_TEST(FacetSet, StonesMeshedApartHaveTwoSidesToo) {
   const auto source = read(geo("meshed_apart.geo"));  // the set names one of two coincident curves
-  TEST_EQUALITY(two_sided_facets(*source, facet_set(*source, {"bed"})).size(), 5u);
+  TEST_EQUALITY(two_sided(*source, {"bed"}).size(), 5u);
 }
 
 TEUCHOS_UNIT_TEST(FacetSet, HoldsOnlyTheStonesOfItsSide) {

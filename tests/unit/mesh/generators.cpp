@@ -159,7 +159,7 @@ TEUCHOS_UNIT_TEST(Arch, SpringingsAreLevelAndItsFacesLieOnTheirCircles) {
   for (const Vector<2>& x : facet_midpoints(*source, "extrados")) TEST_FLOATING_EQUALITY(norm(x), 5.5, 3.3e-4);
   for (const Vector<2>& x : facet_midpoints(*source, "intrados")) TEST_FLOATING_EQUALITY(norm(x), 4.5, 3.3e-4);
   TEST_EQUALITY(facet_midpoints(*source, "extrados").size(), 62u);
-  TEST_ASSERT(source->block_sets() == std::vector<std::string>{"ring"});
+  TEST_ASSERT((source->block_sets() == SetNames{"ring"}));
 }
 
 TEUCHOS_UNIT_TEST(Arch, PiersStandBelowTheSpringingsAndCarryTheirFacetSets) {

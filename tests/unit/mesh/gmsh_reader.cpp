@@ -28,7 +28,7 @@ TEUCHOS_UNIT_TEST(Gmsh, SurfacesBecomeBlocksInTheOrderOfTheirTags) {
 
 TEUCHOS_UNIT_TEST(Gmsh, PhysicalGroupsBecomeSetsAndAnInnerCurveBelongsToBothBlocks) {
   const auto source = read(geo("two_stones.geo"));
-  TEST_ASSERT((source->block_sets() == std::vector<std::string>{"west", "group 7", "both"}));
+  TEST_ASSERT((source->block_sets() == SetNames{"west", "group 7", "both"}));
   TEST_ASSERT((source->facet_sets() == std::vector<std::string>{"base", "joint"}));
   TEST_ASSERT((source->block(0).sets == std::vector<int>{1, 2}));
   const auto base = facet_midpoints(*source, "base"), joint = facet_midpoints(*source, "joint");

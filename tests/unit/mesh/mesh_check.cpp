@@ -45,9 +45,15 @@ struct Sketch {
   BlockList<2> blocks() const { return blocks_of_surfaces(mesh); }
 };
 
+void check(const BlockSource<2>& source, const std::vector<FacetNames>& supported) {
+  std::vector<Block<2>> blocks;
+  for (BlockId b = 0; b < source.block_count(); ++b) blocks.push_back(source.block(b));
+  check_mesh(blocks);
+  check_supports(source, supported, *Tpetra::getDefaultComm());
+}
 std::string fault(BlockList<2> list) {
   const auto source = make_source(std::move(list));
-  return input_error([&] { check_blocks(*source, {"ground"}, *Tpetra::getDefaultComm()); });
+  return input_error([&] { check(*source, {"ground"}); });
 }
 std::string fault(const Sketch& sketch) { return fault(sketch.blocks()); }
 
@@ -63,16 +69,10 @@ TEUCHOS_UNIT_TEST(MeshCheck, LeavesGoodMeshesAlone) {
   ArchParameters arch;
   arch.pier_height = 2;
   arch.voussoirs = 9;
-  TEST_EQUALITY(input_error([&] { check_blocks(*make_wall(wall), {"base"}, *Tpetra::getDefaultComm()); }), "");
-  TEST_EQUALITY(input_error([&] {
-                  check_blocks(*make_arch(arch), {"springing left", "springing right"}, *Tpetra::getDefaultComm());
-                }),
-                "");
+  TEST_EQUALITY(input_error([&] { check(*make_wall(wall), {"base"}); }), "");
+  TEST_EQUALITY(input_error([&] { check(*make_arch(arch), {"springing left", "springing right"}); }), "");
   arch.cells = CellType::triangle;
-  TEST_EQUALITY(input_error([&] {
-                  check_blocks(*make_arch(arch), {"springing left", "springing right"}, *Tpetra::getDefaultComm());
-                }),
-                "");
+  TEST_EQUALITY(input_error([&] { check(*make_arch(arch), {"springing left", "springing right"}); }), "");
 }
 
 TEUCHOS_UNIT_TEST(MeshCheck, LeavesOpenJointsAndWedgesAlone) {
@@ -248,13 +248,13 @@ TEUCHOS_UNIT_TEST(MeshCheck, AStoneThatStandsOnAPoint) {
 
 TEUCHOS_UNIT_TEST(MeshCheck, WithoutAnySupportedSetNothingNeedsSupport) {
   const auto source = make_source(two_stones().stone(3, 1, 4, 2, 2, 2).blocks());
-  TEST_EQUALITY(input_error([&] { check_blocks(*source, {}, *Tpetra::getDefaultComm()); }), "");
+  TEST_EQUALITY(input_error([&] { check(*source, {}); }), "");
 }
 
 TEUCHOS_UNIT_TEST(MeshCheck, EveryRankThrowsTheSame) {
   const auto comm = Tpetra::getDefaultComm();
   const auto source = make_source(two_stones().stone(3, 1, 4, 2, 2, 2).blocks());
-  const std::string said = input_error([&] { check_blocks(*source, {"ground"}, *comm); });
+  const std::string said = input_error([&] { check(*source, {"ground"}); });
   TEST_SAYS(said, "mesh: surface 3 (stones) has neither support nor joint");
   comm->barrier();  // reached by all, or the test hangs
 }

@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(WallInSpace, TheGroundIsHeldWholeByItsSet) {
   p.ground_height = 0.5;
   const auto source = make_wall_in_space(p);
   TEST_EQUALITY(source->block(0).name, "block 0 (ground, stone 0)");
-  TEST_EQUALITY(source->block_sets().back(), "ground");
+  TEST_EQUALITY(source->block_sets().number_of("ground"), int(source->block_sets().size()) - 1);
   for (const BlockId b : {0, 1}) {
     const auto block = source->block(b);
     TEST_ASSERT(block.sets == std::vector<int>{3});

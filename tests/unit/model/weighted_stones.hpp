@@ -60,7 +60,7 @@ class MeetingStones : public BlockSource<2> {
       if (other != b) all.push_back({other, 1});
     return all;
   }
-  const std::vector<std::string>& block_sets() const override { return listed_->block_sets(); }
+  const SetNames& block_sets() const override { return listed_->block_sets(); }
   const std::vector<std::string>& facet_sets() const override { return listed_->facet_sets(); }
 
  private:

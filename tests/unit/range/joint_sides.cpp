@@ -9,6 +9,7 @@
 #include <Tpetra_Core.hpp>
 
 #include "base/error.hpp"
+#include "linalg/reduce.hpp"
 #include "mesh/block_list.hpp"
 #include "mesh/facet_set.hpp"
 #include "support/scenes.hpp"
@@ -65,9 +66,14 @@ Scene held(const std::string& on, const std::string& blocks = "") {
   return scene;
 }
 
+template <int dim>
+Warnings said_of(const Scene& scene, const BlockSource<dim>& source) {
+  return warnings_of_sides(scene, source, *Tpetra::getDefaultComm());
+}
+
 TEUCHOS_UNIT_TEST(JointSides, ASupportOnBothSidesOfAJointIsToldWithItsLength) {
   const auto source = two_squares();
-  const auto said = warnings_of_sides(held("seam"), *source);
+  const auto said = said_of(held("seam"), *source);
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "support_on_both_sides");
   TEST_FLOATING_EQUALITY(said.front().how_much, 1.0, 1e-15);
@@ -75,17 +81,36 @@ TEUCHOS_UNIT_TEST(JointSides, ASupportOnBothSidesOfAJointIsToldWithItsLength) {
   TEST_ASSERT(said.front().text.find("blocks = \"stones left\"") != std::string::npos);
 }
 
+// A third stone stands to the right: its set has one side of one joint, that of the stone between one side of both.
+TEUCHOS_UNIT_TEST(JointSides, ASetOfOneSideIsOneOfAllJoints) {
+  BlockList<2> list;
+  list.blocks = {square(0, 0, {0, 1, 2, 3}), square(1, 1, {1, 4, 5, 2}), square(2, 2, {4, 6, 7, 5})};
+  list.block_sets = {"outer left", "between", "outer right", "all three"};
+  list.facet_sets = {"seam"};
+  for (int b = 0; b < 3; ++b) list.blocks[b].sets = {b, 3};
+  list.blocks[0].facets = {facet(1, 2, 0)};
+  list.blocks[1].facets = {facet(3, 0, 0), facet(1, 2, 0)};
+  list.blocks[2].facets = {facet(3, 0, 0)};
+  const auto source = make_source(std::move(list));
+  const auto said = said_of(held("seam"), *source);
+  TEST_EQUALITY(said.size(), 1);
+  TEST_FLOATING_EQUALITY(said.front().how_much, 2.0, 1e-15);
+  TEST_ASSERT(said.front().text.find("say which side is meant: blocks = \"between\", or") != std::string::npos);
+  TEST_ASSERT(said.front().text.find("the joints between the left stone and the right stone, between the right stone "
+                                     "and the right stone") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(JointSides, NothingIsToldOfASideThatIsNamedNorOfTheOutside) {
   const auto source = two_squares();
   for (const auto& scene : {held("seam", "all"), held("seam", "stones left"), held("end")})
-    TEST_ASSERT(warnings_of_sides(scene, *source).empty());
+    TEST_ASSERT(said_of(scene, *source).empty());
 }
 
 TEUCHOS_UNIT_TEST(JointSides, APressureOnBothSidesIsToldAndATractionRefused) {
   const auto source = two_squares();
   Scene scene = empty_scene();
   add_pressure(scene, "seam", 1000);
-  const auto said = warnings_of_sides(scene, *source);
+  const auto said = said_of(scene, *source);
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "pressure_on_both_sides");
   check_sides(scene, *source, *Tpetra::getDefaultComm());
@@ -95,7 +120,7 @@ TEUCHOS_UNIT_TEST(JointSides, APressureOnBothSidesIsToldAndATractionRefused) {
   TEST_THROW(check_sides(scene, *source, *Tpetra::getDefaultComm()), InputError);
   traction.blocks = "stones left";
   check_sides(scene, *source, *Tpetra::getDefaultComm());
-  TEST_ASSERT(warnings_of_sides(scene, *source).empty());
+  TEST_ASSERT(said_of(scene, *source).empty());
 }
 
 Block<3> cube(BlockId id, double left, const std::vector<VertexId>& vertices) {
@@ -138,20 +163,20 @@ std::unique_ptr<BlockSource<3>> two_cubes() {
 
 TEUCHOS_UNIT_TEST(JointSides, InSpaceAreThoseOfASurface) {
   const auto source = two_cubes();
-  const auto both = two_sided_facets(*source, facet_set(*source, {"seam"}));
-  TEST_EQUALITY(both.size(), 2u);
+  const auto both = two_sided_facets(*source, facet_set(*source, {"seam"}), *Tpetra::getDefaultComm());
+  TEST_EQUALITY(total_over_ranks(*Tpetra::getDefaultComm(), static_cast<int>(both.size())), 2);
   for (const auto& facet : both) TEST_FLOATING_EQUALITY(facet.size(), 0.5, 1e-15);
-  auto said = warnings_of_sides(held("seam"), *source);
+  auto said = said_of(held("seam"), *source);
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "support_on_both_sides");
   TEST_FLOATING_EQUALITY(said.front().how_much, 1.0, 1e-15);
   TEST_ASSERT(said.front().text.find("blocks = \"stones left\"") != std::string::npos);
-  TEST_ASSERT(warnings_of_sides(held("seam", "stones left"), *source).empty());
-  TEST_EQUALITY(warnings_of_sides(held("faces"), *source).size(), 1);
-  TEST_ASSERT(warnings_of_sides(held("faces", "stones"), *source).empty());  // stones that are held whole
+  TEST_ASSERT(said_of(held("seam", "stones left"), *source).empty());
+  TEST_EQUALITY(said_of(held("faces"), *source).size(), 1);
+  TEST_ASSERT(said_of(held("faces", "stones"), *source).empty());  // stones that are held whole
   Scene scene = empty_scene();
   add_pressure(scene, "seam", 1000);
-  said = warnings_of_sides(scene, *source);
+  said = said_of(scene, *source);
   TEST_EQUALITY(said.size(), 1);
   TEST_EQUALITY(said.front().what, "pressure_on_both_sides");
   std::get<TractionParameters>(scene.loads.back().kind).tz = 1000;
@@ -167,7 +192,7 @@ TEUCHOS_UNIT_TEST(JointSides, InSpaceAreReachedByALoadThatActsThere) {
     named.name = "load";
     named.kind = load;
     scene.loads = {named};
-    return warnings_of_sides(scene, *source).size();
+    return said_of(scene, *source).size();
   };
   WaterPressureParameters water;
   water.level = 0.5;

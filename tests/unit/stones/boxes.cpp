@@ -5,7 +5,7 @@
 
 #include "stones/box_mesh.hpp"
 #include "stones/box_shape.hpp"
-#include "stones/cell_mesh.hpp"
+#include "stones/filled_stones.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
 namespace {

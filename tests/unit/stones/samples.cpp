@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "stones/cell_mesh.hpp"
+#include "stones/filled_stones.hpp"
 #include "stones/stone_files.hpp"
 #include "unit/stones/drawn_stones.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "blocks/shapes.hpp"
 #include "linalg/reduce.hpp"
-#include "stones/cell_mesh.hpp"
+#include "stones/filled_stones.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
 namespace {
@@ -43,8 +43,8 @@ TEUCHOS_UNIT_TEST(StoneSource, GivesEveryRankTheSameBlocks) {
   const auto read = read_stone_blocks(p, *comm);
   TEST_EQUALITY(read->block_count(), 3);
   TEST_ASSERT(!read->report().empty());
-  TEST_ASSERT((read->block_sets() == std::vector<std::string>{"L", "inner", "below"}));
   read->bring({0, 1, 2}, *comm);
+  TEST_ASSERT((read->block_sets() == SetNames{"L", "inner", "below"}));
   double sum = 0;
   for (BlockId b = 0; b < 3; ++b) {
     const auto block = read->block(b);
@@ -95,62 +95,99 @@ TEUCHOS_UNIT_TEST(StoneSource, StonesThatAreAlikeHaveOneStiffness) {
   TEST_EQUALITY(stiffnesses(*column), 1u);
 }
 
-// Ranks mesh pieces that the first one puts together. Stones of an arch are each of a shape of their own.
+bool are_equal(const Block<3>& one, const Block<3>& other) {
+  const auto same_cell = [](const Cell& x, const Cell& y) { return x.node == y.node && x.count == y.count; };
+  const auto same_facet = [](const TaggedFacet& x, const TaggedFacet& y) { return x.node == y.node && x.set == y.set; };
+  return one.id == other.id && one.name == other.name && one.position == other.position && one.vertex == other.vertex &&
+         one.folds == other.folds && one.sets == other.sets &&
+         std::equal(one.cells.begin(), one.cells.end(), other.cells.begin(), other.cells.end(), same_cell) &&
+         std::equal(one.facets.begin(), one.facets.end(), other.facets.begin(), other.facets.end(), same_facet);
+}
+
+// Ranks mesh polygons that the first one puts together, and fill the stones that they read. Stones of an arch are each
+// of a shape of their own, those of a honeycomb are all of one, whose first stone one rank alone reads.
 TEUCHOS_UNIT_TEST(StoneSource, BlocksAreTheSameWhoeverMeshesThem) {
   const auto comm = Tpetra::getDefaultComm();
   StonesParameters p;
   p.cells = StoneCells::tetrahedra;
-  const auto structure = structure_of(arch(7), p);
-  const auto alone = mesh_stones(structure);
-  StoneMeshes by_all;
-  on_first_rank_meshed_by_all(*comm, [&](const PieceMesher& mesher) { by_all = mesh_stones(structure, mesher); });
-  if (comm->getRank() > 0) return;
-  TEST_EQUALITY(by_all.quality.filled, 7);
-  for (std::size_t b = 0; b < 7; ++b) {
-    const auto &one = alone.list.blocks[b], &other = by_all.list.blocks[b];
-    TEST_ASSERT(one.position == other.position && one.vertex == other.vertex);
-    TEST_ASSERT(std::equal(one.cells.begin(), one.cells.end(), other.cells.begin(), other.cells.end(),
-                           [](const Cell& x, const Cell& y) { return x.node == y.node; }));
+  const std::vector<std::vector<StoneSurface>> drawings{arch(7), honeycomb(4, 3)};
+  const std::vector<int> shapes{7, 1};
+  for (std::size_t k = 0; k < drawings.size(); ++k) {
+    const auto structure = structure_of(drawings[k], p);
+    const auto alone = mesh_stones(structure);
+    StoneShells shells;
+    on_first_rank_meshed_by_all(*comm, [&](const PolygonMesher& mesher) { shells = shells_of(structure, mesher); });
+    const auto by_all = filled_stones(handed_out(std::move(shells), *comm), *comm);
+    out << by_all.quality.filled << " shapes\n";
+    TEST_EQUALITY(by_all.quality.filled, alone.quality.filled);
+    TEST_EQUALITY(by_all.quality.filled, shapes[k]);
+    TEST_EQUALITY(by_all.quality.nodes, alone.quality.nodes);
+    TEST_FLOATING_EQUALITY(by_all.quality.volume, alone.quality.volume, 1e-12);
+    const auto stones = static_cast<BlockId>(drawings[k].size());
+    const auto read = span_read_by(comm->getRank(), comm->getSize(), stones);
+    TEST_EQUALITY(static_cast<BlockId>(by_all.list.blocks.size()), read.to - read.from);
+    for (BlockId b = read.from; b < read.to; ++b)
+      TEST_ASSERT(are_equal(by_all.list.blocks[b - read.from], alone.list.blocks[b]));
   }
 }
 
 TEUCHOS_UNIT_TEST(StoneSource, EveryRankIsTold) {
   const auto comm = Tpetra::getDefaultComm();
-  const auto stone = box("", {0, 0, 0}, {1, 1, 1});
-  ClosedMesh good{stone.points, {}, 1.0};
-  for (const auto& face : stone.faces) {
-    good.triangles.push_back({face[0], face[1], face[2]});
-    good.triangles.push_back({face[0], face[2], face[3]});
-  }
-  auto crossed = good;
-  crossed.nodes[6] = {-1, -1, -1};
-  // A piece that fails on the last rank fails alone; the work goes on and may fail afterwards.
+  const FlatDomain good{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, 1.0}, crossed{{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}, 1.0};
+  // A polygon that fails on the last rank fails alone; the work goes on and may fail afterwards.
   const auto told = input_error([&] {
-    on_first_rank_meshed_by_all(*comm, [&](const PieceMesher& mesher) {
-      const auto meshes = mesher.surfaces({good, good, good, good, crossed});
-      TEST_ASSERT(meshes[3].failure.empty() && meshes[3].cells == meshes[0].cells);
-      if (!meshes[4].failure.empty()) throw InputError("the last piece");
+    on_first_rank_meshed_by_all(*comm, [&](const PolygonMesher& mesher) {
+      const auto meshes = mesher({good, good, good, good, crossed});
+      TEST_ASSERT(meshes[3].failure.empty() && meshes[3].triangles == meshes[0].triangles);
+      if (!meshes[4].failure.empty()) throw InputError("the last polygon");
     });
   });
-  TEST_EQUALITY(told, "the last piece");
+  TEST_EQUALITY(told, "the last polygon");
   // So may a rank amid the work, of which the first one then sees no end.
-  PieceMesher here;
-  here.surfaces = [&](const std::vector<ClosedMesh>& surfaces) {
+  const auto last_fails = [&] {
     if (comm->getRank() == comm->getSize() - 1) throw InputError("the last rank");
-    return filled(surfaces);
   };
   bool ended = false;
   const auto all_told = input_error([&] {
     on_first_rank_meshed_by_all(
         *comm,
-        [&](const PieceMesher& mesher) {
-          mesher.surfaces({good, good, good, good});
+        [&](const PolygonMesher& mesher) {
+          mesher({good, good, good, good});
           ended = true;
         },
-        here);
+        [&](const std::vector<FlatDomain>& domains) {
+          last_fails();
+          return meshed(domains);
+        });
   });
   TEST_EQUALITY(all_told, "the last rank");
   TEST_ASSERT(!ended);
+}
+
+TEUCHOS_UNIT_TEST(StoneSource, EveryRankIsToldOfStonesThatCannotBeFilled) {
+  const auto comm = Tpetra::getDefaultComm();
+  StonesParameters p;
+  p.cells = StoneCells::tetrahedra;
+  const auto fault = [&](const SurfaceFiller& fill) {
+    StoneShells shells;
+    on_first_rank_meshed_by_all(
+        *comm, [&](const PolygonMesher& by_all) { shells = shells_of(structure_of(arch(7), p), by_all); });
+    return input_error([&] { filled_stones(handed_out(std::move(shells), *comm), *comm, fill); });
+  };
+  const auto first_of_each_fails = fault([](const std::vector<ClosedMesh>& surfaces) {
+    auto meshes = filled(surfaces);
+    if (!meshes.empty()) meshes.front().failure = "for the sake of this test";
+    return meshes;
+  });
+  const int failing = std::min(7, comm->getSize());
+  TEST_ASSERT(holds(first_of_each_fails, std::to_string(failing) + " of 7 stones cannot be filled with cells:\n"
+                                                                   "    stone voussoir 0: for the sake of this test"));
+  const auto hollow = fault([](const std::vector<ClosedMesh>& surfaces) {
+    auto meshes = filled(surfaces);
+    for (auto& mesh : meshes) mesh.cells.pop_back();
+    return meshes;
+  });
+  TEST_ASSERT(holds(hollow, "7 of 7 stones cannot be filled"));
 }
 
 // A support on such a set would hold the stone of that name too, or that stone in the place of the set.
@@ -191,7 +228,8 @@ TEUCHOS_UNIT_TEST(StoneSource, TellsOfTheFileWhatIsToBeTold) {
   StonesParameters p;
   p.file = "repeated.stl";
   const auto read = read_stone_blocks(p, *comm);
-  TEST_ASSERT((read->block_sets() == std::vector<std::string>{"x 1", "x 2", "one neighbour"}));
+  read->bring({0, 1}, *comm);
+  TEST_ASSERT((read->block_sets() == SetNames{"x 1", "x 2", "one neighbour"}));
   const auto warnings = read->warnings();
   TEST_ASSERT(warnings.size() == 1 && warnings[0].what == "names_repeated");
 }

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-#include "stones/cell_mesh.hpp"
+#include "stones/filled_stones.hpp"
 #include "stones/overlaps.hpp"
 #include "unit/stones/drawn_stones.hpp"
 
