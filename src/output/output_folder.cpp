@@ -67,16 +67,60 @@ int lock(const fs::path& folder, int kind = LOCK_EX) {
   return -1;
 }
 
+// What a run takes away before it begins, and the rest of what it writes.
+constexpr const char* results[] = {result_file, interrupted_file, checkpoint_file,   joints_file,    history_file,
+                                   fields_file, xdmf_of_steps,    xdmf_of_last_step, xdmf_of_joints, "report.html"};
+constexpr const char* beside_results[] = {"scene.xml", drawing_file, "pictures"};
+
+bool is_written_by_runs(const std::string& name) {
+  const auto is_name = [&](const char* file) { return name == file; };
+  return std::any_of(std::begin(results), std::end(results), is_name) ||
+         std::any_of(std::begin(beside_results), std::end(beside_results), is_name);
+}
+
+/// What the run reads is not to be replaced by what it writes.
+/// @param goes_on  with the scene of the folder, which it may have been given by name
+void refuse_to_replace(const fs::path& folder, const std::vector<std::string>& inputs, bool goes_on) {
+  for (const auto& input : inputs) {
+    const fs::path file(input);
+    const auto name = file.filename().string();
+    std::error_code none;
+    if (!is_written_by_runs(name) || (goes_on && name == "scene.xml")) continue;
+    if (!fs::equivalent(file.has_parent_path() ? file.parent_path() : fs::path("."), folder, none)) continue;
+    refuse(folder, "would have " + input +
+                       " replaced by a file of the results of the same name\n  and the run reads it: "
+                       "nothing was changed.\n  Give another folder with --out=DIR.");
+  }
+}
+
+/// Renames a folder of results. What it holds beside, which the program has not made, stays in a folder of the old
+/// name.
+/// @return the new name
+fs::path set_aside(const fs::path& folder) {
+  const bool is_dot = folder.filename() == "." || folder.filename() == "..";
+  const auto named = is_dot ? without_slash(fs::canonical(folder).string()) : folder;
+  const fs::path older = next_free(named);
+  const bool all = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                               [](const auto& entry) { return is_written_by_runs(entry.path().filename().string()); });
+  if (all && !is_dot) {
+    fs::rename(folder, older);
+    return older;
+  }
+  fs::create_directory(older);
+  for (const auto& list : {std::vector<const char*>(std::begin(results), std::end(results)),
+                           std::vector<const char*>(std::begin(beside_results), std::end(beside_results))})
+    for (const char* file : list)
+      if (fs::exists(fs::symlink_status(folder / file))) fs::rename(folder / file, older / file);
+  return older;
+}
+
 /// @param held  the lock on the folder
 /// @return where the earlier results went
-std::string prepare(const std::string& name, Earlier earlier, int& held) {
-  // Everything a run writes but scene.xml, which tells nothing that the user does not have.
-  static const char* const results[] = {result_file,    interrupted_file, checkpoint_file, joints_file,
-                                        history_file,   fields_file,      xdmf_of_steps,   xdmf_of_last_step,
-                                        xdmf_of_joints, "report.html"};
+std::string prepare(const std::string& name, Earlier earlier, const std::vector<std::string>& inputs, int& held) {
   const fs::path folder = without_slash(name);
   try {
     held = lock(folder);
+    refuse_to_replace(folder, inputs, earlier == Earlier::go_on);
     const bool ended = fs::exists(folder / result_file), can_go_on = fs::exists(folder / checkpoint_file);
     if (earlier == Earlier::go_on) {
       if (!can_go_on)
@@ -95,10 +139,8 @@ std::string prepare(const std::string& name, Earlier earlier, int& held) {
         refuse(folder,
                "holds a run that was interrupted\n  and nothing was changed.\n  Go on with it by --restart, "
                "remove it by --overwrite, or give another folder with --out=DIR.");
-      const fs::path older = next_free(folder);
-      fs::rename(folder, older);
-      kept = older.string();
-      ::close(std::exchange(held, -1));  // it is that of the renamed folder
+      kept = set_aside(folder).string();
+      if (!fs::exists(folder)) ::close(std::exchange(held, -1));  // it is that of the renamed folder
     }
     fs::create_directories(folder);
     if (held < 0) held = lock(folder);
@@ -112,9 +154,10 @@ std::string prepare(const std::string& name, Earlier earlier, int& held) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& folder, Earlier earlier, const Teuchos::Comm<int>& comm) {
+OutputFolder::OutputFolder(const std::string& folder, Earlier earlier, const Teuchos::Comm<int>& comm,
+                           const std::vector<std::string>& inputs) {
   try {
-    on_first_rank(comm, [&] { kept_ = prepare(folder, earlier, lock_); });
+    on_first_rank(comm, [&] { kept_ = prepare(folder, earlier, inputs, lock_); });
   } catch (...) {
     if (lock_ >= 0) ::close(lock_);
     throw;

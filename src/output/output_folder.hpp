@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <Teuchos_Comm.hpp>
 
@@ -16,13 +17,16 @@ enum class Earlier {
 
 /// A folder that is ready to be written to, by this run alone as long as the object lives.
 ///
-/// Results are never lost by accident: a folder that holds some is renamed to folder.1 (or the next free number), and
-/// one that holds a run that did not end, but left a checkpoint, is not touched at all unless told to. A folder that
-/// another run writes to is refused; the lock ends with the process, however that ends.
+/// Results are never lost by accident: a folder that holds some is renamed to folder.1 (or the next free number), what
+/// else lies in it stays where it is, and one that holds a run that did not end, but left a checkpoint, is not touched
+/// at all unless told to. A folder that another run writes to is refused; the lock ends with the process, however that
+/// ends.
 class OutputFolder {
  public:
   /// Makes `folder`, parents included, and proves that it can be written. Collective; all ranks throw ResourceError.
-  OutputFolder(const std::string& folder, Earlier, const Teuchos::Comm<int>& comm);
+  /// @param inputs  files and folders that the run reads: a folder where one of them would be replaced is refused
+  OutputFolder(const std::string& folder, Earlier, const Teuchos::Comm<int>& comm,
+               const std::vector<std::string>& inputs = {});
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

@@ -13,6 +13,7 @@
 #include "run/scene_blocks.hpp"
 #include "run/scene_file.hpp"
 #include "scene/scene_printer.hpp"
+#include "scene/scene_reader.hpp"
 
 namespace voussoir {
 namespace {
@@ -77,7 +78,7 @@ RunSummary run(const Scene& scene, const RunOptions& options, const Comm& comm, 
   const auto earlier = options.restart ? Earlier::go_on : options.overwrite ? Earlier::remove : Earlier::keep;
   std::optional<BranchedFolder> branched;
   if (!options.restart_from.empty()) branched.emplace(options.restart_from, options.folder, *comm);
-  const OutputFolder folder(options.folder, earlier, *comm);
+  const OutputFolder folder(options.folder, earlier, *comm, files_read(scene));
   if (!folder.kept().empty()) say << "Earlier results were kept in " << folder.kept() << "\n";
   const bool goes_on = options.restart || branched;
   if (!goes_on) write_scene_file(scene, options.folder, *comm);

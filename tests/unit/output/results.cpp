@@ -259,6 +259,44 @@ TEUCHOS_UNIT_TEST(OutputFolder, AFinishedRunIsKeptUnderTheNextFreeNumber) {
   TEST_ASSERT(fs::is_empty(folder));
 }
 
+TEUCHOS_UNIT_TEST(OutputFolder, WhatTheProgramHasNotMadeStaysWhereItIs) {
+  const std::string folder = fresh_folder("beside") + "/wall";
+  OutputFolder(folder, Earlier::keep, *world());
+  for (const char* file : {"/result.json", "/scene.xml", "/notes.txt"}) write(folder + file, file);
+  fs::create_directories(folder + "/photos");
+  const std::string kept = OutputFolder(folder, Earlier::keep, *world()).kept();
+  TEST_EQUALITY(kept, folder + ".1");
+  TEST_EQUALITY(content(kept + "/result.json"), "/result.json");
+  TEST_ASSERT(fs::exists(kept + "/scene.xml") && !fs::exists(kept + "/notes.txt"));
+  TEST_EQUALITY(content(folder + "/notes.txt"), "/notes.txt");
+  TEST_ASSERT(fs::exists(folder + "/photos") && !fs::exists(folder + "/result.json"));
+  TEST_THROW(
+      {
+        const OutputFolder first(folder, Earlier::keep, *world());
+        OutputFolder(folder, Earlier::keep, *world());
+      },
+      ResourceError);  // the lock is that of the folder that stayed
+}
+
+TEUCHOS_UNIT_TEST(OutputFolder, WhatARunReadsIsNotReplaced) {
+  const std::string folder = fresh_folder("reads") + "/wall";
+  OutputFolder(folder, Earlier::keep, *world());
+  for (const std::string name : {"scene.xml", "drawing.svg", "joints.csv"}) {
+    write(folder + "/" + name, "mine");
+    const std::string input = folder + "/../wall/" + name;
+    for (const auto earlier : {Earlier::keep, Earlier::remove}) {
+      const auto message = message_of_resource_error([&] { OutputFolder(folder, earlier, *world(), {input}); });
+      TEST_ASSERT(contains(message, "would have " + input + " replaced by a file of the results of the same name"));
+    }
+    TEST_EQUALITY(content(folder + "/" + name), "mine");
+    world()->barrier();
+    if (world()->getRank() == 0) fs::remove(folder + "/" + name);
+    world()->barrier();
+  }
+  // Of another folder, or of another name.
+  TEST_EQUALITY(OutputFolder(folder, Earlier::keep, *world(), {"scene.xml", folder + "/wall.xml"}).kept(), "");
+}
+
 TEUCHOS_UNIT_TEST(OutputFolder, OverwritingRemovesResultsAndNothingElse) {
   const std::string folder = fresh_folder("overwrite") + "/wall";
   OutputFolder(folder, Earlier::keep, *world()).kept();
