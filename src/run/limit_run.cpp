@@ -2,8 +2,11 @@
 
 #include <Teuchos_Time.hpp>
 #include <cmath>
+#include <optional>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/words.hpp"
 #include "linalg/fail_together.hpp"
 #include "model/construction.hpp"
 #include "model/model_of_blocks.hpp"
@@ -78,48 +81,78 @@ class LimitRun {
 
   /// What the input leaves open. Collective.
   void warn() {
-    for (const auto& w : warnings_of_rigid_stones(scene_, model_))
+    auto warnings = warnings_of_rigid_stones(scene_, model_);
+    if (const auto stages = static_stages(scene_); stages < scene_.stages.size())
+      warnings.push_back(
+          {"not_judged", scene_.file + ": scene > steps > stages > " + scene_.stages[stages].name, "",
+           static_cast<double>(scene_.stages.size() - stages),
+           "this stage has a duration, and inertia bears loads in it and in those behind: limit analysis "
+           "judges " +
+               counted(stages, "stage") + " of load steps that " + (stages == 1 ? "comes" : "come") +
+               " first; run the scene for the rest"});
+    for (const auto& w : warnings)
       if (recorder_.warn(w)) say_ << "  " << in_words(w) << std::endl;
   }
 
+  /// Each stage is judged with the loads at its end: forces that balance two sets of loads balance all between, so that
+  /// what stands at the ends of stages stands within them.
   RunSummary answer() {
     const auto stages = static_stages(scene_);
-    std::vector<char> absent;
-    if (!scene_.construction.empty() && stages > 0) {
-      Construction construction(scene_, model_);
-      auto state = step_.initial_state();
-      construction.begin(scene_.stages[stages - 1].name, model_, state);
-      absent = construction.absent();
-    }
-    const auto factors = factors_after(scene_, stages);
-    factors_ = factors;
-    recorder_.set_loads(factors_, 0);
-    RigidTask task{&absent, nullptr, {}, {}};
-    std::vector<double> prescribed;
-    model_.loads(factors, 0, task.fixed, prescribed);
-    const auto& search = scene_.load_factor;
-    if (search.asked()) task.raised = loads_of_pattern(model_, factors, search.pattern, 0);
-    const RigidLimits<dim> limits(model_, task);
     auto& summary = recorder_.summary();
     summary.rigid.emplace();
     summary.rigid->components = dim;
-    const auto at_rest = limits.bears(0);
-    if (stopped("whether forces can balance the loads is not known")) return summary;
-    if (at_rest.verdict == LimitVerdict::refused) {
-      summary.message =
-          "no forces that joints admit balance the loads, so that no equilibrium exists, by the static theorem";
-      falls(limits, at_rest, 0, at_rest);
-    } else if (at_rest.verdict == LimitVerdict::unknown) {
-      summary.message = "the linear programme could not be solved exactly enough to prove anything";
-    } else {
-      stands(limits, at_rest);
-      if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits, at_rest);
+    std::optional<Construction> construction;
+    if (!scene_.construction.empty()) construction.emplace(scene_, model_);
+    for (std::size_t k = 0; k < stages; ++k) {
+      const bool is_last = k + 1 == stages;
+      const auto& name = scene_.stages[k].name;
+      std::vector<char> absent;
+      if (construction) {
+        auto state = step_.initial_state();
+        construction->begin(name, model_, state);
+        absent = construction->absent();
+      }
+      factors_ = factors_after(scene_, k + 1);
+      if (!is_last && !construction && factors_ == factors_after(scene_, k + 2)) continue;
+      if (!judge(name, is_last, absent)) return summary;
     }
     return summary;
   }
 
  private:
   static constexpr auto stage = "limit analysis";  ///< as fields call its steps
+
+  /// Whether forces can balance the loads of a stage, and of the last one what else is known. Collective.
+  /// @return  whether they can
+  bool judge(const std::string& name, bool is_last, const std::vector<char>& absent) {
+    recorder_.set_loads(factors_, 0);
+    RigidTask task{&absent, nullptr, {}, {}};
+    std::vector<double> prescribed;
+    model_.loads(factors_, 0, task.fixed, prescribed);
+    const auto& search = scene_.load_factor;
+    if (is_last && search.asked()) task.raised = loads_of_pattern(model_, factors_, search.pattern, 0);
+    const RigidLimits<dim> limits(model_, task);
+    auto& summary = recorder_.summary();
+    const auto at_rest = limits.bears(0);
+    const std::string at_end = scene_.stages.size() == 1 ? "" : " at the end of stage '" + name + "'";
+    if (stopped("whether forces can balance the loads" + at_end + " is not known")) return false;
+    if (at_rest.verdict == LimitVerdict::refused) {
+      summary.message = "no forces that joints admit balance the loads" + at_end +
+                        ", so that no equilibrium exists, by the static theorem";
+      falls(limits, at_rest, 0, at_rest);
+    } else if (at_rest.verdict == LimitVerdict::unknown) {
+      summary.message = "the linear programme could not be solved exactly enough to prove anything" +
+                        (at_end.empty() ? "" : " of the loads" + at_end);
+    } else if (is_last) {
+      const auto stages = static_stages(scene_);
+      stands(limits, at_rest,
+             stages > 1       ? " of every stage; at the end of the last, '" + name + "',"
+             : at_end.empty() ? ";"
+                              : at_end + ";");
+      if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits, at_rest);
+    }
+    return at_rest.verdict != LimitVerdict::refused && at_rest.verdict != LimitVerdict::unknown;
+  }
 
   /// Whether the run was asked to stop; then that is what the summary says, with what it knew by then. Collective.
   /// @param unknown  what was being looked for
@@ -134,11 +167,12 @@ class LimitRun {
   }
 
   /// Forces that balance loads: the most balanced ones, and between which ends those of supports can be.
-  void stands(const RigidLimits<dim>& limits, const LimitAnswer<dim>& at_rest) {
+  /// @param of_what  which loads, with the sign behind it
+  void stands(const RigidLimits<dim>& limits, const LimitAnswer<dim>& at_rest, const std::string& of_what) {
     auto& summary = recorder_.summary();
     auto& rigid = *summary.rigid;
     summary.outcome = Outcome::equilibrium;
-    summary.message = "forces that joints admit balance the loads";
+    summary.message = "forces that joints admit balance the loads" + of_what;
     double share = 0;
     const auto forces = limits.most_balanced(0, &share, at_rest);
     if (stopped("how much of every joint they can leave free is not known")) return;
@@ -146,7 +180,7 @@ class LimitRun {
     rigid.at_least = rigid.free_share >= LimitAnalysisParameters::largest_free_share;
     const bool rows = limits.is_rows();
     if (rows && !rigid.at_least) rigid.factor = 1 / (1 - rigid.free_share);
-    summary.message += "; they can leave " + std::string(rigid.at_least ? "at least " : "") +
+    summary.message += " they can leave " + std::string(rigid.at_least ? "at least " : "") +
                        six_digits(100 * rigid.free_share) + " % of every dry joint free" + words_of_share(rigid, rows);
     recorder_.record_forces(limits.on_points(forces), stage, scene_.load_factor.asked() ? 0 : 1);
     const int supports = static_cast<int>(scene_.supports.size());
@@ -247,6 +281,12 @@ template <int dim>
 RunSummary limit_run(const Scene& scene, const BlockSource<dim>& source, const std::string& folder,
                      const Teuchos::RCP<const Teuchos::Comm<int>>& comm, std::ostream& say) {
   Teuchos::Time clock("limit analysis", true);
+  if (static_stages(scene) == 0)
+    throw InputError(
+        scene.file + ": scene > steps > stages > " + scene.stages.front().name +
+        " > duration\n  makes this a stage in time, in which inertia bears loads too: --limit-analysis judges "
+        "the stages of load steps that come first, and there is none.\n  Run the scene, or leave the "
+        "duration out.");
   const auto unsolved = without_load_steps(scene);
   ModelOfBlocks<dim> model(unsolved, source, comm);
   LimitRun<dim> limits(scene, model, folder, say);
