@@ -43,12 +43,13 @@ void add_work(const WorkOfForces& forces, double beyond_mean, double overshoot, 
 }
 
 LoadStepBook::LoadStepBook(const Model& model, const AdaptiveStep& step, const ContactState& before,
-                           const std::vector<double>& load_before, std::vector<double> let_go)
+                           const std::vector<double>& load_before, std::vector<double> let_go, bool from_motion)
     : model_(model),
       step_(step),
       before_(before),
       load_before_(load_before),
       let_go_(std::move(let_go)),
+      from_motion_(from_motion),
       reaction_before_(step.residual(before, load_before)),
       gap_before_(step.stone_gaps(before)) {
   VOUSSOIR_EXPECT((let_go_.empty() || is_of_nodes(model, let_go_)) && "forces let go: of node copies, or none");
@@ -131,6 +132,7 @@ EnergyOfStep LoadStepBook::close(const ContactState& after, const std::vector<do
     work.of_mean += held[i] * (reaction_before_[i] + reaction[i]) / 2;
     work.change_of_loads += (moved[i] - held[i]) * (load[i] - load_before_[i] - (let_go_.empty() ? 0.0 : let_go_[i]));
     work.change_of_reactions += held[i] * (reaction[i] - reaction_before_[i]);
+    if (from_motion_) energy.removed -= (moved[i] - held[i]) * reaction_before_[i] / 2;
   }
   const auto points = of_points(after);
   energy.elastic += model_.mortar_energy(after.lambda) + points.held;
@@ -138,6 +140,7 @@ EnergyOfStep LoadStepBook::close(const ContactState& after, const std::vector<do
   const auto all = [&comm](double mine) { return total_over_ranks(comm, mine); };
   const WorkOfForces of_all{all(work.of_mean), all(work.change_of_loads), all(work.change_of_reactions)};
   energy.elastic = all(energy.elastic);
+  energy.removed = all(energy.removed);
   energy.friction = all(points.friction);
   energy.fracture = all(points.fracture);
   add_work(of_all, all(points.beyond_mean), all(points.overshoot), jumped, energy);

@@ -13,6 +13,10 @@
 // way of equilibria: the structure let go faster than it was moved, as a bar that snaps. Then loads do the work of
 // their mean, and what joints did not take of the energy let go is lost in the jump.
 //
+// After time steps. What moves is in no equilibrium: inertia bears a part of the loads. Load steps know none, so that
+// part lets go within the first of them, from what it was to none, and what it does on that way is removed, as is the
+// kinetic energy. That is exact where the way is straight.
+//
 // Friction takes the force at the end of the step times the slip, as the return mapping of the solver has it
 // (joints/friction_work.hpp). What is left is the imbalance: slips under a pressure that changes within the step (the
 // bound at its end less the mean of bounds), pressure of joints that open or close within it, and a share of t^2/12 of
@@ -46,8 +50,9 @@ class LoadStepBook {
  public:
   /// @param before, load_before  state and nodal loads [N] at the start; both must outlive the book
   /// @param let_go  forces of stones that are gone, none at the end [N]; what they do is removed, and no work of loads
+  /// @param from_motion  whether the structure had velocities there, which the state has no more
   LoadStepBook(const Model&, const AdaptiveStep&, const ContactState& before, const std::vector<double>& load_before,
-               std::vector<double> let_go = {});
+               std::vector<double> let_go = {}, bool from_motion = false);
 
   /// Collective.
   /// @param after, load  state and nodal loads [N] at the end, where stones stand now
@@ -72,6 +77,7 @@ class LoadStepBook {
   const ContactState& before_;
   const std::vector<double>& load_before_;
   const std::vector<double> let_go_;
+  const bool from_motion_;
   std::vector<double> reaction_before_;  ///< [N]
   PointField gap_before_;                ///< [m] of stones, gap and slip along the axes of the start
 };

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/energies.hpp"
 #include "base/text.hpp"
 #include "dynamics/energy_book.hpp"
+#include "linalg/reduce.hpp"
 #include "model/joint_strength.hpp"
 #include "model/model_settings.hpp"
 #include "model/step.hpp"
@@ -83,14 +85,29 @@ inline Warnings warnings_of(const StepReport& report, const ModelSettings& setti
 }
 
 /// What is said of load steps that begin while a structure moves.
-inline Warnings motion_dropped(const EnergyBook& energy, const std::string& when) {
+/// @param before   the first of them
+/// @param removed  [J] after it
+inline Warnings motion_dropped(bool moved, const EnergyBook& before, double removed, const std::string& when) {
   constexpr double stands = 1e-2;  // of the elastic energy: vibrates by a tenth of what loads do
-  if (!(energy.kinetic() > stands * std::max(0.0, energy.elastic()))) return {};
-  return {{"velocity_dropped", "the structure", when, energy.kinetic(),
+  removed -= before.sums().removed;
+  if (!moved || !(std::max(before.kinetic(), removed) > stands * std::max(0.0, before.elastic()))) return {};
+  return {{"velocity_dropped", "the structure", when, removed,
            "load steps begin while the structure moves, and know no velocity: its kinetic energy of " +
-               six_digits(energy.kinetic()) +
-               " J leaves it, as removed_J of the energy book tells; let it come to rest in the stage before, or go on "
+               six_digits(before.kinetic()) +
+               " J leaves it, and what it had stored beyond the equilibrium that it goes to, " + six_digits(removed) +
+               " J in all, as removed_J of the energy book tells; let it come to rest in the stage before, or go on "
                "in time"}};
+}
+
+/// What may be why a step has no answer: with friction without bound a point may neither stick, which would take a
+/// pull, nor open, which would have stones in each other. Collective.
+inline std::string of_unbounded_friction(const Model& model) {
+  bool mine = false;
+  for (int k = 0; k < model.points().owned(); ++k) mine |= std::isinf(model.law()[k].friction);
+  if (!any_of_ranks(*model.structure().comm(), mine)) return "";
+  return "; a joint has friction without bound, with which equations of contact need not have a solution: give it a "
+         "large "
+         "finite friction coefficient";
 }
 
 }  // namespace voussoir

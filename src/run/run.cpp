@@ -172,9 +172,10 @@ bool Run::load_step(const ContactState& before) {
   const auto& summary = recorder_->summary();
   const std::string stage = steps_.stage();
   const double target = steps_.target();
-  const auto dropped = motion_dropped(recorder_->so_far().energy, at_factor(stage, target));
+  const auto energy = recorder_->so_far().energy;
   dynamics_.reset();
-  if (in_motion(*model_.structure().comm(), state_)) untie_what_moved(model_, state_);
+  const bool moved = in_motion(*model_.structure().comm(), state_);
+  if (moved) untie_what_moved(model_, state_);
   state_.velocity.clear();
   std::vector<double> next_load, prescribed;
   model_.loads(steps_.factors(), steps_.time(), next_load, prescribed);
@@ -183,7 +184,7 @@ bool Run::load_step(const ContactState& before) {
   Teuchos::Time clock("step", true);
   std::optional<ContactState> changed;
   const auto& start = start_of(construction_.builds(), before, state_, changed);
-  const LoadStepBook book(model_, step_, start, load_, construction_.let_go());
+  const LoadStepBook book(model_, step_, start, load_, construction_.let_go(), moved);
   theorem_.begin(construction_.absent(), start, load_, next_load, target == 1);
   auto report = theorem_.solve(step_, model_, state_, prescribed);
   if (stopped()) return false;
@@ -208,13 +209,13 @@ bool Run::load_step(const ContactState& before) {
   const auto loads = at_rest(steps_.time(), steps_.factors());
   if (!in_range({state_, next_load, construction_.absent(), at_factor(stage, target), loads}, before)) return false;
   for (const auto& w : warnings_of(report, model_.settings(), at_factor(stage, target))) warn(w);
-  for (const auto& w : dropped) warn(w);
   failure_.reset();
   remove_taken(start);
   recorder_->set_loads(steps_.factors(), steps_.time());
   steps_.accept();
   const double jumps = summary.energy.jump;
   recorder_->record(book, state_, next_load, report, stage, target, writes(), seconds);
+  for (const auto& w : motion_dropped(moved, energy, summary.energy.removed, at_factor(stage, target))) warn(w);
   for (const auto& w : lost_in_jump(summary.energy.jump - jumps, summary.energy, at_factor(stage, target))) warn(w);
   narrator_->end(report, seconds, summary);
   load_ = next_load;
@@ -353,6 +354,7 @@ bool Run::fail(const Failure& failure, double last) {
   summary.load_factor = steps_.reached();
   summary.message =
       "stage '" + steps_.stage() + "', load factor " + six_digits(failure.target) + ": " + failure.report.newton.reason;
+  if (!failure.collapse()) summary.message += of_unbounded_friction(model_);
   if (!failure.collapse()) return false;
   if (last < failure.target)
     summary.message += "; smaller steps, down to load factor " + six_digits(last) + ", could not be decided";

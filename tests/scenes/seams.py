@@ -98,6 +98,26 @@ class Velocity(SeamTest):
         self.assertLess(abs(energy["imbalance_J"]), 1e-4)
         self.assertAlmostEqual(run.history[-1]["ux_m of m"], 0.4 * 0.02, delta=1e-6)
 
+    def test_what_inertia_held_back_goes_with_it(self):
+        """A load that is there at once does twice the work of one that grows; half of it is in the vibration, in motion
+        or as what is stored beyond rest, whenever load steps end it."""
+        press, pressed = {"p": {"type": "traction", "on": "top", "ty": -2e4}}, {"loads": {"p": 1.0}}
+        slowly = self.done(sliding({"own weight": OWN, "pressed": pressed, "twice": {"loads": {"p": 2.0}}}, velocity=0,
+                                   loads=press), SLIDING)
+        of_own, of_one, of_two = (step["external_work_J"] for step in slowly.history)
+        elastic = slowly.history[1]["elastic_J"]
+        work = ((of_two - of_own) - 2 * (of_one - of_own)) / 2  # that of the weight along the way is left out
+        for steps in (3, 7, 8):
+            with self.subTest(steps=steps):
+                stages = {"own weight": OWN, "held": pressed,
+                          "at once": {**pressed, "duration": steps * 5e-5, "time step": 5e-5, "at once": True}}
+                stages = {name: stages[name] for name in ("own weight", "at once", "held")}
+                run = self.done(sliding(stages, velocity=0, loads=press), SLIDING, warnings=["velocity_dropped"])
+                energy = run.result["energy"]
+                self.assertAlmostEqual(energy["removed_J"], work, delta=1e-3 * work)
+                self.assertLess(abs(energy["imbalance_J"]), 1e-5 * work)
+                self.assertAlmostEqual(energy["elastic_J"], elastic, delta=1e-3 * work)
+
     def test_a_restart_at_the_seam_gives_it_once(self):
         stages = {"own weight": OWN, "slides": timed(0.02), "on": timed(0.02)}
         for first in (1, 2):
