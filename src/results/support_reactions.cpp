@@ -16,7 +16,7 @@
 namespace voussoir {
 namespace {
 
-// A reaction below this share of the largest is what solvers leave: it has no place.
+// Of what the nodes of a support bear, by the sizes of their forces: less is what solvers leave, and has no place.
 constexpr double negligible_reaction = 1e-6;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -108,16 +108,16 @@ std::map<std::string, ReactionSummary> support_reactions(const Model& model, con
   std::map<std::string, ReactionSummary> found;
   double largest = 0;
   for (std::size_t k = 0; k < held.size(); ++k) {
-    // Number of nodes, sums of their places, their forces, and the moments of these.
-    std::array<double, 10> mine{};
+    // Number of nodes, sums of their places, their forces, the moments and the sizes of these.
+    std::array<double, 11> mine{};
     for (const auto& [node, size, share] : held[k]) {
       const auto x = s.place(node) - origin;
       Vector<3> force{};
       for (int c = 0; c < dim; ++c) force[c] = residual[dim * node + c];
       force = {dot(share[0], force), dot(share[1], force), dot(share[2], force)};
       const auto moment = cross(x, force);
-      mine = mine +
-             std::array<double, 10>{1, x[0], x[1], x[2], force[0], force[1], force[2], moment[0], moment[1], moment[2]};
+      mine = mine + std::array<double, 11>{1,        x[0],      x[1],      x[2],      force[0],   force[1],
+                                           force[2], moment[0], moment[1], moment[2], norm(force)};
     }
     const auto sum = total_of_each(*s.comm(), mine);
     if (!(sum[0] > 0)) continue;
@@ -127,7 +127,7 @@ std::map<std::string, ReactionSummary> support_reactions(const Model& model, con
     const double square = dot(force, force);
     const auto way = square > 0 ? cross(force, (1 / square) * moment) : Vector<3>{none, none, none};
     found[supports[k].name] = {force, origin + middle + way};
-    largest = std::max(largest, norm(force));
+    largest = std::max(largest, sum[10]);
   }
   for (auto& [name, reaction] : found)
     if (!(norm(reaction.force) > negligible_reaction * largest)) reaction.through = {none, none, none};

@@ -3,6 +3,7 @@
     plausible.py PROGRAM MPIEXEC
 """
 
+import math
 import pathlib
 import sys
 import time
@@ -32,6 +33,16 @@ class Plausible(program.SceneTest):
         self.assertLess(time.monotonic() - begin, seconds)  # it would mesh for minutes
         for word in words:
             self.assertIn(word, run.words)
+
+    def test_friction_without_bound_is_named_where_a_step_has_no_answer(self):
+        for friction, told in ((math.inf, True), (3.0, False)):
+            with self.subTest(friction=friction):
+                text = scene(loads={"push": {"type": "acceleration", "ax": 9.81}}, friction=friction,
+                             stages={"own": {"loads": {"weight": 1.0, "push": 1.6}}},
+                             selection={"mode": "all"}, newton={"largest iterations": 1})
+                run = self.run_scene(text, drawing=DRAWING)
+                self.assertEqual(run.outcome, "not_converged", run.said)
+                self.assertEqual("friction without bound" in run.result["message"], told, run.result["message"])
 
     def test_a_drawing_in_millimetres(self):
         millimetres = stones.geo({name: [(1e4 * x, 1e4 * y) for x, y in corners] for name, corners in WALL.items()},
