@@ -108,8 +108,6 @@ class WithCurvedEdges final : public BlockSource<dim> {
     return std::move(around[0]);
   }
   std::vector<Neighbour> neighbours(BlockId b) const override { return of_->neighbours(b); }
-  int reader_of(BlockId b, int ranks) const override { return of_->reader_of(b, ranks); }
-  BlockSpan read_by(int rank, int ranks) const override { return of_->read_by(rank, ranks); }
   const SetNames& block_sets() const override { return of_->block_sets(); }
   const std::vector<std::string>& facet_sets() const override { return of_->facet_sets(); }
   Warnings warnings() const override { return of_->warnings(); }

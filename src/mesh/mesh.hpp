@@ -92,11 +92,11 @@ class BlockSource {
   /// Blocks that share at least one vertex with a block, ascending.
   virtual std::vector<Neighbour> neighbours(BlockId) const = 0;
   /// The rank that looks a block over and tells of it as long as blocks have no owners: every rank its share by number.
-  virtual int reader_of(BlockId b, int ranks) const {
+  int reader_of(BlockId b, int ranks) const {
     return static_cast<int>(static_cast<long long>(b) * ranks / block_count());
   }
   /// All blocks that a rank is the reader of.
-  virtual BlockSpan read_by(int rank, int ranks) const { return span_read_by(rank, ranks, block_count()); }
+  BlockSpan read_by(int rank, int ranks) const { return span_read_by(rank, ranks, block_count()); }
   /// From now on this rank can be asked of these blocks, too. Collective.
   virtual void bring(const std::vector<BlockId>&, const Teuchos::Comm<int>&) const {}
   /// Names of sets of blocks ("ring west") that this rank knows: those of the blocks that it can be asked of. The set

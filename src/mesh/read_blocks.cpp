@@ -39,29 +39,13 @@ class ReadBlocks final : public BlockSource<dim> {
     VOUSSOIR_CHECK(kept_.has(b) && "a block that was not brought to this rank");
     return neighbours_.at(b);
   }
+  /// A reader sends a block to its owner and to those who own what touches it: messages are no more than a few times
+  /// the share of a rank.
   void bring(const std::vector<BlockId>& wanted, const Teuchos::Comm<int>& comm) const override {
     if (comm.getSize() == 1) return;
-    std::vector<BlockId> missing;
-    for (const BlockId b : wanted)
-      if (!kept_.has(b)) missing.push_back(b);
-    // Messages are copies of blocks: a rank asks for no more of them at a time than its share of a share.
-    const auto most = static_cast<std::size_t>(std::max(1, count_ / (comm.getSize() * comm.getSize())));
-    for (std::size_t from = 0; any_of_ranks(comm, from < missing.size()); from += most) {
-      const auto first = missing.begin() + static_cast<std::ptrdiff_t>(std::min(from, missing.size()));
-      const auto behind = missing.begin() + static_cast<std::ptrdiff_t>(std::min(from + most, missing.size()));
-      bring_at_once({first, behind}, comm);
-    }
-  }
-  const SetNames& block_sets() const override { return names_.block_sets; }
-  const std::vector<std::string>& facet_sets() const override { return names_.facet_sets; }
-  Warnings warnings() const override { return names_.warnings; }
-  std::vector<std::string> report() const override { return names_.report; }
-  std::string picture() const override { return names_.picture; }
-
- private:
-  void bring_at_once(const std::vector<BlockId>& missing, const Teuchos::Comm<int>& comm) const {
     Post<BlockId> ask(comm);
-    for (const BlockId b : missing) ask.add(this->reader_of(b, comm.getSize()), b);
+    for (const BlockId b : wanted)
+      if (!kept_.has(b)) ask.add(this->reader_of(b, comm.getSize()), b);
     std::vector<Parcel<char>> answer;
     for (const auto& asked : std::move(ask).send()) {
       std::vector<BlockToSend<dim>> blocks;
@@ -76,7 +60,13 @@ class ReadBlocks final : public BlockSource<dim> {
         kept_.add(std::move(one.block));
       }
   }
+  const SetNames& block_sets() const override { return names_.block_sets; }
+  const std::vector<std::string>& facet_sets() const override { return names_.facet_sets; }
+  Warnings warnings() const override { return names_.warnings; }
+  std::vector<std::string> report() const override { return names_.report; }
+  std::string picture() const override { return names_.picture; }
 
+ private:
   BlockId count_;
   mutable BlockList<dim> names_;  ///< without its blocks
   mutable KeptBlocks<dim> kept_;  ///< those of the span, and what is brought

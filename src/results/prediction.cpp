@@ -112,8 +112,6 @@ class OfLinearCells final : public BlockSource<dim> {
     return one;
   }
   std::vector<Neighbour> neighbours(BlockId b) const override { return source_.neighbours(b); }
-  int reader_of(BlockId b, int ranks) const override { return source_.reader_of(b, ranks); }
-  BlockSpan read_by(int rank, int ranks) const override { return source_.read_by(rank, ranks); }
   void bring(const std::vector<BlockId>& blocks, const Teuchos::Comm<int>& comm) const override {
     source_.bring(blocks, comm);
   }
