@@ -53,14 +53,15 @@ CoarseOperator::CoarseOperator(const BlockSystem& s, const ContactPoints& points
       inner_(space.map()),
       inner_residual_(space.map()) {
   bool directly = false;
-  if (parameters.released_region && parameters.homogenised) {
+  const bool homogenised = parameters.homogenised && continuum.preconditioner();
+  if (parameters.released_region && homogenised) {
     auto region = std::make_unique<ReleasedRegion>(s, points, selected, space, numbers_);
     directly = region->pays();
     if (directly && region->size() > 0) region_ = std::move(region);
   }
   const auto active = directly ? std::vector<char>() : active_blocks(s, points, selected);
   const bool any = any_of_ranks(*s.comm(), std::find(active.begin(), active.end(), 1) != active.end());
-  if (parameters.homogenised) continuum_ = std::make_unique<ContinuumCorrection>(continuum, space);
+  if (homogenised) continuum_ = std::make_unique<ContinuumCorrection>(continuum, space);
   if (parameters.block_local && any) blocks_ = std::make_unique<BlockSolves>(s, space, active);
   if (!parameters.rigid_blocks || !any) return;
   SharedSystemParameters shared;

@@ -4,25 +4,29 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "homogenisation/lone_nodes.hpp"
 #include "homogenisation/system_matrix.hpp"
 #include "linalg/direct_preconditioner.hpp"
 #include "linalg/local_view.hpp"
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 #include "linalg/traffic.hpp"
 
 namespace voussoir {
 namespace {
 
-/// Rigid motions at owned clusters, 3 columns in the plane and 6 in space. Lengths are scaled, and turns are about the
-/// middle of the structure, so that columns are alike. They are not 0 where a component is held: a group of nodes that
-/// all are held along one axis, as in a slice of a wall in plane strain, would have columns that are, which multigrid
-/// refuses. What it moves held unknowns by is left out (ContinuumCorrection), and in the matrix these stand alone.
+/// Rigid motions at owned clusters, 3 columns in the plane and 6 in space. Lengths are scaled, so that columns are
+/// alike. None is 0 at a group of nodes, which multigrid refuses. So turns are about a point beyond the structure along
+/// every axis: about its middle, one would not move a node there, which can be a group of its own at the border of a
+/// rank. Nor are motions 0 where a component is held, as it is of all nodes in a slice of a wall in plane strain. What
+/// multigrid moves held unknowns by is left out (ContinuumCorrection), and in the matrix these stand alone.
 Teuchos::RCP<TpetraMultiVector> rigid_motions(const BlockSystem& s, const MergedSpace& space) {
   const int dim = s.components(), turns = dim * (dim - 1) / 2;
   auto modes = Teuchos::rcp(new TpetraMultiVector(space.map(), dim + turns));
   auto view = modes->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (int k = 0; k < space.owned_clusters(); ++k) {
-    const auto x = s.place(space.representative()[k]) - s.centre();
+    auto x = s.place(space.representative()[k]) - s.centre();
+    for (int c = 0; c < dim; ++c) x[c] += 0.5 * s.size();
     double value[3][6] = {};
     for (int c = 0; c < dim; ++c) value[c][c] = 1;
     for (int a = 0, m = dim; a < dim; ++a)
@@ -53,7 +57,6 @@ double contrast(const BlockSystem& s) {
 Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const Held& held,
                      const Teuchos::ParameterList& muelu, const CoarseOperatorParameters& numbers,
                      const std::vector<double>& local_stiffness) {
-  const int dim = s.components();
   auto free = points.untieable();
   bool springs = !free.empty();
   free.resize(points.size(), 0);
@@ -79,21 +82,39 @@ Continuum::Continuum(const BlockSystem& s, const ContactPoints& points, const He
     preconditioner_ = std::make_shared<DirectPreconditioner>(*matrix_);
     return;
   }
+  try {
+    make_multigrid(s, muelu);
+  } catch (const SolverFailure&) {  // a factorisation is another way, and so is to go without
+    preconditioner_.reset();
+    if (unknowns < static_cast<Tpetra::global_size_t>(numbers.largest_factor))
+      preconditioner_ = std::make_shared<DirectPreconditioner>(*matrix_);
+  }
+}
+
+void Continuum::make_multigrid(const BlockSystem& s, const Teuchos::ParameterList& muelu) {
+  const int dim = s.components();
   std::vector<GlobalOrdinal> nodes;
   const auto dofs = space_->map()->getNodeElementList();
   for (int k = 0; k < space_->owned_clusters(); ++k) nodes.push_back(dofs[dim * k] / dim);
   auto coordinates = Teuchos::rcp(new TpetraMultiVector(map_of(nodes, s.comm()), dim));
+  TpetraVector places(space_->map());
   {
     auto view = coordinates->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    double* place = local_view_to_write(places);
     for (int k = 0; k < space_->owned_clusters(); ++k)
-      for (int c = 0; c < dim; ++c) view(k, c) = s.place(space_->representative()[k])[c] - s.centre()[c];
+      for (int c = 0; c < dim; ++c)
+        view(k, c) = place[dim * k + c] = s.place(space_->representative()[k])[c] - s.centre()[c];
   }
-  preconditioner_ = std::make_shared<AmgPreconditioner>(matrix_, coordinates, rigid_motions(s, *space_), dim, muelu);
+  const LoneNodes lone(*matrix_, *space_, places);
+  if (lone.others()) {
+    const auto rest = lone.any() ? lone.left_out_of(*matrix_) : matrix_;
+    multigrid_ = std::make_shared<AmgPreconditioner>(rest, coordinates, rigid_motions(s, *space_), dim, muelu);
+  }
+  preconditioner_ = lone.any() ? lone.beside(multigrid_) : multigrid_;
 }
 
 std::vector<MultigridLevel> Continuum::levels() const {
-  const auto multigrid = std::dynamic_pointer_cast<const AmgPreconditioner>(preconditioner_);
-  return multigrid ? multigrid->levels() : std::vector<MultigridLevel>{};
+  return multigrid_ ? multigrid_->levels() : std::vector<MultigridLevel>{};
 }
 
 ContinuumCorrection::ContinuumCorrection(const Continuum& continuum, const MergedSpace& selection)

@@ -22,13 +22,17 @@ class Continuum {
   const MergedSpace& space() const { return *space_; }
   /// What is preconditioned: of blocks as they are where it is factored for its size, else of what is sparse of them.
   const Teuchos::RCP<TpetraMatrix>& matrix() const { return matrix_; }
+  /// None where multigrid fails and the continuum is too large to be factored.
   const std::shared_ptr<const Preconditioner>& preconditioner() const { return preconditioner_; }
   /// Of its multigrid, from the finest to the coarsest; none where it is factored. Collective.
   std::vector<MultigridLevel> levels() const;
 
  private:
+  void make_multigrid(const BlockSystem&, const Teuchos::ParameterList& muelu);
+
   std::unique_ptr<MergedSpace> space_;
   Teuchos::RCP<TpetraMatrix> matrix_;
+  std::shared_ptr<const AmgPreconditioner> multigrid_;
   std::shared_ptr<const Preconditioner> preconditioner_;
 };
 

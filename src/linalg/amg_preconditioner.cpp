@@ -2,9 +2,12 @@
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "linalg/reduce.hpp"
+#include "linalg/solver_failure.hpp"
 
 namespace voussoir {
 namespace {
@@ -12,6 +15,8 @@ namespace {
 using Coordinates = Tpetra::MultiVector<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>;
 
 using LevelMatrix = Teuchos::RCP<Xpetra::Matrix<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>>;
+
+using CoarseSolver = Teuchos::RCP<MueLu::SmootherBase<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>>;
 
 /// Null on ranks without a row of it: there MueLu keeps nothing, or an operator that is no matrix.
 LevelMatrix matrix_of(MueLu::Level& level) {
@@ -71,6 +76,7 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   list.set("number of equations", dim);
   list.set("problem: symmetric", true);
   list.set("coarse: max size", 1000);
+  list.set("rap: fix zero diagonals", true);  // an aggregate of one node has columns of zeros for its turns
   if (!names_smoothers(overrides)) smooth_by_gauss_seidel(list, 1);
   treat_small_levels(list, dim, ranks, overrides);
   if (dim == 2 && ranks > 1) list.set("aggregation: min agg size", least_of_aggregate);
@@ -87,6 +93,25 @@ Teuchos::ParameterList parameters_for(int dim, int ranks, const Teuchos::Paramet
   list.setParameters(overrides);
   if (ranks > 1) keep_coarsest_on_one_rank(list);
   return list;
+}
+
+/// MueLu factors its coarsest level, which is on one rank, where it first solves with it. That would fail inside an
+/// iteration, on that rank alone, and again at each.
+template <class Hierarchy>
+void factor_coarsest(Hierarchy& hierarchy) {
+  const auto& level = hierarchy.GetLevel(hierarchy.GetNumLevels() - 1);
+  const auto a = matrix_of(*level);
+  if (a.is_null() || !level->IsAvailable("PreSmoother")) return;
+  using Vectors = Xpetra::MultiVectorFactory<double, LocalOrdinal, GlobalOrdinal, TpetraMap::node_type>;
+  const auto b = Vectors::Build(a->getRangeMap(), 1), x = Vectors::Build(a->getDomainMap(), 1);
+  b->putScalar(1);
+  try {
+    level->template Get<CoarseSolver>("PreSmoother")->Apply(*x, *b, true);
+  } catch (const std::runtime_error& error) {
+    throw SolverFailure(std::string("MueLu could not solve its coarsest level: ") + error.what());
+  }
+  if (!std::isfinite(x->getVector(0)->norm2()))
+    throw SolverFailure("MueLu could not solve its coarsest level: the solution is not a number");
 }
 
 }  // namespace
@@ -120,6 +145,7 @@ AmgPreconditioner::AmgPreconditioner(const Teuchos::RCP<TpetraMatrix>& a,
   user.set("Nullspace", near_null);
   Teuchos::RCP<TpetraOperator> op = a;
   data_->hierarchy = MueLu::CreateTpetraPreconditioner(op, list);
+  all_or_none(*a->getComm(), [&] { factor_coarsest(*data_->hierarchy->GetHierarchy()); });
 }
 
 AmgPreconditioner::~AmgPreconditioner() = default;

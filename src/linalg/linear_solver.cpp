@@ -39,6 +39,12 @@ bool is_our_mistake(const std::exception& error) {
          !dynamic_cast<const Teuchos::ExceptionBase*>(&error);
 }
 
+bool differ_by_nothing(const TpetraVector& x, const TpetraVector& start) {
+  TpetraVector way(x, Teuchos::Copy);
+  way.update(-1.0, start, 1.0);
+  return way.norm2() == 0;
+}
+
 /// A Preconditioner seen as the operator Belos expects.
 class PreconditionerOperator : public TpetraOperator {
  public:
@@ -127,10 +133,12 @@ LinearSolveResult LinearSolver::solve(const Teuchos::RCP<const TpetraOperator>& 
     // Curvature or directions lost to round-off, which all ranks see alike in the same sums; x holds what was reached.
     result.failure = method + " stopped: " + last_line(error.what());
   } catch (const SolverFailure& error) {  // of all ranks
+    result.nothing = differ_by_nothing(*x, start);
     result.failure = method + " stopped: " + last_line(error.what());
   } catch (const std::exception& error) {
     // A library has failed in the preconditioner. Other ranks know nothing of it, and wait for this one.
     if (is_out_of_memory(error) || is_our_mistake(error) || a->getDomainMap()->getComm()->getSize() > 1) throw;
+    result.nothing = differ_by_nothing(*x, start);
     result.failure = method + " stopped: " + last_line(error.what());
   }
   result.iterations = manager->getNumIters();
