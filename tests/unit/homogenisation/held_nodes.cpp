@@ -38,7 +38,7 @@ Solved solved(const BlockSource<dim>& source, const Structure<dim>& s, const std
   return {result.iterations, relative_residual(*continuum.matrix(), *b, *x), continuum.levels().size()};
 }
 
-/// The lower of two cubes is held, but for nodes on its lattice, which are held along the first axis alone or not at all.
+/// The lower of two cubes is held, but for nodes on its lattice, which are held along the first axis at most.
 using IsFree = std::function<bool(int i, int j, int k)>;
 
 Solved lower_cube_held(const IsFree& is_free, bool along_x = false, const Teuchos::ParameterList& muelu = {}) {
@@ -128,8 +128,8 @@ TEUCHOS_UNIT_TEST(HeldNodes, NeedNoMultigridWhereAllOthersAreHeld) {
   TEST_COMPARE(result.iterations, <=, 6);  // unknowns
 }
 
-// Without the diagonal of columns of zeros the coarsest matrix is singular, on one rank: that must be all ranks' failure,
-// before an iteration begins, and the factors of the whole continuum take over.
+// Without the diagonal of columns of zeros the coarsest matrix is singular, on one rank: that must be a failure of all
+// ranks, before an iteration begins, and the factors of the whole continuum take over.
 TEUCHOS_UNIT_TEST(Continuum, IsFactoredWhereMultigridFails) {
   if (everyone()->getSize() == 1) return;  // the node of the joint has neighbours
   Teuchos::ParameterList muelu("MueLu");
