@@ -9,7 +9,6 @@
 #include "linalg/amg_preconditioner.hpp"
 #include "linalg/direct_preconditioner.hpp"
 #include "linalg/linear_solver.hpp"
-#include "linalg/solver_failure.hpp"
 #include "unit/blocks/lattice_block.hpp"
 #include "unit/linalg/systems.hpp"
 
@@ -129,51 +128,6 @@ TEUCHOS_UNIT_TEST(AmgPreconditioner, IsSymmetricSoThatConjugateGradientsStayConj
     TEST_COMPARE(std::abs(w.dot(mv) - v->dot(mw)), <=, 1e-10 * std::sqrt(v->dot(mv) * w.dot(mw)));
     TEST_COMPARE(v->dot(mv), >, 0.0);
   }
-}
-
-/// Two coupled fields on a lattice of 18 x 18 nodes, of which the first is cut off from all others.
-struct CutLattice {
-  static constexpr int side = 18;
-  Teuchos::RCP<TpetraMatrix> a;
-  Teuchos::RCP<TpetraMultiVector> places, near_null;
-  explicit CutLattice(const Comm& comm) {
-    const auto whole = coupled_laplacian(side);
-    a = distributed(
-        2 * side * side,
-        [whole](long long row) {
-          auto entries = whole(row);
-          for (auto it = entries.begin(); it != entries.end();)
-            it = (row < 2) == (it->first < 2) ? std::next(it) : entries.erase(it);
-          return entries;
-        },
-        comm);
-    const auto nodes = Teuchos::rcp(new TpetraMap(Tpetra::global_size_t{side * side}, 0, comm));
-    places = Teuchos::rcp(new TpetraMultiVector(nodes, 2));
-    near_null = Teuchos::rcp(new TpetraMultiVector(a->getRowMap(), 3));
-    for (int i = 0; i < side * side; ++i) {
-      const double x = 1 + i % side, y = 1 + i / side;
-      places->replaceLocalValue(i, 0, x);
-      places->replaceLocalValue(i, 1, y);
-      near_null->replaceLocalValue(2 * i, 0, 1);
-      near_null->replaceLocalValue(2 * i + 1, 1, 1);
-      near_null->replaceLocalValue(2 * i, 2, -y);
-      near_null->replaceLocalValue(2 * i + 1, 2, x);
-    }
-  }
-};
-
-// A node of two unknowns has three rigid motions: MueLu gives it a column of zeros.
-TEUCHOS_UNIT_TEST(AmgPreconditioner, BearsANodeThatIsCutOffAndSaysWhereItCannot) {
-  const CutLattice lattice(alone());
-  Teuchos::ParameterList muelu("MueLu");
-  muelu.set("coarse: max size", 200);  // the second level is the last
-  const AmgPreconditioner multigrid(lattice.a, lattice.places, lattice.near_null, 2, muelu);
-  const auto r = noise_vector(lattice.a->getRowMap());
-  TpetraVector z(r->getMap());
-  multigrid.apply(*r, z);
-  TEST_COMPARE(z.dot(*r), >, 0.0);
-  muelu.set("rap: fix zero diagonals", false);
-  TEST_THROW(AmgPreconditioner(lattice.a, lattice.places, lattice.near_null, 2, muelu), SolverFailure);
 }
 
 /// |a - b| / |b|
