@@ -38,7 +38,7 @@ std::vector<Edge> without(const std::vector<Edge>& all, const std::vector<Edge>&
 /// An edge of a block by its vertices, so that blocks that touch have the same.
 struct PlacedEdge {
   std::array<VertexId, 2> vertices;
-  BlockId block;
+  BlockId block;  ///< its place in the list
   Edge nodes;
   bool operator<(const PlacedEdge& other) const {
     return std::tie(vertices, block, nodes) < std::tie(other.vertices, other.block, other.nodes);
@@ -63,7 +63,8 @@ void find_curved_edges(std::vector<Block<dim>>& blocks) {
   const auto common = shared_vertices(blocks);
   std::vector<PlacedEdge>
       edges;  // those that another block may have: of all edges they would be larger than the blocks
-  for (auto& block : blocks) {
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    auto& block = blocks[k];
     const auto of_others = pairs_of(block, 1 << dim);
     block.curved = without(pairs_of(block, dim + 1), of_others);
     std::vector<char> is_common;
@@ -71,7 +72,7 @@ void find_curved_edges(std::vector<Block<dim>>& blocks) {
     const auto add = [&](const std::vector<Edge>& some) {
       for (const auto& e : some)
         if (is_common[e[0]] && is_common[e[1]])
-          edges.push_back({ascending(block.vertex[e[0]], block.vertex[e[1]]), block.id, e});
+          edges.push_back({ascending(block.vertex[e[0]], block.vertex[e[1]]), static_cast<BlockId>(k), e});
     };
     add(of_others);
     add(block.curved);
@@ -83,10 +84,9 @@ void find_curved_edges(std::vector<Block<dim>>& blocks) {
     if (std::prev(to)->block != from->block)
       for (auto e = from; e != to; ++e) shared[e->block].push_back(e->nodes);
   }
-  for (auto& block : blocks) {
-    auto& straight = shared[block.id];
-    std::sort(straight.begin(), straight.end());
-    block.curved = without(block.curved, straight);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    std::sort(shared[k].begin(), shared[k].end());
+    blocks[k].curved = without(blocks[k].curved, shared[k]);
   }
 }
 
@@ -102,9 +102,7 @@ class WithCurvedEdges final : public BlockSource<dim> {
   Block<dim> block(BlockId b) const override {
     std::vector<Block<dim>> around{of_->block(b)};
     for (const auto& beside : of_->neighbours(b)) around.push_back(of_->block(beside.block));
-    for (std::size_t i = 0; i < around.size(); ++i) around[i].id = static_cast<BlockId>(i);
     find_curved_edges(around);
-    around[0].id = b;
     return std::move(around[0]);
   }
   std::vector<Neighbour> neighbours(BlockId b) const override { return of_->neighbours(b); }

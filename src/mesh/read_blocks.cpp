@@ -121,14 +121,8 @@ void find_curved_edges_of(std::vector<Block<dim>>& blocks, const BlockSource<dim
   for (std::size_t k = 0; k < own; ++k)
     for (const auto& beside : source.neighbours(blocks[k].id))
       if (here.emplace(beside.block, 0).second) blocks.push_back(source.block(beside.block));
-  std::vector<BlockId> ids;
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    ids.push_back(blocks[k].id);
-    blocks[k].id = static_cast<BlockId>(k);
-  }
   find_curved_edges(blocks);
   blocks.resize(own);
-  for (std::size_t k = 0; k < own; ++k) blocks[k].id = ids[k];
 }
 
 }  // namespace
@@ -162,26 +156,34 @@ BlockList<dim> without_blocks(const BlockList<dim>& of_first, const Teuchos::Com
   return list;
 }
 
+std::string part_of_first(const Teuchos::Comm<int>& comm, const std::function<std::string(int reader)>& part) {
+  std::string mine;
+  for (int reader = 0; reader < comm.getSize(); ++reader) {
+    std::vector<Parcel<char>> parcels;
+    if (comm.getRank() == 0) {
+      const auto bytes = part(reader);
+      parcels.push_back({reader, {bytes.begin(), bytes.end()}});
+    }
+    for (const auto& parcel : exchange_parcels(std::move(parcels), comm))
+      mine.assign(parcel.items.begin(), parcel.items.end());
+  }
+  return mine;
+}
+
 template <int dim>
 BlockList<dim> handed_out(BlockList<dim> of_first, const Teuchos::Comm<int>& comm) {
-  const int ranks = comm.getSize();
-  if (ranks == 1) return of_first;
+  if (comm.getSize() == 1) return of_first;
   auto list = without_blocks(of_first, comm);
-  auto blocks = comm.getRank() == 0 ? std::move(of_first.blocks) : std::vector<Block<dim>>();
-  for (int reader = 0; reader < ranks; ++reader) {
-    const auto span = span_read_by(reader, ranks, static_cast<BlockId>(blocks.size()));
+  const auto bytes = part_of_first(comm, [&](int reader) {
     std::vector<BlockToSend<dim>> theirs;
+    const auto span = span_read_by(reader, comm.getSize(), static_cast<BlockId>(of_first.blocks.size()));
     for (BlockId b = span.from; b < span.to; ++b)
-      theirs.emplace_back(std::exchange(blocks[b], {}), of_first.block_sets);
-    const auto bytes = bytes_of(theirs);
-    theirs.clear();
-    std::vector<Parcel<char>> parcels;
-    if (comm.getRank() == 0) parcels.push_back({reader, {bytes.begin(), bytes.end()}});
-    for (const auto& parcel : exchange_parcels(std::move(parcels), comm))
-      for (auto& one : blocks_of_bytes<dim>({parcel.items.begin(), parcel.items.end()})) {
-        one.teach(list.block_sets);
-        list.blocks.push_back(std::move(one.block));
-      }
+      theirs.emplace_back(std::exchange(of_first.blocks[b], {}), of_first.block_sets);
+    return bytes_of(theirs);
+  });
+  for (auto& one : blocks_of_bytes<dim>(bytes)) {
+    one.teach(list.block_sets);
+    list.blocks.push_back(std::move(one.block));
   }
   return list;
 }

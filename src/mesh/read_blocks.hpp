@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Teuchos_Comm.hpp>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "mesh/block_list.hpp"
 
@@ -22,6 +24,11 @@ std::unique_ptr<BlockSource<dim>> make_source_of_readers(BlockList<dim> of_span,
 /// @return  as the function above takes it
 template <int dim>
 BlockList<dim> handed_out(BlockList<dim> of_first, const Teuchos::Comm<int>&);
+
+/// What the first rank has for this one. Parts go reader by reader, so that no more than one of them is there twice.
+/// Collective.
+/// @param part  asked of the first rank, for each in turn
+std::string part_of_first(const Teuchos::Comm<int>&, const std::function<std::string(int reader)>& part);
 
 /// Words, warnings and names of sets of facets of the first rank, on every rank, without blocks. Collective.
 /// @param of_first  of the other ranks nothing is taken

@@ -67,15 +67,24 @@ int lock(const fs::path& folder, int kind = LOCK_EX) {
   return -1;
 }
 
-// What a run takes away before it begins, and the rest of what it writes.
+// What a run removes as it begins.
 constexpr const char* results[] = {result_file, interrupted_file, checkpoint_file,   joints_file,    history_file,
                                    fields_file, xdmf_of_steps,    xdmf_of_last_step, xdmf_of_joints, "report.html"};
-constexpr const char* beside_results[] = {"scene.xml", drawing_file, "pictures"};
+// What it writes beside them, and what reports add.
+constexpr const char *of_scene[] = {"scene.xml", drawing_file}, *of_reports = "pictures";
 
 bool is_written_by_runs(const std::string& name) {
   const auto is_name = [&](const char* file) { return name == file; };
   return std::any_of(std::begin(results), std::end(results), is_name) ||
-         std::any_of(std::begin(beside_results), std::end(beside_results), is_name);
+         std::any_of(std::begin(of_scene), std::end(of_scene), is_name);
+}
+
+/// Names of what lies in a folder; none where there is no such folder.
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  return names;
 }
 
 /// What the run reads is not to be replaced by what it writes.
@@ -100,17 +109,15 @@ fs::path set_aside(const fs::path& folder) {
   const bool is_dot = folder.filename() == "." || folder.filename() == "..";
   const auto named = is_dot ? without_slash(fs::canonical(folder).string()) : folder;
   const fs::path older = next_free(named);
-  const bool all = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                               [](const auto& entry) { return is_written_by_runs(entry.path().filename().string()); });
-  if (all && !is_dot) {
+  const auto names = names_in(folder);
+  const auto is_ours = [](const std::string& name) { return is_written_by_runs(name) || name == of_reports; };
+  if (!is_dot && std::all_of(names.begin(), names.end(), is_ours)) {
     fs::rename(folder, older);
     return older;
   }
   fs::create_directory(older);
-  for (const auto& list : {std::vector<const char*>(std::begin(results), std::end(results)),
-                           std::vector<const char*>(std::begin(beside_results), std::end(beside_results))})
-    for (const char* file : list)
-      if (fs::exists(fs::symlink_status(folder / file))) fs::rename(folder / file, older / file);
+  for (const auto& name : names)
+    if (is_written_by_runs(name)) fs::rename(folder / name, older / name);
   return older;
 }
 
@@ -132,8 +139,8 @@ std::string prepare(const std::string& name, Earlier earlier, const std::vector<
       return "";
     }
     std::string kept;
-    const bool any = std::any_of(std::begin(results), std::end(results),
-                                 [&](const char* file) { return fs::exists(folder / file); });
+    const auto names = names_in(folder);  // a scene.xml or a drawing without results may be anyone's: it is kept too
+    const bool any = std::any_of(names.begin(), names.end(), is_written_by_runs);
     if (any && earlier == Earlier::keep) {
       if (can_go_on && !ended)
         refuse(folder,

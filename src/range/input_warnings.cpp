@@ -111,7 +111,7 @@ LongestStone longest_stone(const BlockSource<dim>& source, bool from_file, const
   if (from_file) {
     const auto read = source.read_by(comm.getRank(), comm.getSize());
     for (BlockId b = read.from; b < read.to; ++b) look_at(b);
-  } else if (comm.getRank() == 0) {  // generated stones are alike, but for cut ones at the start of a course
+  } else if (comm.getRank() == 0) {  // generated stones are alike
     for (const BlockId b : {0, source.block_count() - 1}) look_at(b);
   }
   LongestStone all;

@@ -106,8 +106,7 @@ inline std::string of_unbounded_friction(const Model& model) {
   for (int k = 0; k < model.points().owned(); ++k) mine |= std::isinf(model.law()[k].friction);
   if (!any_of_ranks(*model.structure().comm(), mine)) return "";
   return "; a joint has friction without bound, with which equations of contact need not have a solution: give it a "
-         "large "
-         "finite friction coefficient";
+         "large finite friction coefficient";
 }
 
 }  // namespace voussoir

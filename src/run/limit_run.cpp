@@ -94,8 +94,8 @@ class LimitRun {
       if (recorder_.warn(w)) say_ << "  " << in_words(w) << std::endl;
   }
 
-  /// Each stage is judged with the loads at its end: forces that balance two sets of loads balance all between, so that
-  /// what stands at the ends of stages stands within them.
+  /// Each stage is judged with the loads at its end. Forces that balance two sets of loads balance all between, so that
+  /// what stands there stands within stages too, where no stones come or go.
   RunSummary answer() {
     const auto stages = static_stages(scene_);
     auto& summary = recorder_.summary();
@@ -146,7 +146,7 @@ class LimitRun {
     } else if (is_last) {
       const auto stages = static_stages(scene_);
       stands(limits, at_rest,
-             stages > 1       ? " of every stage; at the end of the last, '" + name + "',"
+             stages > 1       ? " at the end of every stage; at that of the last, '" + name + "',"
              : at_end.empty() ? ";"
                               : at_end + ";");
       if (summary.outcome != Outcome::interrupted && search.asked()) raise(limits, at_rest);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/sort_unique.hpp"
-#include "linalg/parcels.hpp"
 #include "mesh/alike_blocks.hpp"
 #include "mesh/block_bytes.hpp"
 #include "mesh/border.hpp"
@@ -317,19 +316,13 @@ void make_alike_equal(StoneShells& shells) {
 }
 
 StoneShells handed_out(StoneShells of_first, const Teuchos::Comm<int>& comm) {
-  const int ranks = comm.getSize();
-  if (ranks == 1) return of_first;
+  if (comm.getSize() == 1) return of_first;
   StoneShells mine;
   mine.list = without_blocks(of_first.list, comm);
-  for (int reader = 0; reader < ranks; ++reader) {
-    std::vector<Parcel<char>> parcels;
-    if (comm.getRank() == 0) {
-      const auto bytes = bytes_of_span(of_first, span_read_by(reader, ranks, static_cast<BlockId>(of_first.stones)));
-      parcels.push_back({reader, {bytes.begin(), bytes.end()}});
-    }
-    for (const auto& parcel : exchange_parcels(std::move(parcels), comm))
-      read_span({parcel.items.begin(), parcel.items.end()}, mine);
-  }
+  const auto bytes = part_of_first(comm, [&](int reader) {
+    return bytes_of_span(of_first, span_read_by(reader, comm.getSize(), static_cast<BlockId>(of_first.stones)));
+  });
+  read_span(bytes, mine);
   return mine;
 }
 

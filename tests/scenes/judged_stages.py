@@ -43,7 +43,7 @@ class JudgedStages(program.SceneTest):
 
     def test_of_those_that_stand_the_last_is_told_of(self):
         run = self.judged({"own": OWN, "softer": {"loads": {"push": 0.3}}, "soft": SOFT})
-        self.assertIn("balance the loads of every stage; at the end of the last, 'soft',", run.result["message"])
+        self.assertIn("balance the loads at the end of every stage; at that of the last, 'soft',", run.result["message"])
 
     def test_a_stone_that_goes_is_there_until_then(self):
         """The block is pushed hard while it is there, and again when it has gone and the boulder alone would slide."""

@@ -278,6 +278,19 @@ TEUCHOS_UNIT_TEST(OutputFolder, WhatTheProgramHasNotMadeStaysWhereItIs) {
       ResourceError);  // the lock is that of the folder that stayed
 }
 
+TEUCHOS_UNIT_TEST(OutputFolder, ASceneOfAnotherIsKeptThoughThereAreNoResults) {
+  const std::string folder = fresh_folder("others") + "/wall";
+  OutputFolder(folder, Earlier::keep, *world());
+  write(folder + "/scene.xml", "another's");
+  write(folder + "/notes.txt", "mine");
+  if (world()->getRank() == 0) fs::create_directories(folder + "/pictures");
+  world()->barrier();
+  const std::string kept = OutputFolder(folder, Earlier::keep, *world()).kept();
+  TEST_EQUALITY(content(kept + "/scene.xml"), "another's");
+  TEST_ASSERT(fs::exists(folder + "/notes.txt") && fs::exists(folder + "/pictures") &&
+              !fs::exists(folder + "/scene.xml"));
+}
+
 TEUCHOS_UNIT_TEST(OutputFolder, WhatARunReadsIsNotReplaced) {
   const std::string folder = fresh_folder("reads") + "/wall";
   OutputFolder(folder, Earlier::keep, *world());
